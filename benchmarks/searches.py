@@ -3,6 +3,7 @@
 import math
 import time
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from functools import partial
 from unittest import mock
 
@@ -23,26 +24,44 @@ from benchdragon import (
     smallest_pitch,
 )
 from benchdragon.analysis.distance import nearest_each
-from benchdragon.analysis.tables import Tables
+from benchdragon.kernels import contact_question, own_room, question, size_question
+from benchdragon.kernels.beginning import begin_walk
+from benchdragon.kernels.course import Room, Walk
 from benchdragon.solve.size import QUICK_SIZE
 
+# Entries of questions that plain Python answers where one looks into them.
+ASKED = {
+    question: ("close_question",),
+    contact_question: ("open_contact", "seek_contact", "read_contact", "step_contact"),
+    size_question: ("open_size", "seek_size", "read_size", "step_size"),
+}
 # Plans whose verdicts are compared, and settings of the way in to the disc whose smallest pitches are.
 PITCHES: tuple[tuple[str, ...], ...] = (
     (), ("route.pitch=0.44",), ("route.pitch=0.6",), ("dragon.width=0.5",),
 )  # fmt: skip
 
 
-def without_spiral_bound(job: Callable[[], Answer | None]) -> Answer | None:
-    """What a search answers that boxes every cell, as on curves that are no spirals."""
-    begin = Tables.begin
+def in_python(job: Callable[[], Answer | None], *, bound: bool = True) -> Answer | None:
+    """What a search answers that plain Python asks of the engine's other entries.
 
-    def begin_without(tables: Tables) -> None:
-        begin(tables)
-        tables.ground.spans[:] = math.inf, -math.inf
+    Without the bound it boxes every cell, as on curves that are no spirals.
+    """
+    begun = []
 
-    with mock.patch.object(Tables, "begin", autospec=True, side_effect=begin_without) as patched:
+    def begin_without(walk: Walk, room: Room, *span: float) -> bool:
+        begun.append(begin_walk(walk, room, *span))
+        if not bound:
+            room.ground.spans[:] = math.inf, -math.inf
+        return begun[-1]
+
+    with ExitStack() as stack:
+        for module, names in ASKED.items():
+            for name in names:
+                plain = getattr(module, name).__wrapped__
+                stack.enter_context(mock.patch.object(module, name, plain))
+        stack.enter_context(mock.patch.object(own_room, "begin_walk", begin_without))
         found = job()
-    if not patched.called:
+    if not begun:
         raise AssertionError("searches no longer begin where the bound was taken from them")
     return found
 
@@ -56,11 +75,11 @@ def spiral_bound(options: Options) -> list[str]:
     }
     rows = []
     for name, job in searches.items():
-        bare = partial(without_spiral_bound, job)
-        found, again = job(), bare()
+        ask, bare = partial(in_python, job), partial(in_python, job, bound=False)
+        found, again = ask(), bare()
         if found is None or again is None:
             raise AssertionError(f"{name} was found before")
-        ours, theirs = fastest([job, bare], 1 if options.quick else 10)
+        ours, theirs = fastest([ask, bare], 1 if options.quick else 10)
         rows.append([
             name, digits(1e3 * ours), digits(1e3 * theirs), digits(theirs / ours),
             f"{found.value:.13f} {found.unit}", f"{abs(found.value - again.value):.0e} {found.unit}",

@@ -17,19 +17,23 @@ digits.
    boxed once. Two benches can meet only where two such boxes come near one another, whatever the time.
 
 Below: looks needed by either bound alone for the pair that touches first, down to brackets of several
-widths; how many pairs of benches and steps are left after each level of cells; and what looking each
-second, each 0.1 s would have said.
+widths; how many steps cells leave to the search; and what looking each second, each 0.1 s would
+have said.
 """
+
+import math
 
 import numpy as np
 
 from benchdragon import Walk, clearances, contact_windows
 from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.nearby import seams_of
-from benchdragon.kernels import cells, step_bounds
+from benchdragon.kernels import beginning, cells, step_bounds
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import empty_placements
+from benchdragon.kernels.contact_memory import EARLY
+from benchdragon.kernels.walk_search import SEEK
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 
@@ -94,14 +98,12 @@ def main() -> None:
     for slack in (1e-10, 1e-13):
         print(f"{slack:8.0e} {'-':>20s} {looks_for(walk, slack, True):17d}")
 
-    search = ContactSearch(walk, 0.0, 413.0, 1e-6, silent)
-    steps, ground = list(search.steps()), search.tables.ground
-    cell, count = ground.measures[cells.CELL], ground.counts[cells.CELLS]
-    benches, every = len(walk.dragon), int(413.0 / (cell / cells.PARTS))
-    pairs = sum(len(step.first) for step in steps)
-    print(f"\ncells of {cell:.3g} m, cut into {cells.PARTS}: {count} cells")
-    print(f"pairs of benches times steps: {(benches - 1) * (benches - 2) // 2 * every:,} in all")
-    print(f"left to the search: {pairs:,}, from head position {steps[0].start:.1f} m on")
+    search, steps, from_s = ContactSearch(walk, 0.0, 413.0, 1e-6, silent), 0, math.inf
+    while search.find(SEEK, 1e-6) == kernel.FOUND:
+        steps, from_s = steps + 1, min(from_s, float(search.figures[EARLY]))
+    every = 413.0 / (beginning.CELL_SHARE * float(walk.dragon.links.min()) / cells.PARTS)
+    print(f"\nsteps of the head: {every:.0f} in all")
+    print(f"in which benches may meet: {steps}, from head position {from_s:.1f} m on")
 
     print("\nstep, s   first sample that overlaps, s")
     for step in (1.0, 0.1, 0.01):

@@ -5,25 +5,14 @@ corners over the angle numerically, which would need a proof that it falls all t
 """
 
 import math
-import time
-from unittest import mock
 
 import numpy as np
 
-from benchdragon import Dragon, first_contact, tightest_pairs
-from benchdragon.analysis.tables import Tables
+from benchdragon import Dragon, tightest_pairs
 from benchdragon.kernels.curve import P
 from benchdragon.kernels.spiral_bound import clear_radius, shape_of
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import read_plan
-
-BEGIN = Tables.begin
-
-
-def begin_without(tables: Tables) -> None:
-    """Begin a search that knows of no span in which benches keep apart."""
-    BEGIN(tables)
-    tables.ground.spans[:] = math.inf, -math.inf
 
 
 def nearest_to_meeting(walk: Walk, radius: float) -> float:
@@ -35,18 +24,8 @@ def nearest_to_meeting(walk: Walk, radius: float) -> float:
     return min(tightest_pairs(motion, t)[0].distance for t in range(len(start)))
 
 
-def seconds(walk: Walk, end: float) -> float:
-    """The least time of five searches, s."""
-    spent = []
-    for _repeat in range(5):
-        began = time.perf_counter()
-        first_contact(walk, 0.0, end)
-        spent.append(time.perf_counter() - began)
-    return min(spent)
-
-
 def main() -> None:
-    """Print the two tables."""
+    """Print the table."""
     dragon = Dragon.uniform()
     one = np.zeros(1, dtype=np.int64)
     head, body = (shape_of(dragon.sizes[:, n].reshape(4, 1).copy(), one, 0, 0.0) for n in (0, 1))
@@ -59,20 +38,6 @@ def main() -> None:
         walk = read_plan("spiral-in", [f"route.pitch={pitch}"]).build()
         near = nearest_to_meeting(walk, radius)
         print(f"{pitch:8g} {radius:24.3f} {bodies:11.3f} {near:37.3f}")
-
-    print("\nplan, until       search with it, ms   without, ms")
-    for name, settings, end in (
-        ("spiral-in", [], 430.0),
-        ("spiral-in", ["route.pitch=0.4504", "disc.radius=4.5"], 221.0),
-        ("turn", [], 300.0),
-    ):
-        walk = read_plan(name, settings).build()
-        first_contact(walk, 0.0, end)
-        times = []
-        for begin in (BEGIN, begin_without):
-            with mock.patch.object(Tables, "begin", begin):
-                times.append(1e3 * seconds(walk, end))
-        print(f"{name:10s} {end:5g} s {times[0]:18.1f} {times[1]:13.1f}")
 
 
 if __name__ == "__main__":

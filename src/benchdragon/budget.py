@@ -91,6 +91,11 @@ def aside(share: float) -> Iterator[None]:
         _asked.reset(token)
 
 
+def aside_most(share: float) -> float:
+    """How many handles may be placed for what an answer can do without: see `aside`."""
+    return math.inf if _asked.get() is None else share * times() * WORK
+
+
 def allow(share: float) -> None:
     """Let the question at hand take so large a share of a question's work from now on, if not more."""
     asked = _asked.get()

@@ -3,11 +3,9 @@
 import itertools
 import json
 import math
-import tracemalloc
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -29,15 +27,16 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis import contact
-from benchdragon.analysis.contact_search import ContactSearch, contact_search
+from benchdragon.analysis.contact_search import TOLERANCES
 from benchdragon.analysis.distance import tightest_pairs
+from benchdragon.analysis.head_times import HeadTimes
+from benchdragon.kernels import contact_least, memory
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.box import least_distance
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.contact_memory import BASE, Hunt
 from benchdragon.plans.schema import read_plan
-from benchdragon.progress import silent
 from tests.rounding import closing_rate, pair_off
+from tests.solve.asked_in_python import in_python
 
 TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text("utf-8"))
 FIRST_CONTACT = 412.4738376821147
@@ -334,22 +333,22 @@ def test_who_stands_in_contact_touches_from_the_start_on(rest: bool, start: floa
 def test_brackets_end_where_the_head_stands() -> None:
     profile = SpeedProfile((0.0, 10.0, 20.0), (1.0, 0.0, 0.0))
     walk = Walk(Dragon.uniform(20), Route((Spiral(0.55, 12.0 * math.pi, 0.0),)), profile)
-    hunt = ContactSearch(walk, 0.0, 5.0, 0.0, silent)
+    times = HeadTimes(walk, 0.0)
     for s in (5.0, math.nextafter(5.0, 0.0), math.nextafter(5.0, 9.0)):
-        answer = hunt.answer_at(s, s, "found", 0, 8)
-        assert answer.lower <= answer.value <= answer.upper
+        value, lower, upper = times.bracketed(s, s)
+        assert lower <= value <= upper
 
 
 @pytest.mark.parametrize("profile", [((0.1, 3.3, 7.7), (0.3, 1.7, 0.01)), ((0.3, 1e3), (0.7, 1.3))])
 def test_brackets_are_sure_without_rounding(profile: tuple[tuple[float, ...], ...]) -> None:
     route = Route((Spiral(0.55, 32.0 * math.pi, 0.0),))
     walk = Walk(Dragon.uniform(20), route, SpeedProfile(*profile), 0.1)
-    hunt = ContactSearch(walk, 0.1, 9.0, 0.0, silent)
+    times = HeadTimes(walk, 0.1)
     for s in np.random.default_rng(3).uniform(1.0, 9.0, 60).tolist():
-        answer = hunt.answer_at(s, s, "found", 0, 8)
-        assert walk.exact_head_position(answer.lower) <= s <= walk.exact_head_position(answer.upper)
-        assert answer.lower <= answer.value <= answer.upper
-        assert answer.upper - answer.lower < 1e-11
+        value, lower, upper = times.bracketed(s, s)
+        assert walk.exact_head_position(lower) <= s <= walk.exact_head_position(upper)
+        assert lower <= value <= upper
+        assert upper - lower < 1e-11
 
 
 def test_a_walk_that_overlaps_and_then_falls_is_one_that_falls(contest: Walk) -> None:
@@ -361,7 +360,8 @@ def test_longer_dragons_are_searched_without_a_hint(
     contest: Walk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     hinted = least_clearance(contest, 395.0, 405.0)
-    monkeypatch.setattr(contact, "MOST_SAMPLED", 100)
+    in_python(monkeypatch)
+    monkeypatch.setattr(contact_least, "MOST_SAMPLED", 100)
     plain = least_clearance(contest, 395.0, 405.0)
     assert plain.value == pytest.approx(hinted.value, abs=1e-12)
     assert plain.witness is not None
@@ -405,60 +405,38 @@ def test_benches_in_two_clear_spans_come_near() -> None:
     assert found is not None
 
 
-def test_the_steps_of_a_long_dragons_search_hold_no_more_than_their_pairs() -> None:
-    plan = read_plan("turn", ["dragon.benches=850"])
-    walk = plan.build()
-    search = contact_search(walk, plan.span(walk)[0], 400.0, 0.0, silent)
-    search.begin(0.3)
-    tracemalloc.start()
-    try:
-        steps = list(search.steps())
-        held, most = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
-    assert len(steps) > 20
-    assert all(pairs.base is None for step in steps for pairs in (step.first, step.second))
-    assert held < 10e6
-    assert most < 30e6
-
-
-@dataclass
-class Stuck:
-    """A search that ends its passes at these tolerances alone, m."""
-
-    closes: Sequence[float]
-    passes: list[float] = field(default_factory=list)
-
-    def again(self) -> None:
-        pass
-
-    def search(self, _goal: int, note: FloatArray, tolerance: float) -> int:
-        self.passes.append(tolerance)
-        note[[kernel.NEAREST, kernel.FLOOR]] = 0.2, 0.1999
-        return kernel.CLEAR if tolerance in self.closes else kernel.GRAZE
-
-    def pair(self, _note: FloatArray) -> tuple[int, int]:
-        return 0, 2
-
-
 @pytest.mark.parametrize(
     ("closes", "passes", "floor"),
     [((1e-12, 1e-5), 1, 0.1999), ((1e-5,), 3, 0.1999), ((math.inf,), 5, 0.0)],
 )
 def test_a_floor_is_told_by_a_pass_that_came_to_its_end(
-    closes: Sequence[float], passes: int, floor: float
+    monkeypatch: pytest.MonkeyPatch, closes: Sequence[float], passes: int, floor: float
 ) -> None:
-    search: Any = Stuck(closes)
-    best = contact._bracketed(search, contact.Best(0.3, 0.0, (1, 4)), 0.3, contact.TOLERANCES)
-    assert (best.distance, best.pair, best.floor) == (0.2, (0, 2), floor)
-    assert search.passes == [*contact.TOLERANCES, math.inf][:passes]
+    """A search whose passes end at these tolerances alone, m."""
+    seen: list[float] = []
+
+    def ended(block: int, _goal: int, tolerance: float, _left: float, _counted: int) -> int:
+        note = memory.group_at(Hunt, block + BASE).note
+        seen.append(tolerance)
+        note[[kernel.NEAREST, kernel.FLOOR, kernel.PAIR]] = 0.2, 0.1999, 2.0
+        return kernel.CLEAR if tolerance in closes else kernel.GRAZE
+
+    in_python(monkeypatch)
+    monkeypatch.setattr(contact_least, "searched_on", ended)
+    walk = Walk(Dragon.uniform(4), Route((Line(30.0),)), start=15.0)
+    found = least_clearance(walk, 0.0, 1.0)
+    assert found.witness is not None
+    assert (found.value, found.witness.benches) == (0.2, (1, 3))
+    assert found.lower == pytest.approx(floor, abs=1e-12)
+    assert seen == [*TOLERANCES, math.inf][:passes]
 
 
 @pytest.mark.parametrize("benches", [3, 40])
 def test_the_least_clearance_of_an_instant_is_that_of_the_nearest_pair(
     contest: Walk, benches: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(contact, "_bracketed", None)  # there is nothing to search
+    in_python(monkeypatch)
+    monkeypatch.setattr(contact_least, "searched_on", None)  # there is nothing to search
     walk = replace(contest, dragon=Dragon.uniform(benches))
     found, nearest = least_clearance(walk, 300.0, 300.0), tightest_pairs(walk.placement([300.0]))[0]
     assert found.value == nearest.distance > 0.0

@@ -7,11 +7,11 @@ import pytest
 import shapely
 
 from benchdragon import Dragon, InputError, Line, Route, Spiral, Walk, WalkError
+from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.distance import (
     Nearness,
     boxes,
     clearances,
-    low_pair,
     low_point,
     nearest_each,
     nearness,
@@ -20,8 +20,10 @@ from benchdragon.analysis.distance import (
     tightest_pairs,
 )
 from benchdragon.kernels.box import box_distance, corner
+from benchdragon.kernels.contact_memory import BEST, FIRST_BENCH, SECOND_BENCH, SEEN, WHERE
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import read_plan
+from benchdragon.progress import silent
 
 TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text("utf-8"))
 SPIRAL, TURN = read_plan("spiral-in").build(), read_plan("turn").build()
@@ -187,6 +189,14 @@ def test_two_benches_have_no_others() -> None:
     assert not partner.any()
 
 
+def low_pair(walk: Walk, first: float, last: float) -> tuple[float, float, int, int]:
+    """A low distance seen with the head between first and last, m, 0 at least; where, and of which."""
+    with ContactSearch(Walk(walk.dragon, walk.route), first, last, 0.0, silent) as search:
+        search.find(SEEN)
+        distance, where, i, j = search.figures[[BEST, WHERE, FIRST_BENCH, SECOND_BENCH]].tolist()
+    return distance, where, int(i), int(j)
+
+
 @pytest.mark.parametrize("walk", [SPIRAL, TURN])
 def test_a_low_pair_is_as_near_as_it_says_and_no_sample_is_much_nearer(walk: Walk) -> None:
     first, last = 150.0, 400.0
@@ -201,8 +211,9 @@ def test_a_low_pair_is_as_near_as_it_says_and_no_sample_is_much_nearer(walk: Wal
 
 def test_a_low_pair_is_sought_where_the_dragon_stands() -> None:
     length = SPIRAL.route.length
-    assert low_pair(SPIRAL, 400.0, length + 500.0)[0] < 0.0
-    assert low_pair(SPIRAL, length + 1.0, length + 2.0)[0] == math.inf
+    assert low_pair(SPIRAL, 400.0, length + 500.0)[0] == 0.0
+    with pytest.raises(WalkError, match="past the end"):
+        low_pair(SPIRAL, length + 1.0, length + 2.0)
     assert low_pair(SPIRAL, 100.0, 100.0)[0] == pytest.approx(clearances(SPIRAL.motion([100.0]))[0])
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from benchdragon import budget
 from benchdragon.analysis import check as checking
-from benchdragon.analysis import contact, obstacles, speed
+from benchdragon.analysis import contact, contact_search, obstacles, speed
 from benchdragon.analysis.check import Report, check, sentence
 from benchdragon.analysis.left_open import REST
 from benchdragon.analysis.records import verdict_of
@@ -211,8 +211,9 @@ def test_brackets_that_are_too_dear_are_wider(
 ) -> None:
     plan = asked(WELL)
     known = check(plan)
-    monkeypatch.setattr(contact, "REFINING", shares[0])
-    monkeypatch.setattr(contact, "REFINING_ON", shares[1])
+    for module in (contact, contact_search):
+        monkeypatch.setattr(module, "REFINING", shares[0])
+        monkeypatch.setattr(module, "REFINING_ON", shares[1])
     found = check(plan)
     assert found.safe
     near, well = found.clearance, found.obstacles[0].distance

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from benchdragon import budget
-from benchdragon.analysis import contact
 from benchdragon.analysis.check import Report, check
 from benchdragon.analysis.contact import (
     contact_windows,
@@ -22,6 +21,7 @@ from benchdragon.analysis.obstacles import least_distance
 from benchdragon.analysis.rounds import MOST_MISSED, SPARE, Rounds, repeats, returns
 from benchdragon.analysis.speed import QUANTITIES, greatest
 from benchdragon.errors import WalkError
+from benchdragon.kernels import contact_least
 from benchdragon.kernels.rounding import GAP, TILT
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, read_plan
@@ -36,6 +36,7 @@ from tests.analysis.rounds import (
     random_rounds,
     stadium,
 )
+from tests.solve.asked_in_python import in_python
 
 __all__ = ["all_of_it"]
 CASES = Path(__file__).parents[1] / "cases"
@@ -119,7 +120,8 @@ def test_each_pass_of_a_clearance_sees_all_spans(all_of_it: pytest.MonkeyPatch) 
     assert whole.witness.s < 30.0
     all_of_it.undo()
     assert len(new(plan)) > 1
-    all_of_it.setattr(contact, "MOST_SAMPLED", 3)
+    in_python(all_of_it)
+    all_of_it.setattr(contact_least, "MOST_SAMPLED", 3)
     assert together(least_clearance(walk, *span), whole)
 
 

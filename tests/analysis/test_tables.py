@@ -7,9 +7,8 @@ import pytest
 from benchdragon import Arc, Dragon, Line, Route, Spiral, Walk
 from benchdragon.analysis import tables
 from benchdragon.analysis.contact import contact_windows, least_clearance
-from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.errors import InputError, UnsureError, WalkError
-from benchdragon.progress import silent
+from tests.kernels.tried_walks import Searched
 
 SPIRAL = Walk(Dragon.uniform(40), Route((Spiral(0.5, 14.0 * math.pi, 2.0 * math.pi),)), start=40.0)
 HAIRPIN = Route.joined([Line(20.0), Arc(0.8, math.pi), Line(20.0)])
@@ -58,9 +57,8 @@ def test_a_step_with_many_members_is_searched_once_there_is_room(
 def test_room_is_widened_for_doubts() -> None:
     """Round so tight a bend a bench folds: before it there are cells in doubt."""
     walk = Walk(Dragon.uniform(3, 1.4), Route.joined([Line(10.0), Arc(0.3, math.pi), Line(9.0)]))
-    search = ContactSearch(walk, 8.0, 14.0, 0.0, silent)
     with pytest.raises(WalkError):
-        list(search.steps())
+        list(Searched(walk, 8.0, 14.0).steps())
 
 
 def test_a_route_of_too_many_cells_is_refused_when_it_comes_to_them(
@@ -80,8 +78,8 @@ def test_too_many_sizes_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("narrow")
 def test_a_part_of_a_walk_stays_one_when_room_is_widened() -> None:
-    search = ContactSearch(SPIRAL, 40.0, 65.0, 0.0, silent)
+    search = Searched(SPIRAL, 40.0, 65.0)
     search.begin(0.3)
-    search.tables.go(50.0, 52.0)
+    search.go(50.0, 52.0)
     steps = list(search.steps())
     assert 50.0 <= steps[0].start < steps[-1].end == 52.0

@@ -7,11 +7,19 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 
 import benchdragon.proofs.exact  # noqa: F401 - else imported by a proof, once entries are wrapped
+from benchdragon.analysis.bench_nearness import side_of
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import least_clearance
-from benchdragon.analysis.distance import low_point, nearest_each, pair_distances
+from benchdragon.analysis.distance import (
+    boxes,
+    low_point,
+    nearest_each,
+    pair_distances,
+    tightest_pairs,
+)
 from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import QUANTITIES, greatest_at, greatest_speed
 from benchdragon.analysis.swept import swept_area
@@ -24,9 +32,10 @@ from benchdragon.paper.traversal import first_overlap
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import slowed
 from benchdragon.solve.tolerance import CASES, Draw, random_dance
+from tests.solve.asked_in_python import in_python
 
 # Its plain functions call its entries, which no compiled function does.
-MIXED = "benchdragon.kernels.grid"
+MIXED = tuple(f"benchdragon.kernels.{name}" for name in ("grid", "own_room", "contact_steps"))
 
 
 def wrap(wrapper: Callable[[str, Any], Callable[..., Any]]) -> None:
@@ -38,13 +47,14 @@ def wrap(wrapper: Callable[[str, Any], Callable[..., Any]]) -> None:
         calls[id(served)] = wrapper(name, served)
     for name, module in list(sys.modules.items()):
         inside = name == "__main__" or name.startswith("benchdragon.")
-        if name == MIXED or (inside and not name.startswith("benchdragon.kernels")):
+        if name in MIXED or (inside and not name.startswith("benchdragon.kernels")):
             for key, value in list(vars(module).items()):
                 if id(value) in calls:
                     setattr(module, key, calls[id(value)])
                 elif isinstance(value, types.ModuleType) and "benchdragon.kernels." in value.__name__:
                     members = {k: calls.get(id(v), v) for k, v in vars(value).items()}
-                    setattr(module, key, types.SimpleNamespace(**members))
+                    if any(v is not members[k] for k, v in vars(value).items()):
+                        setattr(module, key, types.SimpleNamespace(**members))
 
 
 def questions() -> None:
@@ -57,6 +67,9 @@ def questions() -> None:
     assert swept_area(few.build(), 0.0, 20.0, error=0.1).widest.width.value > 0.3
     slowed(turn)
     least_clearance(turn.build(), -20.0, 20.0)
+    with pytest.MonkeyPatch.context() as patch:
+        in_python(patch)
+        least_clearance(turn.build(), -20.0, 20.0)
     walk = few.build()
     away = walk.route.moved(0.0, (1e5, 0.0))
     least_clearance(dataclasses.replace(walk, route=away), 0.0, 9.0)
@@ -69,6 +82,8 @@ def questions() -> None:
     low_point(walk, 0, 4, 0.0, 60.0)
     motion = walk.motion([0.0, 60.0])
     pair_distances(motion, 0, 4)
+    tightest_pairs(motion)
+    side_of(boxes(motion, 0), 0, (0.0, 0.0))
     motion.acceleration.sum()
     nearest_each(motion)
     assert first_overlap(walk, np.array([0.0, 9.0])) is None

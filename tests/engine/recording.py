@@ -35,7 +35,10 @@ HERE = Path(__file__).parent
 CODES = {dtype: code for code, dtype in DTYPES.items()}
 # Questions under way are known to their engine alone, by handles: what they answer is compared whole
 # (tests/solve/test_size_question.py), not call by call.
-WHOLE = tuple(f"benchdragon.kernels.{name}." for name in ("memory", "question", "size_question"))
+WHOLE = tuple(
+    f"benchdragon.kernels.{name}."
+    for name in ("memory", "question", "size_question", "contact_question")
+)
 # Of each entry so many calls are kept, of which none takes more bytes than this.
 CALLS, BYTES = 12, 4_000_000
 
@@ -47,10 +50,9 @@ ANSWERS = {
     "bd_standing_look_along": {"note": [search.NEAREST]},
     "bd_peak_seek_peak": {"notes": [peak.SEEN, peak.UPPER], "counts": [peak.OPEN]},
     "bd_low_points_low_point": {},
-    "bd_low_points_low_pair": {},
 }
 # Where a distance is least is known to half its digits only: of these only the other results count.
-RESULTS = {"bd_low_points_low_point": [0], "bd_low_points_low_pair": [0, 2, 3]}
+RESULTS = {"bd_low_points_low_point": [0]}
 
 
 @dataclass

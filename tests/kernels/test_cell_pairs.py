@@ -9,15 +9,13 @@ import numpy.typing as npt
 import pytest
 
 from benchdragon import Arc, Bench, Dragon, Line, Route, Spiral, Walk
-from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.tables import kinds_of
 from benchdragon.kernels import cells, course, meetings, near_cells, search
 from benchdragon.kernels.box import HALF_LENGTH, HALF_WIDTH, box_distance, corner, offset
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
-from benchdragon.progress import silent
-from tests.kernels.tried_walks import BENCHES, ROUTES, SMOOTH, searched
+from tests.kernels.tried_walks import BENCHES, ROUTES, SMOOTH, Searched, searched
 
 
 def groups_of(dragon: Dragon) -> IntArray:
@@ -58,7 +56,7 @@ CONTRARY = [
 def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[Bench]) -> None:
     route, start = ROUTES[name]
     dragon = Dragon(benches)
-    ground = searched(dragon, route, (start, start + 3.0), 10.0).tables.ground
+    ground = searched(dragon, route, (start, start + 3.0), 10.0).room.ground
     assert ground.counts[cells.DOUBTS] == 0
     walk, group = Walk(dragon, route), groups_of(dragon)
     for s in np.linspace(start, start + 2.9, 23):
@@ -77,7 +75,7 @@ def test_cells_leave_room_for_how_far_corners_bulge_between_their_borders(name: 
     """A corner's way bulges from its chord by an eighth of the square of the step times its bend."""
     route, start = ROUTES[name]
     dragon = Dragon(BENCHES)
-    ground = searched(dragon, route, (start, start + 3.0), 10.0).tables.ground
+    ground = searched(dragon, route, (start, start + 3.0), 10.0).room.ground
     hull, most, size = ground.hulls, 0.0, float(ground.measures[cells.CELL])
     group = int(groups_of(dragon)[0])
     for cell in range(int(start / size) + 1, int((start + 2.5) / size)):
@@ -105,13 +103,13 @@ def partnered(
     groups, parts = wanted.shape[:2]
     whole = parts // cells.PARTS
     dragon = Dragon.uniform(12, 2.2)
-    tables = ContactSearch(Walk(dragon, Route((Line(99.0),))), 40.0, 41.0, 0.0, silent).tables
+    search = Searched(Walk(dragon, Route((Line(99.0),))), 40.0, 41.0)
     rows = groups * whole
     tree = np.zeros((rows * (1 + cells.PARTS), cells.TREE_COLUMNS), dtype=np.int64)
     tree[:rows, cells.CHILD] = rows + np.arange(rows) * cells.PARTS
     tree[rows:, cells.GROUP] = np.repeat(np.arange(groups), parts)
     tree[rows:, cells.NUMBER] = np.tile(np.arange(parts), groups)
-    ground = tables.ground._replace(
+    ground = search.room.ground._replace(
         tree=tree,
         groups=np.full((groups, cells.WAYS + groups), math.inf),
         middles=np.empty((whole, 2)),
@@ -126,8 +124,8 @@ def partnered(
 
     def pairs(s: FloatArray, group: IntArray, most: int) -> set[tuple[int, int]]:
         first, second = np.empty((2, most), dtype=np.int64)
-        benches = tables.walk.benches._replace(kind=group)
-        kinds = cells.Kinds(tables.walk.kinds.sizes, np.arange(groups))
+        benches = search.hunt.walk.benches._replace(kind=group)
+        kinds = cells.Kinds(search.hunt.walk.kinds.sizes, np.arange(groups))
         found = meetings.meeting_pairs(benches, kinds, ground, s, 0, len(group), first, second)
         named = set(zip(first[:found].tolist(), second[:found].tolist(), strict=True))
         assert len(named) == found
@@ -192,7 +190,7 @@ def test_no_pair_comes_near_but_in_the_steps_that_name_it(name: str) -> None:
     walk = Walk(sizes, route)
     at = np.linspace(start, end, 100)
     placed = walk.placement(at)
-    found = ContactSearch(walk, start, end, 0.0, silent)
+    found = Searched(walk, start, end)
     found.begin(reach)
     named: list[set[tuple[int, int]]] = [set() for _s in at]
     for step in found.steps():
@@ -214,11 +212,11 @@ def test_no_dragon_is_placed_where_only_a_head_could_meet_others_that_has_passed
     route = Route.joined([Line(20.0), Arc(1.2, 2.8), Line(60.0)])
     wide, narrow = Bench(1.7, 3.0, 0.2, 0.3), [Bench(1.1, 0.2, 0.1, 0.1)] * 10
     sizes = Dragon([wide, *narrow] if longest == "head" else [*narrow, wide])
-    found = ContactSearch(Walk(sizes, route), 14.0, 80.0, 0.0, silent)
+    found = Searched(Walk(sizes, route), 14.0, 80.0)
     found.begin(0.3)
     steps = list(found.steps())
     assert 20.0 < steps[0].start < steps[-1].end < 37.0
-    step, chains = steps[0].end - steps[0].start, int(found.tables.course.tally[course.CHAINS])
+    step, chains = steps[0].end - steps[0].start, int(found.room.course.tally[course.CHAINS])
     if longest == "head":
         assert chains * step < 10.0  # of 66 m
     else:  # where the last one stands is not known without

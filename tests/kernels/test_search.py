@@ -2,7 +2,6 @@
 
 import itertools
 import math
-from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -21,32 +20,26 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis.contact_search import ContactSearch, Step, contact_search
 from benchdragon.analysis.distance import pair_distances
-from benchdragon.analysis.nearby import seams_of
+from benchdragon.analysis.nearby import errors_at, seams_of
 from benchdragon.analysis.speed import greatest_speed
-from benchdragon.analysis.tables import Tables
 from benchdragon.errors import WalkError
-from benchdragon.kernels import cells, course, search
+from benchdragon.kernels import cells, course, own_room, search
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, distances_along, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.placement import Placement
-from benchdragon.progress import silent
 from tests.kernels.quantities import ROUNDING
-from tests.kernels.tried_walks import BENCHES, ROUTES, searched
+from tests.kernels.tried_walks import BENCHES, ROUTES, Searched, Step, begun_without_spans, searched
 
 
-def search_one(
-    found: ContactSearch, goal: int, step: Step, note: FloatArray, tolerance: float = 0.0
-) -> int:
-    """Search one step alone, whose pairs are what it says: see `ContactSearch.search`."""
-    tables, count = found.tables, len(step.first)
-    placed = int(tables.course.tally[course.PLACED])
-    tables.go(step.end, step.end)
-    tables.course.way[course.STEP_START] = step.start
-    tables.course.tally[[course.PAIRS, course.PLACED]] = count, placed
-    tables.meeting.first[:count], tables.meeting.second[:count] = step.first, step.second
+def search_one(found: Searched, goal: int, step: Step, note: FloatArray, tolerance: float = 0.0) -> int:
+    """Search one step alone, whose pairs are what it says: see `Searched.search`."""
+    count, placed = len(step.first), int(found.room.course.tally[course.PLACED])
+    found.go(step.end, step.end)
+    way, tally = found.room.course
+    way[course.STEP_START], tally[[course.PAIRS, course.PLACED]] = step.start, (count, placed)
+    found.room.meeting.first[:count], found.room.meeting.second[:count] = step.first, step.second
     return found.search(goal, note, tolerance)
 
 
@@ -63,13 +56,6 @@ def search_step(
     """Search one step with the kernels alone."""  # fmt: skip
     top = search.open_step(room, len(pairs.first), start, end)
     return search.bisect(room, goal, chain, pairs, top, 0, limits, note)
-
-
-def without_spans(tables: Tables, begin: Callable[[Tables], None] = Tables.begin) -> None:
-    """Begin a search that knows of no span in which benches keep apart."""
-    begin(tables)
-    assert (tables.ground.spans[:, 0] < tables.ground.spans[:, 1]).any()
-    tables.ground.spans[:] = math.inf, -math.inf
 
 
 def spiral_walk(width: float, pitch: float = 0.8) -> Walk:
@@ -129,7 +115,7 @@ def search_chain(walk: Walk, members: IntArray) -> search.Chain:
 
 def test_too_few_looks_leave_a_search_stuck() -> None:
     walk = spiral_walk(0.78)
-    step = next(iter(ContactSearch(walk, 0.0, 15.0, 0.0, silent).steps()))
+    step = next(iter(Searched(walk, 0.0, 15.0, 0.0).steps()))
     room = search.room(17, 16, len(step.first))
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
     for goal in (search.FIRST_TOUCH, search.LEAST):
@@ -191,15 +177,15 @@ def test_a_pairs_distances_along_a_walk() -> None:
 def test_a_bench_that_cannot_stand_leaves_its_cell_in_doubt() -> None:
     route = Route.joined([Line(10.0), Arc(0.3, math.pi), Line(10.0)])
     dragon = Dragon.of_sizes(np.full(3, 1.4), 0.2, 0.1, 0.1)
-    found = ContactSearch(Walk(dragon, route), 8.0, 14.0, 0.0, silent)
+    found = Searched(Walk(dragon, route), 8.0, 14.0, 0.0)
     found.begin(10.0)
     steps: list[Step] = []
     with pytest.raises(WalkError):
         steps.extend(found.steps())  # all that came before the failure
-    known, sound = found.tables.course.way[[course.KNOWN, course.SOUND]].tolist()
+    known, sound = found.room.course.way[[course.KNOWN, course.SOUND]].tolist()
     # The head's own bench folds at 10.64 m; hulls hold it up to the cell of that place.
     assert known < sound < 12.0
-    assert known > sound - float(found.tables.ground.measures[cells.CELL]) - 1e-6
+    assert known > sound - float(found.room.ground.measures[cells.CELL]) - 1e-6
     assert steps[-1].end == sound
     assert steps[-1].start >= known
     searched(dragon, route, (8.0, known), 0.1)  # raises nothing
@@ -212,9 +198,7 @@ def test_steps_go_on_to_the_very_end_of_a_walk_without_a_gap() -> None:
     sizes = Dragon([Bench(1.7, 0.4, 0.2, 0.3), *[Bench(1.1, 0.3, 0.1, 0.1)] * 2])
     size = 0.25 * 0.45 * float(sizes.links.min())
     for parts in (91.9, 99.0, 100.0 - 1e-6):
-        search_of = ContactSearch(
-            Walk(sizes, Route((Line(30.0),))), 8.0, 8.0 + parts * size, 0.0, silent
-        )
+        search_of = Searched(Walk(sizes, Route((Line(30.0),))), 8.0, 8.0 + parts * size)
         search_of.begin(10.0)
         steps = list(search_of.steps())
         assert (steps[0].start, steps[-1].end) == (8.0, 8.0 + parts * size)
@@ -226,12 +210,12 @@ def test_steps_go_on_to_the_very_end_of_a_walk_without_a_gap() -> None:
 def test_a_step_begins_with_the_chain_of_the_one_before_or_its_own() -> None:
     """Steps that join reach from few handles to many, and leave a gap: each is searched as alone."""
     walk = spiral_walk(0.3)
-    together, steps = ContactSearch(walk, 9.0, 12.0, 0.0, silent), []
+    together, steps = Searched(walk, 9.0, 12.0), []
     for start, end, j in ((9.0, 9.1, 7), (9.1, 9.2, 15), (9.2, 9.3, 6), (10.0, 10.1, 6), (9.3, 9.4, 8)):
         steps.append(Step(start, end, np.array([0]), np.array([j])))
     for step in steps:
         notes = []
-        for found in (together, ContactSearch(walk, 9.0, 12.0, 0.0, silent)):
+        for found in (together, Searched(walk, 9.0, 12.0)):
             note = np.zeros(search.NOTES)
             note[search.NEAREST] = note[search.FLOOR] = math.inf
             assert search_one(found, search.LEAST, step, note, 1e-9) == search.CLEAR
@@ -244,21 +228,21 @@ def test_what_benches_behind_may_reach_is_boxed(monkeypatch: pytest.MonkeyPatch)
     walk = Walk(Dragon.uniform(40), Route((Spiral(0.5, 36.0 * math.pi, 0.5 * math.pi),)), start=400.0)
     bounds, boxed = [], []
     for _turn in range(2):
-        found = contact_search(walk, 0.0, 45.0, 0.0, silent)
+        found = Searched(walk, *walk.head_position([0.0, 45.0]).tolist())
         note = np.zeros(search.NOTES)
         assert found.search(search.FIRST_TOUCH, note) == search.FOUND
         bounds.append(note[[search.LOWER, search.UPPER, search.PAIR]].tolist())
-        ground, count = found.tables.ground, int(found.tables.ground.counts[cells.CELLS])
+        ground, count = found.room.ground, int(found.room.ground.counts[cells.CELLS])
         whole = ground.tree[: 2 * len(ground.middles)].reshape(2, -1, cells.TREE_COLUMNS)
         boxed.append(int((whole[:, :count, cells.STATE] == cells.BOXED).sum()))
-        monkeypatch.setattr(Tables, "begin", without_spans)
+        monkeypatch.setattr(own_room, "begin_walk", begun_without_spans)
     assert bounds[0] == pytest.approx(bounds[1], abs=1e-10)
     assert boxed[0] < boxed[1]
 
 
 def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
     walk = spiral_walk(0.3)
-    contact_search = ContactSearch(walk, 0.0, 12.0, 0.0, silent)
+    contact_search = Searched(walk, 0.0, 12.0, 0.0)
     contact_search.begin(0.6)
     step = next(iter(contact_search.steps()))
     least = min(
@@ -309,7 +293,7 @@ def test_a_contact_at_the_very_end_of_a_step_is_found() -> None:
 
 def test_every_pair_of_a_step_is_looked_at() -> None:
     walk = Walk(Dragon.uniform(4, 2.2), Route((Line(30.0),)))
-    contact_search = ContactSearch(walk, 15.0, 16.0, 1.5, silent)
+    contact_search = Searched(walk, 15.0, 16.0, 1.5)
     for second, found in (([3, 2], 1), ([2, 3], 0)):
         note = np.zeros(search.NOTES)
         step = Step(15.0, 15.2, np.array([0, 0]), np.array(second))
@@ -323,8 +307,9 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     falls = [pair_distances(walk.placement(ends), 0, j).tolist() for j in range(2, 16)]
     j, (_before, at) = next((j, pair) for j, pair in enumerate(falls, 2) if pair[0] > pair[1] + 9e-15)
     # Nearer by as much as these distances may be off by, and no more.
-    off = ContactSearch(walk, 9.0, 10.0, 0.0, silent, slack=1e-15).off_at(10.0, 0, j)
-    contact_search = ContactSearch(walk, 9.0, 10.0, at + off + 2e-15, silent, slack=1e-15)
+    _errors, offs = errors_at(walk, 10.0)
+    off = max(1e-15, float(offs[0] + offs[j]))
+    contact_search = Searched(walk, 9.0, 10.0, at + off + 2e-15, slack=1e-15)
     note = np.zeros(search.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
     assert search_one(contact_search, search.FIRST_TOUCH, step, note) == search.FOUND
@@ -340,8 +325,7 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
 ) -> None:
     walk = Walk(Dragon.uniform(3, 2.2), Route((Line(30.0),)))
     distance = 2.0 * 1.65 - 2.2
-    contact_search = ContactSearch(walk, 15.0, 16.0, distance + beyond, silent)
-    contact_search.slack = 1e-6
+    contact_search = Searched(walk, 15.0, 16.0, distance + beyond, slack=1e-6)
     pair = np.array([0]), np.array([2])
     note = np.zeros(search.NOTES)
     step = Step(15.0, 15.2, *pair)
@@ -363,6 +347,4 @@ def test_a_bracket_begins_where_all_was_clear() -> None:
 def test_ground_is_asked_for_the_room_of_rounding() -> None:
     walk = spiral_walk(0.3)
     for slack in (1e-13, 0.6):
-        search = ContactSearch(walk, 0.0, 12.0, 0.0, silent)
-        search.slack = slack
-        assert bool(list(search.steps())) == (slack > 0.5)
+        assert bool(list(Searched(walk, 0.0, 12.0, slack=slack).steps())) == (slack > 0.5)

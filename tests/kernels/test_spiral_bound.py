@@ -1,7 +1,6 @@
 """The bound by which turns of a spiral keep apart, against benches placed one by one."""
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -9,7 +8,7 @@ from scipy.optimize import brentq
 
 from benchdragon import Dragon, Route, Spiral, Walk
 from benchdragon.analysis.contact import first_contact, least_clearance
-from benchdragon.analysis.tables import Tables
+from benchdragon.kernels import own_room
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.spiral_bound import (
@@ -19,6 +18,8 @@ from benchdragon.kernels.spiral_bound import (
     follows_outside,
     shape_of,
 )
+from tests.kernels.tried_walks import begun_without_spans
+from tests.solve.asked_in_python import in_python
 
 CONTEST = Dragon.uniform()
 ONE = np.zeros(1, dtype=np.int64)
@@ -105,13 +106,6 @@ def test_parts_of_a_route() -> None:
     assert np.isneginf(spans_of(short, HEAD, BODY, BETWEEN)[0, 0])
 
 
-def without_spans(tables: Tables, begin: Callable[[Tables], None] = Tables.begin) -> None:
-    """Begin a search that knows of no span in which benches keep apart."""
-    begin(tables)
-    assert (tables.ground.spans[:, 0] < tables.ground.spans[:, 1]).any()
-    tables.ground.spans[:] = math.inf, -math.inf
-
-
 @pytest.mark.compiled
 @pytest.mark.parametrize(
     ("spiral", "start", "end"),
@@ -127,7 +121,8 @@ def test_answers_are_the_same_without_the_bound(
     answers = []
     for _turn in range(2):
         answers.append((first_contact(walk, 0.0, end), least_clearance(walk, 0.0, 60.0)))
-        monkeypatch.setattr(Tables, "begin", without_spans)
+        in_python(monkeypatch)
+        monkeypatch.setattr(own_room, "begin_walk", begun_without_spans)
     (contact, least), (other, other_least) = answers
     assert least.value == pytest.approx(other_least.value, abs=1e-12)
     assert (contact is None) == (other is None) == (spiral.end_angle > spiral.start_angle)

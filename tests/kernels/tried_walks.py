@@ -1,8 +1,26 @@
-"""Dragons and routes on which searches and bounds are tried."""
+"""Dragons and routes on which searches and bounds are tried, and searches that may be looked into."""
+
+import math
+import weakref
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import pytest
 
 from benchdragon import Arc, Bench, Clothoid, Dragon, Line, LogSpiral, Route, Spiral, Walk
 from benchdragon.analysis.contact_search import ContactSearch
+from benchdragon.kernels import contact_memory as told
+from benchdragon.kernels import contact_steps, course, memory, question
+from benchdragon.kernels.beginning import begin_walk
+from benchdragon.kernels.contact_memory import BASE, Hunt
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.own_room import ROOMY
+from benchdragon.kernels.question import MORE, SPENT
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import FOUND, PAIR
+from benchdragon.kernels.walk_search import SEEK
 from benchdragon.progress import silent
+from tests.solve.asked_in_python import in_python
 
 BENCHES = [Bench(1.6, 0.4, 0.1, 0.2), *[Bench(1.1, 0.3, 0.1, 0.1)] * 5]
 ROUTES = {
@@ -20,12 +38,103 @@ ROUTES = {
 SMOOTH = [name for name in ROUTES if name != "kink"]
 
 
+@dataclass(frozen=True)
+class Step:
+    """A step of the head, m, and the pairs of benches (rows from 0) that may come within reach."""
+
+    start: float
+    end: float
+    first: IntArray
+    second: IntArray
+
+
+class Searched:
+    """A search of a walk between two head positions, m, in Python: one may look into its room."""
+
+    def __init__(
+        self, walk: Walk, start: float, end: float, margin: float = 0.0, slack: float | None = None
+    ) -> None:
+        with pytest.MonkeyPatch.context() as patch:
+            in_python(patch)
+            self.asked = ContactSearch(walk, start, end, margin, silent, slack=slack)
+        handle = self.asked._handle
+        self.asked._close.detach()
+        weakref.finalize(
+            self, getattr(question.close_question, "__wrapped__", question.close_question), handle
+        )
+        self.block, self._margin = memory.recall(handle), margin
+
+    @property
+    def hunt(self) -> Hunt:
+        """What lies in its block, for now."""
+        return memory.group_at(Hunt, self.block + BASE)
+
+    @property
+    def room(self) -> course.Room:
+        """What it works on, for now; made for the margin, if nothing was begun."""
+        if not self.hunt.figures[told.READY]:
+            self.begin(self._margin)
+        return self.hunt.room
+
+    def begin(self, reach: float) -> None:
+        """Look for all pairs that come within reach, m, from the start on."""
+        assert contact_steps.begun(self.block, reach) == ROOMY
+
+    def go(self, start: float, end: float) -> None:
+        """Let it begin at head position start, m, and end at `end`, both within the first ones."""
+        self.room.course.way[course.GOAL], self.hunt.figures[told.BEGUN] = end, start
+        assert contact_steps.begun_again(self.block) == ROOMY
+
+    def steps(self) -> Iterator[Step]:
+        """The steps in which pairs may come within reach, in order.
+
+        Raises:
+            WalkError: after the last of them, if the dragon cannot walk on to the end.
+        """
+        if not self.hunt.figures[told.READY]:
+            self.begin(self._margin)
+        with pytest.MonkeyPatch.context() as patch:
+            in_python(patch)
+            while self.asked.find(SEEK) == FOUND:
+                meeting, count = self.room.meeting, int(self.room.course.tally[course.PAIRS])
+                start, end = self.room.course.way[[course.STEP_START, course.STEP_END]].tolist()
+                yield Step(start, end, meeting.first[:count].copy(), meeting.second[:count].copy())
+
+    def search(self, goal: int, note: FloatArray, tolerance: float = 0.0) -> int:
+        """Search on for a goal of kernels/search.py; how that ended, and in `note` what was found."""
+        if not self.hunt.figures[told.READY]:
+            self.begin(self._margin)
+        self.hunt.note[:] = note
+        self.hunt.figures[told.LEFT] = self.hunt.limits[told.MOST]
+        ending = MORE
+        while ending == MORE:
+            slack = tolerance or float(self.hunt.limits[told.LEAST_OFF])
+            ending = contact_steps.searched_on(self.block, goal, slack, math.inf, SPENT)
+        note[:] = self.hunt.note
+        return ending
+
+    def pair(self, note: FloatArray) -> tuple[int, int]:
+        """The benches (rows, from 0) of a note."""
+        contact_steps.set_pair(self.hunt, float(note[PAIR]))
+        first, second = self.hunt.figures[[told.FIRST_BENCH, told.SECOND_BENCH]].tolist()
+        return int(first), int(second)
+
+
+def begun_without_spans(
+    walk: course.Walk, room: course.Room, start: float, end: float, reach: float
+) -> bool:
+    """Begin a search that knows of no span in which benches keep apart."""
+    begun = begin_walk(walk, room, start, end, reach)
+    assert (room.ground.spans[:, 0] < room.ground.spans[:, 1]).any()
+    room.ground.spans[:] = math.inf, -math.inf
+    return begun
+
+
 def searched(
     dragon: Dragon, route: Route, span: tuple[float, float], reach: float, slack: float = 1e-13
-) -> ContactSearch:
+) -> Searched:
     """A search of a walk that has looked for all steps in which pairs may come within reach."""
-    found = ContactSearch(Walk(dragon, route), *span, 0.0, silent)
-    found.slack = slack
+    found = Searched(Walk(dragon, route), *span, slack=slack)
     found.begin(reach)
     assert all(step.start < step.end for step in found.steps())
     return found

@@ -16,10 +16,9 @@ from pathlib import Path
 import numpy as np
 
 from benchdragon import Walk
-from benchdragon.analysis.contact_search import MOST_EVALUATIONS, WIDTH, ContactSearch
+from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.every_pair import search_all_pairs
-from benchdragon.progress import silent
 from tests.engine.recording import Recording, replayed
 from tests.laws.hard_dances import dance
 
@@ -70,10 +69,9 @@ class Compared:
 def ask(recording: Recording, seed: int) -> Found:
     """Record the search of a dance; what it found."""
     tried = dance(seed)
-    walk, first = tried.walk, tried.walk.start
-    slack = ContactSearch(walk, first, tried.last, tried.margin, silent).slack
+    walk = tried.walk
     note = np.zeros(kernel.NOTES)
-    limits = (tried.margin, slack, WIDTH, MOST_EVALUATIONS)
+    limits = (tried.margin, SLACK, WIDTH, MOST_EVALUATIONS)
     values = (*question(walk, tried.last), *limits, note)
     ending = recording.call(SYMBOL, search_all_pairs, *values)
     return found(ending, note)

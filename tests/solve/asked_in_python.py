@@ -1,17 +1,18 @@
-"""The engine's question about a size, asked of Python's own entries: what they call may be replaced."""
+"""Questions of the engine asked of Python's own entries: what they call may be replaced."""
 
 import pytest
 
-from benchdragon.kernels import question, size_question
+from benchdragon.kernels import contact_question, question, size_question
 
 ENTRIES = {
     question: ["close_question"],
+    contact_question: ["open_contact", "seek_contact", "read_contact", "step_contact"],
     size_question: ["open_size", "seek_size", "read_size", "step_size"],
 }
 
 
 def in_python(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let plain Python answer the question, by the engine's other entries."""
+    """Let plain Python answer questions, by the engine's other entries."""
     for module, names in ENTRIES.items():
         for name in names:
             entry = getattr(module, name)

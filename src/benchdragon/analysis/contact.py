@@ -3,9 +3,7 @@
 How none is missed, see `contact_search`.
 """
 
-import collections
 import math
-import time as clock
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
@@ -14,30 +12,28 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon import budget
-from benchdragon.analysis.contact_search import ContactSearch, contact_search
-from benchdragon.analysis.distance import low_pair, tightest_pairs
+from benchdragon.analysis.contact_search import (
+    REFINING,
+    REFINING_ON,
+    TOLERANCES,
+    ContactSearch,
+    contact_search,
+)
+from benchdragon.analysis.distance import tightest_pairs
 from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
-from benchdragon.kernels import search as kernel
+from benchdragon.kernels import contact_memory as told
+from benchdragon.kernels.contact_memory import BETWEEN, FARTHER, SEEN
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.low_points import MOST_SAMPLED
 from benchdragon.kernels.route import IntArray
-from benchdragon.model.answer import Answer, Status
-from benchdragon.model.walk import Motion, Walk
+from benchdragon.kernels.search import CLEAR, FIRST_TOUCH, FOUND, LEAST, TOUCH_END
+from benchdragon.model.answer import Answer
+from benchdragon.model.walk import Walk
 from benchdragon.progress import Progress, silent
 
 # Grazes nearer than this to the end of a window, s, belong to it.
 FRAYED = 1e-5
-# The least distance of dragons that are not looked over is first guessed to be this, m, and the guess
-# multiplied by so much until some pair comes nearer.
-FIRST_REACH, WIDER = 0.003, 6.0
-# Least clearances are bracketed to the first of these, m, that benches which keep one distance for a
-# while allow.
-TOLERANCES = (1e-12, 1e-8, 1e-5, 1e-3)
-# What the first of these may take beside a question, as a share of its work, and each of the others:
-# those are for benches that keep one distance, and a bracket is refined while that is cheap.
-REFINING, REFINING_ON = 0.25, 0.05
 # The least clearance of a dragon of one or two benches.
 NONE = Answer(math.inf, math.inf, math.inf, "m", "found")
 # Grazes that are looked past for a sure contact.
@@ -76,19 +72,6 @@ class ClearanceCurve:
     minima: list[Answer]
 
 
-@dataclass(frozen=True)
-class Best:
-    """The least distance seen, m, at which head position, of which benches (rows, from 0).
-
-    No pair is nearer than `floor`.
-    """
-
-    distance: float
-    where: float
-    pair: tuple[int, int]
-    floor: float = 0.0
-
-
 @budget.question()
 def contact_windows(
     walk: Walk,
@@ -110,22 +93,19 @@ def contact_windows(
         WalkError: if the dragon cannot stand at some time, and no windows fill `most` before.
         UnsureError: if it could not be shown that it can.
     """
-    return _windows(contact_search(walk, start, end, margin, progress, whole=True), most)
+    with contact_search(walk, start, end, margin, progress, whole=True) as search:
+        return _windows(search, most)
 
 
 def _windows(search: ContactSearch, most: int, *, sure: bool = False) -> list[Window]:
     """The first windows that a search comes to, so many at most; if `sure`, none after one that is."""
-    opened = _touching_at_start(search)
-    windows = [] if opened is None else [Window(opened, None)]
+    windows = list[Window]()
     while len(windows) < most and not (sure and windows and windows[-1].opens.status == "found"):
         touching = bool(windows) and windows[-1].closes is None
-        note = np.zeros(kernel.NOTES)
-        ending = search.search(kernel.TOUCH_END if touching else kernel.FIRST_TOUCH, note)
-        if ending == kernel.CLEAR:
+        ending = search.find(TOUCH_END if touching else FIRST_TOUCH)
+        if ending == CLEAR:
             break
-        status: Status = "found" if ending == kernel.FOUND else "undecided"
-        lower, at = float(note[kernel.LOWER]), float(note[kernel.UPPER])
-        found = search.answer_at(lower, at, status, *search.pair(note))
+        found = search.moment("found" if ending == FOUND else "undecided")
         _take_down(windows, found, touching=touching)
     return windows
 
@@ -157,19 +137,6 @@ def _widened(window: Window, graze: Answer) -> Window:
     )
 
 
-def _touching_at_start(search: ContactSearch) -> Answer | None:
-    """The contact in which a walk starts, if it does."""
-    tightest = tightest_pairs(search.placement(search.start))
-    if not tightest:
-        return None
-    i, j = (number - 1 for number in tightest[0].benches)
-    off = search.off_at(search.start, i, j)
-    if tightest[0].distance > search.margin - off:
-        return None
-    search.note_off(off)
-    return search.answer_at(search.start, search.start, "found", i, j)
-
-
 @budget.question()
 def first_contact(
     walk: Walk,
@@ -190,7 +157,8 @@ def first_contact(
         WalkError: if no contact comes before a time at which the dragon cannot stand.
         UnsureError: if that could not be decided.
     """
-    windows = _windows(contact_search(walk, start, end, margin, progress), 1)
+    with contact_search(walk, start, end, margin, progress) as search:
+        windows = _windows(search, 1)
     return windows[0].opens if windows else None
 
 
@@ -214,7 +182,8 @@ def first_sure_contact(
     first = (search or first_contact)(walk, start, end, margin=margin, progress=progress)
     if first is None or first.status != "undecided":
         return first
-    windows = _windows(contact_search(walk, start, end, margin, silent), MOST_GRAZES, sure=True)
+    with contact_search(walk, start, end, margin, silent) as again:
+        windows = _windows(again, MOST_GRAZES, sure=True)
     return next((window.opens for window in windows if window.opens.status == "found"), first)
 
 
@@ -240,10 +209,13 @@ def least_clearance(
         WalkError: if the dragon cannot stand at some time.
         UnsureError: if that could not be decided.
     """
-    search = contact_search(walk, start, end, 0.0, progress)
-    if len(walk.dragon) < 3:
-        return NONE
-    return _least(search, _guess(search), within, tolerances)
+    with contact_search(walk, start, end, 0.0, progress, tolerances=tolerances) as search:
+        if len(walk.dragon) < 3:
+            return NONE
+        if search.find(LEAST, within) == FARTHER:
+            bracket = math.inf, float(search.figures[told.FLOOR_AT]), math.inf
+            return search.answer(bracket, "m", "found", seen=False)
+        return _clearance(search)
 
 
 @budget.question()
@@ -256,48 +228,11 @@ def seen_clearance(walk: Walk, start: float, end: float, floor: float) -> Answer
         InputError: for an end before the start.
         WalkError: if the dragon cannot stand at the start.
     """
-    search = contact_search(walk, start, end, 0.0, silent)
-    if len(walk.dragon) < 3:
-        return NONE
-    best = _guess(search)
-    return _clearance_answer(search, replace(best, floor=min(floor, best.distance)))
-
-
-def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequence[float]) -> Answer:
-    """The least clearance, some distance being known: see `least_clearance`."""
-    if search.start == search.end:
-        return _clearance_answer(search, best)
-    reach = best.distance if len(search.walk.dragon) <= MOST_SAMPLED else FIRST_REACH
-    if not best.distance:
-        search.begin(0.0)
-        collections.deque(search.steps(), maxlen=0)  # whether the dragon can walk all the way
-    while best.distance > 0.0:
-        reach = min(reach, best.distance, within)
-        search.begin(reach)
-        if len(search.walk.dragon) > MOST_SAMPLED:  # seen at the start alone
-            best, _closed = _lowered(search, best, reach, math.inf)
-        best = _bracketed(search, best, reach, tolerances)
-        if best.distance <= reach:
-            break
-        if reach >= within:
-            return Answer(
-                math.inf, best.floor, math.inf, "m", "found", None, search.assumed(), search.evaluations
-            )
-        reach *= WIDER
-    return _clearance_answer(search, best)
-
-
-def _guess(search: ContactSearch) -> Best:
-    """A low distance, looked for here and there, so that what is farther need not be searched."""
-    dragon = search.walk.dragon
-    still = search.start == search.end
-    if still or len(dragon) > MOST_SAMPLED:
-        nearest = tightest_pairs(search.placement(search.start))[0]
-        i, j = (number - 1 for number in nearest.benches)
-        apart = max(nearest.distance, 0.0)
-        return Best(apart, search.start, (i, j), apart if still else 0.0)
-    distance, where, i, j = min(low_pair(search.walk, *span) for span in search.spans)
-    return Best(max(distance, 0.0), where, (i, j))
+    with contact_search(walk, start, end, 0.0, silent) as search:
+        if len(walk.dragon) < 3:
+            return NONE
+        search.find(SEEN)
+        return _clearance(search, floor)
 
 
 @contextmanager
@@ -307,51 +242,12 @@ def refined(n: int) -> Iterator[None]:
         yield
 
 
-def _bracketed(search: ContactSearch, best: Best, reach: float, tolerances: Sequence[float]) -> Best:
-    """`best`, or what is lower within `reach`, bracketed as the first tolerance that can be says.
-
-    What is too dear is given up. A last pass, of whatever width, sees the rest of the walk.
-    """
-    for n, tolerance in enumerate(tolerances):
-        search.again()
-        with refined(n):
-            best, closed = _lowered(search, best, min(reach, best.distance), tolerance)
-            if closed:
-                return best
-    search.again()
-    return _lowered(search, best, min(reach, best.distance), math.inf)[0]
-
-
-def _lowered(search: ContactSearch, best: Best, reach: float, tolerance: float) -> tuple[Best, bool]:
-    """`best`, or what is lower within `reach` from here on, and whether its floor was found."""
-    note = np.zeros(kernel.NOTES)
-    note[kernel.NEAREST], note[kernel.FLOOR] = reach, math.inf
-    closed = search.search(kernel.LEAST, note, tolerance) == kernel.CLEAR
-    if note[kernel.NEAREST] < reach:
-        nearest = max(float(note[kernel.NEAREST]), 0.0)
-        best = Best(nearest, float(note[kernel.UPPER]), search.pair(note))
-    floor = max(min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance), 0.0)
-    return replace(best, floor=floor if closed else 0.0), closed or best.distance == 0.0
-
-
-def _clearance_answer(search: ContactSearch, best: Best) -> Answer:
-    seconds = clock.perf_counter() - search.began
-    search.note_off(search.off_at(best.where, *best.pair))
-    off = search.off
-    lower = max(best.floor - off, 0.0)
-    witness = search.witness(best.where, *best.pair)
-    upper = upper_end(best.distance or witness.gap, off)
-    return Answer(
-        best.distance,
-        lower,
-        upper,
-        "m",
-        "found",
-        witness,
-        search.assumed(),
-        search.evaluations,
-        seconds,
-    )
+def _clearance(search: ContactSearch, floor: float | None = None) -> Answer:
+    """The least clearance as it was found, or above what is known from elsewhere, m."""
+    best, least = search.figures[[told.BEST, told.FLOOR_AT]].tolist()
+    least = least if floor is None else min(floor, best)
+    bracket = best, max(least - search.off, 0.0), upper_end(best or search.witness().gap, search.off)
+    return search.answer(bracket, "m", "found")
 
 
 def upper_end(gap: float, off: float) -> float:
@@ -384,16 +280,13 @@ def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
     tightest = [tightest_pairs(motion, i)[0] for i in range(len(at))]
     clearance = np.array([near.distance for near in tightest])
     inner = np.flatnonzero((clearance[1:-1] <= clearance[:-2]) & (clearance[1:-1] < clearance[2:])) + 1
-    search = contact_search(walk, float(at[0]), float(at[-1]), 0.0, silent, whole=True)
     inner = inner[clearance[inner] > 0.0]
-    search.begin(float(clearance[inner].max(initial=0.0)))
-    minima = [_local_minimum(search, motion, int(i), float(clearance[i])) for i in inner]
+    within = float(clearance[inner].max(initial=0.0))
+    minima = list[Answer]()
+    with contact_search(walk, float(at[0]), float(at[-1]), 0.0, silent, whole=True) as search:
+        for i in inner.tolist():
+            about = motion.head_s[[i - 1, i + 1]].tolist(), float(clearance[i]), float(motion.head_s[i])
+            first, second = (number - 1 for number in tightest[i].benches)
+            search.find(BETWEEN, within, *about[0], *about[1:], first, second)
+            minima.append(_clearance(search))
     return ClearanceCurve(at, clearance, np.array([near.benches for near in tightest]), minima)
-
-
-def _local_minimum(search: ContactSearch, motion: Motion, i: int, clearance: float) -> Answer:
-    """The least clearance between the times beside number i, where it is `clearance`, m."""
-    near = tightest_pairs(motion, i)[0].benches
-    best = Best(clearance, float(motion.head_s[i]), (near[0] - 1, near[1] - 1))
-    search.tables.go(float(motion.head_s[i - 1]), float(motion.head_s[i + 1]))
-    return _clearance_answer(search, _bracketed(search, best, best.distance, TOLERANCES))

@@ -1,4 +1,4 @@
-"""A search along a walk for pairs of benches: its steps, the kernels' search of each, and its answers.
+"""A search along a walk for pairs of benches: the engine's question about it, and its answers.
 
 Time enters through the head's route position alone, so that all searches run over that and hold for
 any speed. No bench is assumed clear because it was looked at: what is passed over is clear by a bound
@@ -7,30 +7,28 @@ that holds in between (kernels/pair_bounds.py, design/first_contact.py).
 
 import math
 import time as clock
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 
 import numpy as np
-import numpy.typing as npt
 
 from benchdragon import budget
-from benchdragon.analysis.distance import boxes, nearness
+from benchdragon.analysis import tables
+from benchdragon.analysis.distance import Nearness, boxes, nearness, nearness_of
+from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.head_times import HeadTimes
-from benchdragon.analysis.nearby import checked_off, errors_at, origin_of, seen_from
+from benchdragon.analysis.nearby import checked_off, origin_of, seen_from
 from benchdragon.analysis.rounds import Rounds, Span, repeats
-from benchdragon.analysis.tables import Tables, walk_tables
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
-from benchdragon.kernels import cells, course
-from benchdragon.kernels import search as kernel
+from benchdragon.kernels import contact_memory as told
+from benchdragon.kernels import contact_question as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.family import UNKNOWN
+from benchdragon.kernels.nearness import NEARNESS
 from benchdragon.kernels.question import MORE
-from benchdragon.kernels.route import END_SLACK, IntArray
-from benchdragon.kernels.walk_search import ASTRAY, CALL, CROWDED, SEARCHED, SEEK, search_walk
+from benchdragon.kernels.walk_search import SEARCHED
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.base_curve import Point
-from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
 from benchdragon.number_format import at_most
 from benchdragon.progress import Progress
@@ -45,6 +43,12 @@ MOST_EVALUATIONS = 200_000
 # Chains marched in one step for one of these; where benches keep the same distance for a while no
 # number would do for the last.
 MOST_LEAST_EVALUATIONS = 2000
+# Least clearances are bracketed to the first of these, m, that benches which keep one distance for a
+# while allow.
+TOLERANCES = (1e-12, 1e-8, 1e-5, 1e-3)
+# What the first of these may take beside a question, as a share of its work, and each of the others:
+# those are for benches that keep one distance, and a bracket is refined while that is cheap.
+REFINING, REFINING_ON = 0.25, 0.05
 # Places looked at for why a walk could not be followed.
 SAMPLES_AHEAD = 65
 
@@ -60,169 +64,110 @@ def most_evaluations(handles: int) -> int:
     return int(min(max(budget.left() / (SEARCHED * handles), 1.0), MOST_EVALUATIONS))
 
 
-def run_search(
-    tables: Tables,
-    goal: int,
-    limits: tuple[float, float, float, int],
-    note: FloatArray,
-    tell: Callable[[int], None] = lambda _ending: None,
-) -> int:
-    """Search on for `goal`, in wider room where it is wanted; how that ended.
-
-    `limits` and `note` are those of kernels/walk_search.py; `tell` hears how each call ended.
-    """
-    margin, slack, width, most = limits
-    handles = len(tables.walk.benches.links) + 1
-    while True:
-        known, marched, most = (
-            tables.work,
-            note[kernel.EVALUATIONS],
-            min(most, most_evaluations(handles)),
-        )
-        ending = search_walk(tables.walk, tables.room, goal, margin, slack, width, most, note)
-        marched = float(note[kernel.EVALUATIONS] - marched) * int(tables.course.tally[course.PLACED])
-        budget.spend(CALL + SEARCHED * marched + max(tables.work - known, 0.0))
-        tell(ending)
-        if ending == CROWDED:
-            tables.widen()
-        elif ending != MORE:
-            return ending
+def witness_of(near: Nearness, origin: Point, time: float, s: float) -> Witness:
+    """How two benches stand at a time, s, with the head at s, seen from an origin, m."""
+    owner = near.features[0][0]
+    x, y = near.points[near.benches.index(owner)]
+    return Witness(time, s, near.benches, (x + origin[0], y + origin[1]), near.distance, near.features)
 
 
-@dataclass(frozen=True)
-class Step:
-    """A step of the head, m, and the pairs of benches (rows from 0) that may come within reach."""
-
-    start: float
-    end: float
-    first: IntArray
-    second: IntArray
-
-
-@dataclass
-class ContactSearch:
+class ContactSearch(EngineQuestion):
     """A search along a walk from one head position to another.
+
+    Args:
+        walk: what is searched.
+        start: head positions, m.
+        end: likewise.
+        margin: distance that benches must keep, m.
+        progress: is told how far it has come.
+        since: the time at which it begins, s.
+        spans: of the head's way, m, that are searched: the whole of it, or what repeats nothing.
+        until: the time at which it ends, s.
+        tolerances: widths of brackets of the least distance, m: the first that can be.
+        slack: what computed distances count as off by at least, m.
 
     Attributes:
         walk: as given, but with coordinates counted from `origin`.
-        spans: of the head's way, m, that are searched: the whole of it, or what repeats nothing.
         origin: near the dance, m.
-        slack: what computed distances count as off by at least, m.
-        off: what those that mattered so far may be off by, m.
+        times: when the head comes to positions of the search.
     """
 
-    walk: Walk
-    start: float  # head positions, m
-    end: float
-    margin: float
-    progress: Progress
-    since: float = -math.inf  # the time at which it begins, s
-    spans: Sequence[Span] = ()
-    until: float = math.inf  # the time at which it ends, s
-    origin: Point = field(init=False)
-    slack: float = field(default_factory=lambda: SLACK)
-    off: float = 0.0
-    evaluations: int = 0
-    began: float = field(default_factory=clock.perf_counter)
-
-    def __post_init__(self) -> None:
-        placed = self.placement(self.start)
+    def __init__(
+        self,
+        walk: Walk,
+        start: float,
+        end: float,
+        margin: float,
+        progress: Progress,
+        since: float = -math.inf,
+        spans: Sequence[Span] = (),
+        until: float = math.inf,
+        tolerances: Sequence[float] = (),
+        slack: float | None = None,
+    ) -> None:
+        placed = walk.placement(start, throw=False)
         self.origin = origin_of(placed.x, placed.y)
-        self.walk = seen_from(self.walk, self.origin)
-        self.spans = self.spans or [(self.start, self.end)]
-        self._tables: Tables | None = None
-        self._near, self._span = 0.0, 0
+        self.walk = seen_from(walk, self.origin)
+        self.start, self.end, self.progress = start, end, progress
+        self.spans = spans or [(start, end)]
+        self.slack = SLACK if slack is None else slack
+        self.times = HeadTimes(self.walk, start, since, until)
+        self._began = clock.perf_counter()
+        self._near = np.empty(NEARNESS)
+        dragon = walk.dragon
+        handle = kernel.open_contact(
+            told.Asked(
+                self.walk.route.rows, dragon.links, dragon.sizes, np.array([dragon.lever]),
+                np.array(self.spans), self._limits(margin), np.array(tolerances, dtype=float),
+                tables.beginnings(),
+            )
+        )  # fmt: skip
+        if handle < 0:
+            raise tables.too_many_kinds(dragon.sizes)
+        figures = np.zeros(told.FIGURES)
+        super().__init__(handle, kernel.step_contact, kernel.read_contact, figures, self._near)
 
-    def begin(self, reach: float) -> None:
-        """Look for all pairs that come within reach, m, from the start on."""
-        self._near = reach + self.slack
-        self._begin_span(0)
+    def _limits(self, margin: float) -> FloatArray:
+        """What the engine is told of the question."""
+        named = {
+            told.MARGIN: margin,
+            told.LEAST_OFF: self.slack,
+            told.WIDTH: WIDTH,
+            told.MOST: MOST_EVALUATIONS,
+            told.MOST_LEAST: MOST_LEAST_EVALUATIONS,
+            told.BYTES: budget.memory(),
+            told.BEGIN: self.start,
+            told.END: self.end,
+            told.MOST_KINDS: tables.MOST_SIZES,
+            told.REFINING: budget.aside_most(REFINING),
+            told.REFINING_ON: budget.aside_most(REFINING_ON),
+        }
+        return np.array([named[n] for n in range(told.LIMITS)], dtype=float)
 
-    def again(self) -> None:
-        """Begin once more with what was begun."""
-        if self._span:
-            self._begin_span(0)
-        else:
-            self.tables.again()
-
-    def _begin_span(self, n: int) -> None:
-        self._span, (first, last) = n, self.spans[n]
-        tail = float(self.placement(first).s[0, -2])
-        self._tables = Tables(walk_tables(self.walk), first, last, self._near, tail)
-        self._tables.begin()
-
-    @property
-    def tables(self) -> Tables:
-        """What it works on; made for the margin, if nothing was begun."""
-        if self._tables is None:
-            self.begin(self.margin)
-        assert self._tables is not None
-        return self._tables
-
-    def steps(self) -> Iterator[Step]:
-        """The steps in which pairs may come within reach, in order; what lies between is clear.
-
-        Raises:
-            WalkError: after the last of them, if the dragon cannot walk on to the end.
-            UnsureError: likewise, if it could not be shown that it can.
-        """
-        note = np.zeros(kernel.NOTES)
-        while self._run(SEEK, note, 0.0) == kernel.FOUND:
-            yield self.step
-
-    @property
-    def step(self) -> Step:
-        """The step at hand."""
-        way, tally, meeting = *self.tables.course, self.tables.meeting
-        count = int(tally[course.PAIRS])
-        # Copies: views would keep all the room alive as long as the step.
-        first, second = meeting.first[:count].copy(), meeting.second[:count].copy()
-        return Step(float(way[course.STEP_START]), float(way[course.STEP_END]), first, second)
-
-    def search(self, goal: int, note: FloatArray, tolerance: float = 0.0) -> int:
-        """Search on for `goal`; how that ended: CLEAR, at the very end, or as kernels/search.py says.
-
-        `note` is that of the kernels' search; `tolerance` is that of LEAST, m.
+    def find(self, goal: int, *said: float) -> int:
+        """Search on for a goal of kernels/contact_question.py; how that ended.
 
         Raises:
             WalkError: if the dragon cannot walk on.
-            UnsureError: if it could not be shown that it can.
+            UnsureError: if it could not be shown that it can, or rounding hides too much.
         """
-        before = note[kernel.EVALUATIONS]
-        ending = self._run(goal, note, tolerance)
-        self.evaluations += int(note[kernel.EVALUATIONS] - before)
-        if ending == kernel.FALLEN:
-            end = float(self.tables.course.way[course.STEP_END])
-            raise self.stopped(float(note[kernel.LOWER]), end)
-        return ending
-
-    def _run(self, goal: int, note: FloatArray, tolerance: float) -> int:
-        """Search until it has come to something."""
-        most = MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS
-        limits = self.margin, tolerance or self.slack, WIDTH, most
-        ending = run_search(self.tables, goal, limits, note, self._tell)
-        while ending == kernel.CLEAR and self._span + 1 < len(self.spans):
-            self._begin_span(self._span + 1)
-            ending = run_search(self.tables, goal, limits, note, self._tell)
-        self.note_off(float(note[kernel.OFF]))
-        if ending == ASTRAY:
-            raise self._astray()
-        if ending == kernel.CLEAR and self.end > self.walk.route.length + END_SLACK:
-            raise self.stopped(self.walk.route.length, self.end)
-        return ending
-
-    def _tell(self, ending: int) -> None:
-        """Tell how far a call has come."""
-        if ending == MORE:
-            at = float(self.tables.course.way[course.AT])
+        kernel.seek_contact(self._handle, goal, np.array(said or (0.0,), dtype=float))
+        while (ending := self.step()) == MORE:
+            at = float(self.figures[told.WALKED])
             self.progress((at - self.start) / (self.end - self.start), "")
-
-    def _astray(self) -> Exception:
-        """Why benches were not shown to follow."""
-        at, sound = self.tables.course.way[[course.AT, course.SOUND]].tolist()
-        if at < sound:
-            return self.stopped(at, sound)
-        return self.stopped(sound, sound + 2.0 * float(self.tables.ground.measures[cells.CELL]))
+        if ending == told.STOPPED:
+            raise self.stopped(*self.figures[[told.SOUND_TO, told.UNTIL]].tolist())
+        if ending == told.UNSHOWN:
+            raise UnsureError(_("it could not be shown that the dragon stands all along"))
+        if ending == told.ENDLESS:
+            raise UnsureError(
+                _("the walk is too long to be searched: more than {most} cells of its route").format(
+                    most=tables.MOST_CELLS
+                )
+            )
+        if ending == told.BLURRED:
+            checked_off(self.off)
+        return ending
 
     def stopped(self, sound: float, until: float) -> Exception:
         """Why the walk could not be followed past head position `sound`, looked for up to `until`."""
@@ -237,53 +182,38 @@ class ContactSearch:
             )
         )
 
-    def placement(self, s: npt.ArrayLike) -> Placement:
-        """The dragon with its head at s, whether it can stand there or not."""
-        return self.walk.placement(s, throw=False)
-
-    def witness(self, s: float, i: int, j: int) -> Witness:
-        """How benches i and j (rows, from 0) stand with the head at s."""
-        near = nearness(boxes(self.placement(s), 0), i, j)
-        owner = near.features[0][0]
-        x, y = near.points[near.benches.index(owner)]
-        point = x + self.origin[0], y + self.origin[1]
-        return Witness(self.times.at(s), s, near.benches, point, near.distance, near.features)
-
-    def note_off(self, off: float) -> None:
-        """Take note of what a distance that matters may be off by, m.
-
-        Raises:
-            UnsureError: if that is too much for a search to see all pairs.
-        """
-        self.off = max(self.off, off if off <= self.slack else checked_off(off))
-
-    def off_at(self, s: float, i: int, j: int) -> float:
-        """What the distance of benches i and j (rows, from 0) may be off by with the head at s, m."""
-        _errors, off = errors_at(self.walk, s)
-        return max(self.slack, float(off[i] + off[j]))
-
-    def pair(self, note: FloatArray) -> tuple[int, int]:
-        """The benches (rows, from 0) of a kernel's note."""
-        i, j = divmod(int(note[kernel.PAIR]), len(self.walk.dragon))
-        return i, j
-
-    def answer_at(self, lower: float, upper: float, status: Status, i: int, j: int) -> Answer:
-        """A time between those at which the head is at lower and at upper, benches i and j meeting."""
-        value, early, late, status = self.times.told(lower, upper, status)
-        seconds = clock.perf_counter() - self.began
-        witness = self.witness(upper, i, j)
-        return Answer(
-            value, early, late, "s", status, witness, self.assumed(), self.evaluations, seconds
-        )
-
-    def assumed(self) -> tuple[str, ...]:
-        """What answers rest on."""
-        return assumed_within(max(self.off, self.slack))
-
     @property
-    def times(self) -> HeadTimes:
-        """When the head comes to positions of the search."""
-        return HeadTimes(self.walk, self.start, self.since, self.until)
+    def off(self) -> float:
+        """What distances that mattered so far may be off by, m."""
+        return max(float(self.figures[told.OFF_BY]), self.slack)
+
+    def witness(self) -> Witness:
+        """How the benches stand that were found."""
+        s = float(self.figures[told.LATE])
+        return witness_of(nearness_of(self._near), self.origin, self.times.at(s), s)
+
+    def answer(
+        self, bracket: tuple[float, float, float], unit: str, status: Status, *, seen: bool = True
+    ) -> Answer:
+        """An answer of a value, the ends of its bracket and a unit; with a witness if it was `seen`."""
+        witness = self.witness() if seen else None
+        marched, seconds = int(self.figures[told.MARCHED]), clock.perf_counter() - self._began
+        assumed = assumed_within(self.off)
+        return Answer(*bracket, unit, status, witness, assumed, marched, seconds)
+
+    def moment(self, status: Status) -> Answer:
+        """When the benches come to stand as was found."""
+        early, late = self.figures[[told.EARLY, told.LATE]].tolist()
+        *bracket, known = self.times.told(early, late, status)
+        return self.answer((bracket[0], bracket[1], bracket[2]), "s", known)
+
+
+def stand_alone(walk: Walk, times: HeadTimes, s: float, i: int, j: int) -> Witness:
+    """How benches i and j (rows, from 0) of a walk stand with the head at s, m, without a search."""
+    placed = walk.placement(times.start, throw=False)
+    origin = origin_of(placed.x, placed.y)
+    near = nearness(boxes(seen_from(walk, origin).placement(s, throw=False), 0), i, j)
+    return witness_of(near, origin, times.at(s), s)
 
 
 def contact_search(
@@ -294,10 +224,15 @@ def contact_search(
     progress: Progress,
     *,
     whole: bool = False,
+    tolerances: Sequence[float] = TOLERANCES,
 ) -> ContactSearch:
-    """A search of the walk from start to end (s), for which the dragon must stand at the start.
+    """A search of the walk from start to end, s; the dragon must stand at the start.
 
-    Of the whole of it, or but of what repeats nothing before it: see `rounds`.
+    Of the whole of it, or but of what repeats nothing that comes before it (see `rounds`).
+
+    Raises:
+        InputError: for a negative margin or an end before the start.
+        WalkError: if the dragon cannot stand at the start.
     """
     of_kind("walk", walk, Walk)
     not_negative("margin", margin, "m")
@@ -305,4 +240,4 @@ def contact_search(
     walk.motion([start])  # raises where the dragon cannot stand at the start
     a, b = walk.head_position([start, end]).tolist()
     spans = [(a, b)] if whole else Rounds(walk, repeats(walk.route.rows)).new(a, b)[0]
-    return ContactSearch(walk, a, b, margin, progress, start, spans, end)
+    return ContactSearch(walk, a, b, margin, progress, start, spans, end, tolerances)

@@ -14,6 +14,7 @@ from benchdragon.errors import not_negative, of_kind, whole
 from benchdragon.i18n import N_
 from benchdragon.kernels import box as kernel
 from benchdragon.kernels import low_points
+from benchdragon.kernels import nearness as near
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.grid import filled_grid, pairs_near
@@ -24,7 +25,11 @@ from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
 
 CORNERS = (N_("front left"), N_("rear left"), N_("rear right"), N_("front right"))
-ENDS, FLANKS = (N_("front"), N_("rear")), (N_("left"), N_("right"))
+# What of a bench may meet: see kernels/nearness.py.
+FEATURES = (
+    *(N_("front"), N_("rear"), N_("left"), N_("right")),
+    *(CORNERS[0], CORNERS[3], CORNERS[1], CORNERS[2]),
+)
 # Pairs listed at most; each is described in a few hundred bytes.
 MOST_PAIRS = 100_000
 # Distances that agree to so many decimals, m, count as equal when pairs are put in order.
@@ -72,37 +77,23 @@ def boxes(placed: Placement, index: int) -> FloatArray:
 
 def nearness(table: FloatArray, i: int, j: int) -> Nearness:
     """How near the benches in rows i and j of `boxes` are."""
-    distance, gap = kernel.box_distance(table, i, j), kernel.box_gap(table, i, j)
-    mine, which = kernel.nearest_corner(table, i, j)
-    owner, other = (i, j) if mine else (j, i)
-    x, y = kernel.corner(table, owner, which)
-    point, feature = _foot(table, other, x, y)
-    here = (x, y) if distance <= 0.0 else point
-    points = ((x, y), here) if mine else (here, (x, y))
+    row = np.empty(near.NEARNESS)
+    near.nearness(table, i, j, row)
+    return nearness_of(row)
+
+
+def nearness_of(row: FloatArray) -> Nearness:
+    """What a row of kernels/nearness.py tells."""
+    first, second, distance, gap, *points = row[: near.OWNER].tolist()
+    owner, corner, other, feature = row[near.OWNER :].astype(int).tolist()
+    x, y, there_x, there_y = points
     return Nearness(
-        (min(i, j) + 1, max(i, j) + 1),
+        (int(first) + 1, int(second) + 1),
         distance,
         gap,
-        points if i < j else (points[1], points[0]),
-        ((owner + 1, CORNERS[which]), (other + 1, feature)),
+        ((x, y), (there_x, there_y)),
+        ((owner + 1, CORNERS[corner]), (other + 1, FEATURES[feature])),
     )
-
-
-def _foot(table: FloatArray, j: int, x: float, y: float) -> tuple[tuple[float, float], str]:
-    """The point of box j nearest to (x, y), and whether it lies on a side or at a corner."""
-    along, across = kernel.offset(table, j, x, y)
-    half, wide = float(table[j, kernel.HALF_LENGTH]), float(table[j, kernel.HALF_WIDTH])
-    a, b = min(max(along, -half), half), min(max(across, -wide), wide)
-    ux, uy = float(table[j, kernel.UX]), float(table[j, kernel.UY])
-    point = (
-        float(table[j, kernel.CX]) + a * ux - b * uy,
-        float(table[j, kernel.CY]) + a * uy + b * ux,
-    )
-    if abs(along) > half and abs(across) > wide:
-        return point, f"{ENDS[int(along < 0.0)]} {FLANKS[int(across < 0.0)]}"
-    if abs(along) - half > abs(across) - wide:
-        return point, ENDS[int(along < 0.0)]
-    return point, FLANKS[int(across < 0.0)]
 
 
 def pairs_within(table: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
@@ -197,18 +188,6 @@ def low_point(
     rows, dragon = walk.route.rows, walk.dragon
     return low_points.low_point(
         rows, dragon.links, dragon.sizes, i, j, low, high, shrinks, *_scratch(j + 2)
-    )
-
-
-def low_pair(walk: Walk, first: float, last: float) -> tuple[float, float, int, int]:
-    """A low distance with the head between first and last, m; where, and of which benches (rows).
-
-    It is looked for at some head positions, and about the least of them: a hint, no bound. Minus a
-    depth inside; infinite where the dragon stands nowhere. Cost grows with the square of benches.
-    """
-    rows, dragon = walk.route.rows, walk.dragon
-    return low_points.low_pair(
-        rows, dragon.links, dragon.sizes, first, last, *_scratch(len(dragon) + 1)
     )
 
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchdragon import budget
-from benchdragon.analysis.contact import TOLERANCES, refined, upper_end
-from benchdragon.analysis.contact_search import assumed_within
+from benchdragon.analysis.contact import refined, upper_end
+from benchdragon.analysis.contact_search import TOLERANCES, assumed_within
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.kernels import search as steps
 from benchdragon.kernels import standing as kernel

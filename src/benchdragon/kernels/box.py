@@ -60,7 +60,7 @@ def boxes_at(sizes: Table, x: Table, y: Table, t: int, out: Table) -> None:
         set_box(sizes, i, x, y, t, out, i)
 
 
-@entry
+@kernel
 def box_gap(boxes: Table, i: int, j: int) -> float:
     """Signed gap of two boxes, m: the largest separation along their four axes; negative inside.
 
@@ -105,7 +105,7 @@ def corner_distance(boxes: FloatArray, i: int, k: int, j: int) -> float:
     return math.hypot(ahead, aside)
 
 
-@entry
+@kernel
 def box_distance(boxes: Table, i: int, j: int) -> float:
     """True distance of two boxes, m; where they overlap, the gap, which is negative.
 
@@ -120,7 +120,7 @@ def box_distance(boxes: Table, i: int, j: int) -> float:
     return nearest
 
 
-@entry
+@kernel
 def nearest_corner(boxes: Table, i: int, j: int) -> tuple[bool, int]:
     """Where two boxes are nearest: whether at a corner of i (else of j), and at which corner.
 

@@ -83,7 +83,7 @@ class Course(NamedTuple):
 
 
 class Room(NamedTuple):
-    """What a search along a walk works on; the caller's memory, made by analysis/tables.py."""
+    """What a search along a walk works on: see kernels/own_room.py."""
 
     ground: Ground
     grids: Grids

@@ -87,7 +87,7 @@ def low_point(
     return least, where
 
 
-@entry
+@kernel
 def low_pair(
     rows: Table,
     links: Vector,

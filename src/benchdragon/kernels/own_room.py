@@ -1,7 +1,4 @@
-"""Room for a search along a walk in a block of the engine's own memory: made there, and made wider.
-
-The rules are those of analysis/tables.py, which does the same in a host's memory.
-"""
+"""Room for a search along a walk in a block of the engine's own memory: made there, and made wider."""
 
 import math
 from typing import NamedTuple
@@ -208,17 +205,17 @@ def square_side(walk: Walk, reach: float) -> float:
 
 
 @kernel
-def size_room(sizes: IntVector, beginnings: IntVector, walk: Walk, first: float, last: float) -> None:
-    """Fill the sizes of a room for a walk from first to last, m, with about what it needs.
+def size_room(sizes: IntVector, beginnings: IntVector, walk: Walk, tail: float, last: float) -> None:
+    """Fill the sizes of a room for a walk whose head goes on to `last`, m, with about what it needs.
 
-    The rows of the route stay.
+    `tail` is about where its last bench begins, m, or less. The rows of the route stay.
     """
-    benches, rows, shortest, whole = walk.benches.kind.shape[0], walk.rows, math.inf, 0.0
+    benches, rows, shortest = walk.benches.kind.shape[0], walk.rows, math.inf
     for i in range(benches):
-        shortest, whole = min(shortest, walk.benches.links[i]), whole + walk.benches.links[i]
+        shortest = min(shortest, walk.benches.links[i])
     cell, end = CELL_SHARE * shortest, rows.shape[0] - 1
     foremost = min(last, rows[end, S_START] + rows[end, LENGTH])
-    wanted = max(math.floor(foremost / cell) - math.floor((first - 1.5 * whole) / cell), 0) + 2
+    wanted = max(math.floor(foremost / cell) - math.floor(tail / cell), 0) + 2
     cells = min(wanted, beginnings[MOST_CELLS])
     most = min(beginnings[A_CELL] * cells, beginnings[AT_FIRST])
     sizes[OF_CELLS], sizes[OF_PARTS], sizes[OF_ENTRIES] = cells, most, most

@@ -169,7 +169,10 @@ def make_searches(block: int) -> bool:
     limits, sizes = sought.limits, sought.sizes
     drop(integers_at(block, END_SLOT), GROUND_MEMORY)
     sizes[ROUTE_ROWS] = sought.walk.rows.shape[0]
-    size_room(sizes, sought.beginnings, sought.walk, limits[BEGIN], limits[END])
+    whole = 0.0
+    for i in range(sought.walk.benches.links.shape[0]):
+        whole += sought.walk.benches.links[i]
+    size_room(sizes, sought.beginnings, sought.walk, limits[BEGIN] - 1.5 * whole, limits[END])
     sought.room.crowd.grid.side[0] = square_side(sought.walk, limits[MARGIN] + limits[LEAST_OFF])
     return make_step(block, ROOM_SLOT, sizes) == ROOMY
 

@@ -14,7 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchdragon import budget
-from benchdragon.analysis.contact_search import ContactSearch
+from benchdragon.analysis.contact_search import stand_alone
+from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.obstacles import obstacle_answers
 from benchdragon.analysis.proof import (
     Claim,
@@ -183,8 +184,8 @@ def _witness(family: PlanFamily, found: SizeQuestion, size: float) -> Witness | 
     except (InputError, PlanError):
         return None
     first, last = walk.head_position([start, end]).tolist()
-    search = ContactSearch(walk, first, last, family.margin, silent, since=start)
-    return search.witness(min(meeting.s, last), meeting.i, meeting.j)
+    times = HeadTimes(walk, first, start)
+    return stand_alone(walk, times, min(meeting.s, last), meeting.i, meeting.j)
 
 
 def _assumed(family: PlanFamily, unsure: Sequence[float]) -> tuple[str, ...]:

@@ -8,22 +8,20 @@ import math
 import numpy as np
 
 from benchdragon import budget
-from benchdragon.analysis import tables
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH
 from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.nearby import origin_of
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.obstacles import touching
+from benchdragon.analysis.tables import beginnings
 from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.i18n import _
-from benchdragon.kernels import own_room
 from benchdragon.kernels import size_bracket as bracket
 from benchdragon.kernels import size_memory as told_of
 from benchdragon.kernels import size_question as kernel
 from benchdragon.kernels import size_search as search
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.question import MORE
-from benchdragon.kernels.route import IntArray
 from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
 from benchdragon.plans.toml import PlanError
@@ -34,20 +32,6 @@ from benchdragon.solve.size_family import TOLERANCE, Meeting, PlanFamily, kernel
 MOST_WIDENINGS = 30
 # Sizes are tried to so many times the plan's own where there are obstacles.
 FAR = 10.0
-
-
-def beginnings() -> IntArray:
-    """The room that searches begin with, as the engine takes it."""
-    named = {
-        own_room.A_CELL: tables.A_CELL,
-        own_room.AT_FIRST: tables.AT_FIRST,
-        own_room.FIRST_PAIRS: tables.PAIRS,
-        own_room.FIRST_MEMBERS: tables.MEMBERS,
-        own_room.FIRST_DOUBTS: tables.DOUBTS,
-        own_room.MOST_CELLS: tables.MOST_CELLS,
-        own_room.PLACES: tables.PLACES,
-    }
-    return np.array([named[n] for n in range(own_room.BEGINNINGS)], dtype=np.int64)
 
 
 def limits_of(family: PlanFamily, walk: Walk, first: float, last: float) -> FloatArray:

@@ -55,6 +55,11 @@ export async function aside(share, ask) {
   }
 }
 
+/** How many handles may be placed for what an answer can do without: see `aside`. @param {number} share */
+export function asideMost(share) {
+  return asked ? share * asked.one : Infinity;
+}
+
 /** Let the question at hand take so large a share of a question's work from now on, if not more. @param {number} share */
 export function allow(share) {
   if (asked) asked.work = Math.max(asked.work, asked.spent + share * asked.one);

@@ -77,6 +77,62 @@ export const CELLS = {
   WAYS: 7,
 };
 
+export const CONTACT_MEMORY = {
+  SEEN: 4,
+  BETWEEN: 5,
+  NOTHING: -1,
+  STOPPED: 30,
+  UNSHOWN: 31,
+  ENDLESS: 32,
+  BLURRED: 33,
+  FARTHER: 34,
+  MARGIN: 0,
+  LEAST_OFF: 1,
+  WIDTH: 2,
+  MOST: 3,
+  MOST_LEAST: 4,
+  BYTES: 5,
+  BEGIN: 6,
+  END: 7,
+  MOST_KINDS: 8,
+  REFINING: 9,
+  REFINING_ON: 10,
+  LIMITS: 11,
+  WALKED: 2,
+  EARLY: 3,
+  LATE: 4,
+  FIRST_BENCH: 5,
+  SECOND_BENCH: 6,
+  OFF_BY: 7,
+  MARCHED: 8,
+  BEST: 9,
+  FLOOR_AT: 10,
+  SOUND_TO: 11,
+  UNTIL: 12,
+  GOAL: 13,
+  STAGE: 14,
+  READY: 15,
+  SPAN: 16,
+  BEGUN: 17,
+  NEAR: 18,
+  LEFT: 19,
+  PASS: 20,
+  ASIDE: 21,
+  AIMED: 22,
+  REACH: 23,
+  WITHIN: 24,
+  WHERE: 25,
+  FIGURES: 26,
+  OWN_MEMORY: 3,
+  FEWEST: 4,
+  WALK_SLOT: 8,
+  ROOM_SLOT: 30,
+  SIZES_SLOT: 194,
+  KINDS_SLOT: 22,
+  END_SLOT: 246,
+  BASE: 64,
+};
+
 export const COURSE = {
   AT: 0,
   GOAL: 1,
@@ -215,6 +271,21 @@ export const MEETINGS = {
 
 export const NEAR_CELLS = {
   SPARSE: 40,
+};
+
+export const NEARNESS = {
+  FIRST: 0,
+  SECOND: 1,
+  DISTANCE: 2,
+  GAP: 3,
+  POINTS: 4,
+  OWNER: 8,
+  CORNER: 9,
+  OTHER: 10,
+  FEATURE: 11,
+  NEARNESS: 12,
+  SIDES: 2,
+  CORNERS: 4,
 };
 
 export const OWN_ROOM = {
@@ -647,11 +718,6 @@ export const ANALYSIS_CLOCK = {
 
 export const ANALYSIS_CONTACT = {
   FRAYED: 1e-5,
-  FIRST_REACH: 0.003,
-  WIDER: 6,
-  TOLERANCES: [1e-12, 1e-8, 1e-5, 0.001],
-  REFINING: 0.25,
-  REFINING_ON: 0.05,
   MOST_GRAZES: 100,
   MOST_SAMPLES: 1000000,
 };
@@ -661,6 +727,9 @@ export const ANALYSIS_CONTACT_SEARCH = {
   WIDTH: 1e-13,
   MOST_EVALUATIONS: 200000,
   MOST_LEAST_EVALUATIONS: 2000,
+  TOLERANCES: [1e-12, 1e-8, 1e-5, 0.001],
+  REFINING: 0.25,
+  REFINING_ON: 0.05,
   SAMPLES_AHEAD: 65,
 };
 

@@ -3,10 +3,8 @@
 
 import { answered } from "./answer.js";
 import { OverBudgetError, aside } from "./budget.js";
-import { ANALYSIS_CONTACT, LOW_POINTS, SEARCH } from "./constants.js";
+import { ANALYSIS_CONTACT, ANALYSIS_CONTACT_SEARCH, CONTACT_MEMORY, SEARCH } from "./constants.js";
 import { withContactSearch } from "./contact_search.js";
-import { lowPair, tightestPairs } from "./distance.js";
-import { withArena } from "./arena.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
@@ -20,16 +18,10 @@ import { silent } from "./tick.js";
  * @typedef {{ opens: Answer, closes: Answer | null }} Window
  */
 
-/**
- * The least distance seen, m, at which head position, of which benches (rows, from 0); no pair is nearer
- * than `floor`.
- * @typedef {{ distance: number, where: number, pair: [number, number], floor: number }} Best
- */
-
-const { FRAYED, FIRST_REACH, WIDER, MOST_GRAZES, REFINING, REFINING_ON } = ANALYSIS_CONTACT;
+const { FRAYED, MOST_GRAZES } = ANALYSIS_CONTACT;
+const { REFINING, REFINING_ON } = ANALYSIS_CONTACT_SEARCH;
 /** Widths of brackets of clearances, m: the first that can be. @type {number[]} */
-export const TOLERANCES = ANALYSIS_CONTACT.TOLERANCES;
-const { MOST_SAMPLED } = LOW_POINTS;
+export const TOLERANCES = ANALYSIS_CONTACT_SEARCH.TOLERANCES;
 const NONE = answered(Infinity, Infinity, Infinity, "m");
 
 /**
@@ -47,18 +39,15 @@ export function contactWindows(walk, start, end, { margin = 0, most = 1000, prog
 
 /** The first windows that a search comes to, so many at most; if `sure`, none after one that is. @param {ContactSearch} search @param {number} most @param {boolean} [sure] */
 async function windowsOf(search, most, sure = false) {
-  const opened = touchingAtStart(search);
   /** @type {Window[]} */
-  const windows = opened === null ? [] : [{ opens: opened, closes: null }];
+  const windows = [];
   while (windows.length < most) {
     const last = windows[windows.length - 1];
     if (sure && last?.opens.status === "found") break;
     const touching = last !== undefined && last.closes === null;
-    const [ending, note] = await search.search(touching ? SEARCH.TOUCH_END : SEARCH.FIRST_TOUCH);
+    const ending = await search.find(touching ? SEARCH.TOUCH_END : SEARCH.FIRST_TOUCH);
     if (ending === SEARCH.CLEAR) break;
-    const status = ending === SEARCH.FOUND ? "found" : "undecided";
-    const [lower, upper] = [note[SEARCH.LOWER], note[SEARCH.UPPER]];
-    takeDown(windows, search.answerAt(lower, upper, status, ...search.pair(note)), touching);
+    takeDown(windows, search.moment(ending === SEARCH.FOUND ? "found" : "undecided"), touching);
   }
   return windows;
 }
@@ -86,24 +75,6 @@ function widened({ opens, closes }, { upper }) {
     return { opens: graze, closes: graze };
   }
   return { opens, closes: closes && { ...closes, upper } };
-}
-
-/** The contact in which a walk starts, if it does. @param {ContactSearch} search */
-function touchingAtStart(search) {
-  const [near] = tightestAt(search);
-  if (!near) return null;
-  const [i, j] = near.benches.map((number) => number - 1);
-  const off = search.offAt(search.start, i, j);
-  if (near.distance > search.margin - off) return null;
-  search.noteOff(off);
-  return search.answerAt(search.start, search.start, "found", i, j);
-}
-
-/** The tightest pair at the start, if there is one. @param {ContactSearch} search */
-function tightestAt({ walk, start }) {
-  return withArena(walk.engine, (arena) =>
-    tightestPairs(walk.placement(arena, [start], { throws: false })),
-  );
 }
 
 /**
@@ -152,10 +123,14 @@ export function leastClearance(
   end,
   { within = Infinity, tolerances = TOLERANCES, progress = silent } = {},
 ) {
-  return withContactSearch(walk, start, end, 0, progress, async (search) => {
+  const use = async (/** @type {ContactSearch} */ search) => {
     if (walk.dragon.benches < 3) return NONE;
-    return least(search, guess(search), within, tolerances);
-  });
+    if ((await search.find(SEARCH.LEAST, within)) !== CONTACT_MEMORY.FARTHER) return clearance(search);
+    const { assumptions, evaluations } = search.rest();
+    const floor = search.figure(CONTACT_MEMORY.FLOOR_AT);
+    return answered(Infinity, floor, Infinity, "m", { assumptions, evaluations });
+  };
+  return withContactSearch(walk, start, end, 0, progress, use, { tolerances });
 }
 
 /**
@@ -169,59 +144,9 @@ export function leastClearance(
 export function seenClearance(walk, start, end, floor) {
   return withContactSearch(walk, start, end, 0, silent, async (search) => {
     if (walk.dragon.benches < 3) return NONE;
-    const best = guess(search);
-    return clearanceAnswer(search, { ...best, floor: Math.min(floor, best.distance) });
+    await search.find(CONTACT_MEMORY.SEEN);
+    return clearance(search, floor);
   });
-}
-
-/**
- * The least clearance, some distance being known: see `leastClearance`.
- * @param {ContactSearch} search
- * @param {Best} best
- * @param {number} within
- * @param {number[]} tolerances
- */
-async function least(search, best, within, tolerances) {
-  if (search.start === search.end) return clearanceAnswer(search, best);
-  const sampled = search.walk.dragon.benches <= MOST_SAMPLED;
-  let reach = sampled ? best.distance : FIRST_REACH;
-  if (!best.distance) {
-    search.begin(0);
-    await search.walkThrough(); // whether the dragon can walk all the way
-  }
-  while (best.distance > 0) {
-    reach = Math.min(reach, best.distance, within);
-    search.begin(reach);
-    if (!sampled) [best] = await lowered(search, best, reach, Infinity); // seen at the start alone
-    best = await bracketed(search, best, reach, tolerances);
-    if (best.distance <= reach) break;
-    if (reach >= within) {
-      const { assumptions, evaluations } = search.told();
-      return answered(Infinity, best.floor, Infinity, "m", { assumptions, evaluations });
-    }
-    reach *= WIDER;
-  }
-  return clearanceAnswer(search, best);
-}
-
-/** A low distance, looked for here and there, so that what is farther need not be searched. @param {ContactSearch} search @returns {Best} */
-function guess(search) {
-  const { start, end, walk } = search;
-  const still = start === end;
-  if (still || walk.dragon.benches > MOST_SAMPLED) {
-    const [{ distance, benches }] = tightestAt(search);
-    const apart = Math.max(distance, 0);
-    return {
-      distance: apart,
-      where: start,
-      pair: [benches[0] - 1, benches[1] - 1],
-      floor: still ? apart : 0,
-    };
-  }
-  const [distance, where, i, j] = search.spans
-    .map((span) => lowPair(walk, ...span))
-    .reduce((low, one) => (one[0] < low[0] ? one : low));
-  return { distance: Math.max(distance, 0), where, pair: [i, j], floor: 0 };
 }
 
 /**
@@ -239,55 +164,13 @@ export async function refined(n, pass) {
   }
 }
 
-/**
- * `best`, or what is lower within `reach`, bracketed as the first tolerance that can be says. What is too
- * dear is given up. A last pass, of whatever width, sees the rest of the walk.
- * @param {ContactSearch} search
- * @param {Best} best
- * @param {number} reach
- * @param {number[]} tolerances
- */
-async function bracketed(search, best, reach, tolerances) {
-  const pass = (/** @type {number} */ tolerance) => {
-    search.again();
-    return lowered(search, best, Math.min(reach, best.distance), tolerance);
-  };
-  for (const [n, tolerance] of tolerances.entries()) {
-    const found = await refined(n, () => pass(tolerance));
-    if (found?.[1]) return found[0];
-    best = found?.[0] ?? best;
-  }
-  return (await pass(Infinity))[0];
-}
-
-/**
- * `best`, or what is lower within `reach` from here on, and whether its floor was found.
- * @param {ContactSearch} search
- * @param {Best} best
- * @param {number} reach
- * @param {number} tolerance
- * @returns {Promise<[Best, boolean]>}
- */
-async function lowered(search, best, reach, tolerance) {
-  const known = { [SEARCH.NEAREST]: reach, [SEARCH.FLOOR]: Infinity };
-  const [ending, note] = await search.search(SEARCH.LEAST, known, tolerance);
-  const closed = ending === SEARCH.CLEAR;
-  const nearest = note[SEARCH.NEAREST];
-  if (nearest < reach) {
-    const [distance, where] = [Math.max(nearest, 0), note[SEARCH.UPPER]];
-    best = { distance, where, pair: search.pair(note), floor: 0 };
-  }
-  const floor = Math.max(Math.min(note[SEARCH.FLOOR], nearest - tolerance), 0);
-  return [{ ...best, floor: closed ? floor : 0 }, closed || best.distance === 0];
-}
-
-/** @param {ContactSearch} search @param {Best} best */
-function clearanceAnswer(search, { distance, where, pair, floor }) {
-  search.noteOff(search.offAt(where, ...pair));
-  const lower = Math.max(floor - search.off, 0);
-  const witness = search.witness(where, ...pair);
-  const upper = upperEnd(distance || witness.gap, search.off);
-  return answered(distance, lower, upper, "m", { witness, ...search.told() });
+/** The least clearance as it was found, or above what is known from elsewhere, m. @param {ContactSearch} search @param {number} [floor] */
+function clearance(search, floor) {
+  const best = search.figure(CONTACT_MEMORY.BEST);
+  const least = floor === undefined ? search.figure(CONTACT_MEMORY.FLOOR_AT) : Math.min(floor, best);
+  const witness = search.witness();
+  const upper = upperEnd(best || witness.gap, search.off);
+  return answered(best, Math.max(least - search.off, 0), upper, "m", { witness, ...search.rest() });
 }
 
 /** The most, m, that bodies are apart at a distance, or at minus a depth, m, that may be off by `off`. @param {number} gap @param {number} off */

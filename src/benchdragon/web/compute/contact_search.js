@@ -1,42 +1,40 @@
-// A search along a walk for pairs of benches: its steps, the kernels' search of each, and its answers.
-// Twin of analysis/contact_search.py.
+// A search along a walk for pairs of benches: the engine's question about it, and its answers. Twin of
+// analysis/contact_search.py.
 
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
-import { Arena, copied, doubles, withArena } from "./arena.js";
-import { left, spend } from "./budget.js";
+import { withArena } from "./arena.js";
+import { asideMost, left, memory } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
-  CELLS,
-  COURSE,
+  ANALYSIS_TABLES,
+  CONTACT_MEMORY,
   FAMILY,
+  NEARNESS,
   QUESTION,
-  ROUTE,
-  SEARCH,
   WALK_SEARCH,
 } from "./constants.js";
-import { boxes, nearness } from "./distance.js";
+import { boxes, nearness, nearnessOf } from "./distance.js";
+import { EngineQuestion } from "./engine_question.js";
 import { InputError, UnsureError, finite, notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
-import { checkedOff, errorsAt, originOf, seenFrom } from "./nearby.js";
+import { checkedOff, originOf, seenFrom } from "./nearby.js";
 import { atMost, general } from "./number_format.js";
 import { Rounds, repeats } from "./rounds.js";
-import { Tables, walkTables, wholeAt } from "./tables.js";
-import { tick } from "./tick.js";
+import { beginnings, inColumns, tooManyKinds } from "./tables.js";
 
-/** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./answer.js").Status} Status */
 /** @typedef {import("./answer.js").Witness} Witness */
+/** @typedef {import("./distance.js").Nearness} Nearness */
 /** @typedef {import("./rounds.js").Span} Span */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
-/** @typedef {[number, number, number, number]} Limits margin, slack, width, m; most evaluations a step */
 
-const { SLACK, WIDTH, MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SAMPLES_AHEAD } =
+const { SLACK, WIDTH, MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, REFINING, REFINING_ON, SAMPLES_AHEAD } =
   ANALYSIS_CONTACT_SEARCH;
-const { CALL, SEARCHED } = WALK_SEARCH;
 const { UNKNOWN } = FAMILY;
+const told = CONTACT_MEMORY;
 
 /** What answers rest on whose distances may be off by so much, m. @param {number} off */
 export function assumedWithin(off) {
@@ -62,188 +60,119 @@ function geometric(low, high, count) {
 
 /** Chains of so many handles that the question at hand may still march, in one step. @param {number} handles */
 export function mostEvaluations(handles) {
-  return Math.trunc(Math.min(Math.max(left() / (SEARCHED * handles), 1), MOST_EVALUATIONS));
+  return Math.trunc(Math.min(Math.max(left() / (WALK_SEARCH.SEARCHED * handles), 1), MOST_EVALUATIONS));
+}
+
+/** From where a walk is searched that begins with its head at s, m. @param {Walk} walk @param {number} s */
+function originAt(walk, s) {
+  return withArena(walk.engine, (arena) => originOf(walk.placement(arena, [s], { throws: false })));
 }
 
 /**
- * Search on for `goal`, in wider room where it is wanted; how that ended.
- * @param {Tables} tables
- * @param {number} goal
- * @param {Limits} limits those of kernels/walk_search.py
- * @param {Numbers} note likewise
- * @param {(ending: number) => void} tell hears how each call ended
+ * How two benches stand at a time, s, with the head at s, seen from an origin, m.
+ * @param {Nearness} near @param {[number, number]} origin @param {number} time @param {number} s
+ * @returns {Witness}
  */
-export async function runSearch(tables, goal, limits, note, tell) {
-  const handles = tables.count + 1;
-  let [margin, slack, width, most] = limits;
-  for (;;) {
-    const [known, before] = [tables.work, doubles(note)[SEARCH.EVALUATIONS]];
-    most = Math.min(most, mostEvaluations(handles));
-    const [ending] = tables.engine.call(
-      "bd_walk_search_search_walk", tables.walk, tables.room, goal, margin, slack, width, most, note,
-    ); // prettier-ignore
-    const chains = doubles(note)[SEARCH.EVALUATIONS] - before;
-    const marched = chains * wholeAt(tables.course.tally, COURSE.PLACED);
-    spend(CALL + SEARCHED * marched + Math.max(tables.work - known, 0));
-    tell(ending);
-    if (ending === WALK_SEARCH.CROWDED) tables.widen();
-    else if (ending !== QUESTION.MORE) return ending;
-    else await tick();
-  }
+function witnessOf({ benches, distance, points, features }, origin, time, s) {
+  const [x, y] = points[benches.indexOf(features[0][0])];
+  /** @type {[number, number]} */
+  const point = [x + origin[0], y + origin[1]];
+  return { time, s, benches, point, gap: distance, features, handle: null, obstacle: null };
 }
 
 /** A search along a walk from one head position to another. */
-export class ContactSearch {
+export class ContactSearch extends EngineQuestion {
   /**
-   * @param {Arena} arena which holds what lasts as long as the search; see `close`
    * @param {Walk} walk
-   * @param {number} start head positions, m
-   * @param {number} end
-   * @param {number} margin m
+   * @param {[number, number]} ends head positions, m
+   * @param {number} margin distance that benches must keep, m
    * @param {Progress} progress
-   * @param {number} [since] the time at which it begins, s
-   * @param {Span[]} [spans] of the head's way, m, that are searched: the whole, or what repeats nothing
-   * @param {number} [until] the time at which it ends, s
+   * @param {[number, number]} within the times at which it begins and ends, s
+   * @param {Span[]} spans of the head's way, m, that are searched: the whole, or what repeats nothing
+   * @param {number[]} tolerances widths of brackets of the least distance, m: the first that can be
    */
-  constructor(
-    arena,
-    walk,
-    start,
-    end,
-    margin,
-    progress,
-    since = -Infinity,
-    spans = [[start, end]],
-    until = Infinity,
-  ) {
-    this.arena = arena;
-    this.start = start;
-    this.end = end;
-    this.margin = margin;
-    this.progress = progress;
-    this.evaluations = 0;
-    this.began = now();
-    /** Near the dance, m. */
-    this.origin = withArena(walk.engine, (scratch) =>
-      originOf(walk.placement(scratch, [start], { throws: false })),
+  constructor(walk, [start, end], margin, progress, [since, until], spans, tolerances) {
+    const origin = originAt(walk, start);
+    let seen = walk;
+    const limits = inColumns([
+      [told.MARGIN, margin],
+      [told.LEAST_OFF, SLACK],
+      [told.WIDTH, WIDTH],
+      [told.MOST, MOST_EVALUATIONS],
+      [told.MOST_LEAST, MOST_LEAST_EVALUATIONS],
+      [told.BYTES, memory()],
+      [told.BEGIN, start],
+      [told.END, end],
+      [told.MOST_KINDS, ANALYSIS_TABLES.MOST_SIZES],
+      [told.REFINING, asideMost(REFINING)],
+      [told.REFINING_ON, asideMost(REFINING_ON)],
+    ]);
+    super(
+      walk.engine,
+      "bd_contact_question_*_contact",
+      (arena, open, kept) => {
+        seen = seenFrom(kept, walk, origin);
+        const { dragon, route } = seen;
+        const handle = open({
+          rows: route.rows,
+          links: dragon.links,
+          sizes: dragon.sizes,
+          lever: arena.vector([dragon.lever]),
+          spans: arena.table(spans, 2),
+          limits: arena.vector(limits),
+          tolerances: arena.vector(tolerances),
+          beginnings: arena.whole(beginnings()),
+        });
+        if (handle < 0) throw tooManyKinds(dragon.sizes);
+        return handle;
+      },
+      [[told.FIGURES], [NEARNESS.NEARNESS]],
     );
+    this.origin = origin;
     /** As given, but with coordinates counted from `origin`. */
-    this.walk = seenFrom(arena, walk, this.origin);
+    this.walk = seen;
+    this.ends = [start, end];
+    this.progress = progress;
     /** When the head comes to positions of the search. */
-    this.times = new HeadTimes(this.walk, start, since, until);
-    /** What computed distances may be off by that mattered so far, m. */
-    this.off = SLACK;
-    this.spans = spans;
-    this.span = 0;
-    this.near = 0;
-    /** @type {Tables | null} */
-    this.made = null;
-    this.walkTables = walkTables(arena, this.walk);
+    this.times = new HeadTimes(seen, start, since, until);
+    this.began = now();
   }
 
-  /** Look for all pairs that come within reach, m, from the start on. @param {number} reach */
-  begin(reach) {
-    this.near = reach + SLACK;
-    this.#beginSpan(0);
+  /** A number that the engine tells: a column of kernels/contact_memory.py. @param {number} column */
+  figure(column) {
+    return this.numbers(0)[column];
   }
 
-  /** Begin once more with what was begun. */
-  again() {
-    if (this.span) this.#beginSpan(0);
-    else this.tables.again();
+  /** What distances that mattered so far may be off by, m. */
+  get off() {
+    return Math.max(this.figure(told.OFF_BY), SLACK);
   }
 
-  /** @param {number} n */
-  #beginSpan(n) {
-    this.made?.free();
-    const [first, last] = this.spans[(this.span = n)];
-    const { engine } = this.walk;
-    const tail = withArena(engine, (scratch) => {
-      const s = doubles(this.walk.placement(scratch, [first], { throws: false }).s);
-      return s[s.length - 2];
-    });
-    this.made = new Tables(engine, this.walkTables, first, last, this.near, tail);
-    this.made.begin();
-  }
-
-  /** What it works on; made for the margin, if nothing was begun. */
-  get tables() {
-    if (!this.made) this.begin(this.margin);
-    return /** @type {Tables} */ (this.made);
-  }
-
-  /** Give back what it works on. */
-  close() {
-    this.made?.free();
-    this.made = null;
-  }
-
-  /** A note for kernels, of zeros but for some columns. @param {Record<number, number>} [known] */
-  note(known = {}) {
-    const note = this.arena.full([SEARCH.NOTES], 0);
-    for (const [column, value] of Object.entries(known)) doubles(note)[Number(column)] = value;
-    return note;
-  }
-
-  /** Walk through all steps in which pairs may come within reach: throws if the dragon cannot. */
-  async walkThrough() {
-    const note = this.note();
-    while ((await this.#run(WALK_SEARCH.SEEK, note, 0)) === SEARCH.FOUND);
-  }
-
-  /**
-   * Search on for `goal`; how that ended: CLEAR, at the very end, or as kernels/search.py says; and the
-   * note.
-   * @param {number} goal
-   * @param {Record<number, number>} [known] columns of the note at first
-   * @param {number} [tolerance] that of LEAST, m
-   * @returns {Promise<[number, Float64Array]>}
-   */
-  async search(goal, known = {}, tolerance = 0) {
-    const note = this.note(known);
-    const ending = await this.#run(goal, note, tolerance);
-    const found = copied(note);
-    this.arena.drop(note);
-    this.evaluations += found[SEARCH.EVALUATIONS];
-    if (ending === SEARCH.FALLEN)
-      throw this.stopped(found[SEARCH.LOWER], this.tables.way(COURSE.STEP_END));
-    return [ending, found];
-  }
-
-  /** Search until it has come to something. @param {number} goal @param {Numbers} note @param {number} tolerance */
-  async #run(goal, note, tolerance) {
-    const most = tolerance ? MOST_LEAST_EVALUATIONS : MOST_EVALUATIONS;
-    /** @type {Limits} */
-    const limits = [this.margin, tolerance || SLACK, WIDTH, most];
-    const tell = (/** @type {number} */ told) => {
-      const gone = told === QUESTION.MORE ? this.tables.way(COURSE.AT) - this.start : -1;
-      if (gone >= 0) this.progress(gone / (this.end - this.start), "");
-    };
-    let ending = await runSearch(this.tables, goal, limits, note, tell);
-    while (ending === SEARCH.CLEAR && this.span + 1 < this.spans.length) {
-      this.#beginSpan(this.span + 1);
-      ending = await runSearch(this.tables, goal, limits, note, tell);
+  /** Search on for a goal of kernels/contact_question.py; how that ended. @param {number} goal @param {number} [within] m */
+  async find(goal, within = 0) {
+    withArena(this.engine, (arena) => this.call("seek", this.handle, goal, arena.vector([within])));
+    const [start, end] = this.ends;
+    let ending;
+    while ((ending = await this.step()) === QUESTION.MORE)
+      this.progress((this.figure(told.WALKED) - start) / (end - start), "");
+    if (ending === told.STOPPED)
+      throw this.#stopped(this.figure(told.SOUND_TO), this.figure(told.UNTIL));
+    if (ending === told.UNSHOWN)
+      throw new UnsureError(_("it could not be shown that the dragon stands all along"));
+    if (ending === told.ENDLESS) {
+      const values = { most: ANALYSIS_TABLES.MOST_CELLS };
+      throw new UnsureError(
+        _("the walk is too long to be searched: more than {most} cells of its route", values),
+      );
     }
-    this.noteOff(doubles(note)[SEARCH.OFF]);
-    if (ending === WALK_SEARCH.ASTRAY) throw this.#astray();
-    const { length } = this.walk.route;
-    if (ending === SEARCH.CLEAR && this.end > length + ROUTE.END_SLACK)
-      throw this.stopped(length, this.end);
+    if (ending === told.BLURRED) checkedOff(this.off);
     return ending;
   }
 
-  /** Why benches were not shown to follow. */
-  #astray() {
-    const [at, sound] = [COURSE.AT, COURSE.SOUND].map((column) => this.tables.way(column));
-    if (at < sound) return this.stopped(at, sound);
-    const cell = doubles(this.tables.ground.measures)[CELLS.CELL];
-    return this.stopped(sound, sound + 2 * cell);
-  }
-
   /** Why the walk could not be followed past head position `sound`, looked for up to `until`. @param {number} sound @param {number} until */
-  stopped(sound, until) {
+  #stopped(sound, until) {
     // A bench may stand square to the route for a tenth of a millimetre only, and then leap.
-    const reach = Math.max(Math.min(until, this.end) - sound, UNKNOWN);
+    const reach = Math.max(Math.min(until, this.ends[1]) - sound, UNKNOWN);
     const ahead = geometric(UNKNOWN, reach, SAMPLES_AHEAD).map((far) => sound + far);
     const error = this.walk.firstFailure([sound, ...ahead]);
     if (error !== null && error.head <= sound + 2 * UNKNOWN) return error;
@@ -253,59 +182,37 @@ export class ContactSearch {
     );
   }
 
-  /**
-   * How benches i and j (rows, from 0) stand with the head at s.
-   * @param {number} s @param {number} i @param {number} j
-   * @returns {Witness}
-   */
-  witness(s, i, j) {
-    return withArena(this.walk.engine, (arena) => {
-      const table = boxes(arena, this.walk.placement(arena, [s], { throws: false }));
-      const near = nearness(arena.engine, table, i, j);
-      const [[owner]] = near.features;
-      const [x, y] = near.points[near.benches.indexOf(owner)];
-      /** @type {[number, number]} */
-      const point = [x + this.origin[0], y + this.origin[1]];
-      const { benches, distance: gap, features } = near;
-      return { time: this.times.at(s), s, benches, point, gap, features, handle: null, obstacle: null };
-    });
-  }
-
-  /** Take note of what a distance that matters may be off by, m. @param {number} off */
-  noteOff(off) {
-    this.off = Math.max(this.off, checkedOff(off));
-  }
-
-  /** What the distance of benches i and j (rows, from 0) may be off by with the head at s, m. @param {number} s @param {number} i @param {number} j */
-  offAt(s, i, j) {
-    const { off } = errorsAt(this.walk, s);
-    return Math.max(SLACK, off[i] + off[j]);
-  }
-
-  /** The benches (rows, from 0) of a kernel's note. @param {Float64Array} note @returns {[number, number]} */
-  pair(note) {
-    const count = this.walk.dragon.benches;
-    const [n, j] = [note[SEARCH.PAIR], note[SEARCH.PAIR] % count];
-    return [(n - j) / count, j];
-  }
-
-  /**
-   * A time between those at which the head is at lower and at upper, benches i and j meeting.
-   * @param {number} lower @param {number} upper
-   * @param {Status} status
-   * @param {number} i @param {number} j
-   */
-  answerAt(lower, upper, status, i, j) {
-    const [value, early, late, known] = this.times.told(lower, upper, status);
-    const witness = this.witness(upper, i, j);
-    return answered(value, early, late, "s", { status: known, witness, ...this.told() });
+  /** How the benches stand that were found. */
+  witness() {
+    const s = this.figure(told.LATE);
+    return witnessOf(nearnessOf(this.numbers(1)), this.origin, this.times.at(s), s);
   }
 
   /** What answers rest on, and what they took. */
-  told() {
-    const { off, evaluations, began } = this;
-    return { assumptions: assumedWithin(off), evaluations, seconds: now() - began };
+  rest() {
+    const [evaluations, seconds] = [this.figure(told.MARCHED), now() - this.began];
+    return { assumptions: assumedWithin(this.off), evaluations, seconds };
   }
+
+  /** When the benches come to stand as was found. @param {Status} status */
+  moment(status) {
+    const [early, late] = [this.figure(told.EARLY), this.figure(told.LATE)];
+    const [value, lower, upper, known] = this.times.told(early, late, status);
+    return answered(value, lower, upper, "s", {
+      status: known,
+      witness: this.witness(),
+      ...this.rest(),
+    });
+  }
+}
+
+/** How benches i and j (rows, from 0) of a walk stand with the head at s, m, without a search. @param {Walk} walk @param {HeadTimes} times @param {number} s @param {number} i @param {number} j */
+export function standAlone(walk, times, s, i, j) {
+  const origin = originAt(walk, times.start);
+  return withArena(walk.engine, (arena) => {
+    const placed = seenFrom(arena, walk, origin).placement(arena, [s], { throws: false });
+    return witnessOf(nearness(walk.engine, boxes(arena, placed), i, j), origin, times.at(s), s);
+  });
 }
 
 /**
@@ -317,31 +224,21 @@ export class ContactSearch {
  * @param {number} margin m
  * @param {Progress} progress
  * @param {(search: ContactSearch) => Promise<T>} use
- * @param {{ whole?: boolean }} [options]
+ * @param {{ whole?: boolean, tolerances?: number[] }} [options]
  * @returns {Promise<T>}
  */
-export async function withContactSearch(
-  walk,
-  start,
-  end,
-  margin,
-  progress,
-  use,
-  { whole = false } = {},
-) {
+export async function withContactSearch(walk, start, end, margin, progress, use, options = {}) {
   notNegative("margin", margin, "m");
   inOrder(start, end);
   withArena(walk.engine, (arena) => walk.motion(arena, [start])); // throws where it cannot stand there
-  const arena = new Arena(walk.engine);
   const [a, b] = [walk.headPosition(start), walk.headPosition(end)];
-  let search = null;
+  const { whole = false, tolerances = ANALYSIS_CONTACT_SEARCH.TOLERANCES } = options;
+  /** @type {Span[]} */
+  const spans = whole ? [[a, b]] : new Rounds(walk, repeats(walk.route.rows)).new(a, b).spans;
+  const search = new ContactSearch(walk, [a, b], margin, progress, [start, end], spans, tolerances);
   try {
-    /** @type {Span[]} */
-    const spans = whole ? [[a, b]] : new Rounds(walk, repeats(walk.route.rows)).new(a, b).spans;
-    search = new ContactSearch(arena, walk, a, b, margin, progress, start, spans, end);
     return await use(search);
   } finally {
-    search?.close();
-    arena.free();
+    search.free();
   }
 }

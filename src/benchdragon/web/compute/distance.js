@@ -1,15 +1,15 @@
 // How near benches come to one another: clearance at an instant, over all pairs that count. Twin of
 // analysis/distance.py.
 
-import { Arena, doubles, withArena, wholes } from "./arena.js";
-import { ANALYSIS_DISTANCE, BOX, GRID, SPIRAL } from "./constants.js";
+import { doubles, withArena, wholes } from "./arena.js";
+import { BOX, GRID, NEARNESS } from "./constants.js";
 import { firstRows } from "./lists.js";
 import { emptyGrid } from "./tables.js";
 
 /** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("../engine.js").Numbers} Numbers */
+/** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./walk.js").Placement} Placement */
-/** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {[number, number]} Point */
 
 /**
@@ -23,10 +23,8 @@ import { emptyGrid } from "./tables.js";
  */
 
 export const CORNERS = ["front left", "rear left", "rear right", "front right"];
-const ENDS = ["front", "rear"];
-const FLANKS = ["left", "right"];
-// Reach, m, within which the tightest pairs are first looked for.
-const FIRST_LOOK = 0.25;
+// What of a bench may meet: see kernels/nearness.py.
+const FEATURES = ["front", "rear", "left", "right", CORNERS[0], CORNERS[3], CORNERS[1], CORNERS[2]];
 
 /**
  * The rectangles of all benches of placement number `index`, (N, BOX_COLUMNS) of kernels/box.py.
@@ -41,55 +39,25 @@ export function boxes(arena, placed, index = 0) {
   return out;
 }
 
-/**
- * How near the benches in rows i and j of `boxes` are.
- * @param {Engine} engine
- * @param {Numbers} table
- * @param {number} i @param {number} j
- * @returns {Nearness}
- */
+/** How near the benches in rows i and j of `boxes` are. @param {Engine} engine @param {Numbers} table @param {number} i @param {number} j */
 export function nearness(engine, table, i, j) {
-  const [distance] = engine.call("bd_box_box_distance", table, i, j);
-  const [gap] = engine.call("bd_box_box_gap", table, i, j);
-  const [mine, which] = engine.call("bd_box_nearest_corner", table, i, j);
-  const [owner, other] = mine ? [i, j] : [j, i];
-  const [x, y] = engine.call("bd_box_corner", table, owner, which);
-  const [point, feature] = foot(engine, table, other, x, y);
-  /** @type {Point} */
-  const corner = [x, y];
-  const here = distance <= 0 ? corner : point;
-  const ordered = Boolean(mine) === i < j;
-  return {
-    benches: [Math.min(i, j) + 1, Math.max(i, j) + 1],
-    distance,
-    gap,
-    points: ordered ? [corner, here] : [here, corner],
-    features: [
-      [owner + 1, CORNERS[which]],
-      [other + 1, feature],
-    ],
-  };
+  return withArena(engine, (arena) => {
+    const row = arena.array("d", NEARNESS.NEARNESS);
+    engine.call("bd_nearness_nearness", table, i, j, row);
+    return nearnessOf(doubles(row));
+  });
 }
 
-/**
- * The point of box j nearest to (x, y), and whether it lies on a side or at a corner.
- * @param {Engine} engine
- * @param {Numbers} table
- * @param {number} j @param {number} x @param {number} y
- * @returns {[Point, string]}
- */
-function foot(engine, table, j, x, y) {
-  const [along, across] = engine.call("bd_box_offset", table, j, x, y);
-  const box = doubles(table).subarray(j * BOX.BOX_COLUMNS, (j + 1) * BOX.BOX_COLUMNS);
-  const [half, wide] = [box[BOX.HALF_LENGTH], box[BOX.HALF_WIDTH]];
-  const a = Math.min(Math.max(along, -half), half);
-  const b = Math.min(Math.max(across, -wide), wide);
-  const [ux, uy] = [box[BOX.UX], box[BOX.UY]];
-  /** @type {Point} */
-  const point = [box[BOX.CX] + a * ux - b * uy, box[BOX.CY] + a * uy + b * ux];
-  const [end, flank] = [ENDS[Number(along < 0)], FLANKS[Number(across < 0)]];
-  if (Math.abs(along) > half && Math.abs(across) > wide) return [point, `${end} ${flank}`];
-  return [point, Math.abs(along) - half > Math.abs(across) - wide ? end : flank];
+/** What a row of kernels/nearness.py tells. @param {Float64Array} row @returns {Nearness} */
+export function nearnessOf(row) {
+  const [first, second, distance, gap, x, y, thereX, thereY, owner, corner, other, feature] = row;
+  return {
+    benches: [first + 1, second + 1],
+    distance,
+    gap,
+    points: [[x, y], [thereX, thereY]],
+    features: [[owner + 1, CORNERS[corner]], [other + 1, FEATURES[feature]]],
+  }; // prettier-ignore
 }
 
 /**
@@ -139,76 +107,4 @@ function pairsNear(arena, grid, others, places, start, reach) {
     }
     most = count;
   }
-}
-
-/** To so many decimals as count where pairs are put in order, as a whole number. @param {number} distance */
-function rounded(distance) {
-  const scaled = distance * 10 ** ANALYSIS_DISTANCE.TIE;
-  const up = 2 ** 52 * Math.sign(scaled);
-  return Math.abs(scaled) < 2 ** 52 ? scaled + up - up : scaled;
-}
-
-/**
- * The `count` pairs of benches with the smallest distance at time number `index`, tightest first.
- *
- * Neighbours do not count. Fewer come back where the dragon has fewer pairs. Equal distances come in the
- * order of the benches.
- * @param {Placement} placed
- * @param {number} [index]
- * @param {number} [count]
- * @returns {Nearness[]}
- */
-export function tightestPairs(placed, index = 0, count = 1) {
-  const { engine } = placed.arena;
-  return withArena(engine, (arena) => {
-    const table = boxes(arena, placed, index);
-    const benches = table.shape[0];
-    const wanted = Math.min(count, ((benches - 1) * (benches - 2)) / 2);
-    let reach = FIRST_LOOK;
-    /** @type {Array<[number, number, number]>} */
-    let known = [];
-    for (;;) {
-      known = distancesOf(table, reach, engine);
-      if (known.filter(([, , distance]) => distance <= reach).length >= wanted) break;
-      reach *= 2;
-    }
-    known.sort(([i, j, d], [k, l, e]) => rounded(d) - rounded(e) || i - k || j - l);
-    return known.slice(0, wanted).map(([i, j]) => nearness(engine, table, i, j));
-  });
-}
-
-/**
- * The pairs within reach, m, and more, each with its distance, m.
- * @param {Numbers} table
- * @param {number} reach
- * @param {Engine} engine
- * @returns {Array<[number, number, number]>}
- */
-function distancesOf(table, reach, engine) {
-  return withArena(engine, (arena) => {
-    const pairs = pairsWithin(arena, table, reach);
-    const [first, second] = [0, 1].map((n) => arena.whole(pairs.map((pair) => pair[n])));
-    const [gap, distance] = [arena.array("d", pairs.length), arena.array("d", pairs.length)];
-    engine.call("bd_box_pair_distances", table, first, second, gap, distance);
-    const apart = doubles(distance);
-    return pairs.map(([i, j], p) => [i, j, apart[p]]);
-  });
-}
-
-/**
- * A low distance with the head between first and last, m; where, and of which benches (rows).
- *
- * It is looked for at some head positions, and about the least of them: a hint, no bound. Minus a depth
- * inside; infinite where the dragon stands nowhere.
- * @param {Walk} walk
- * @param {number} first @param {number} last
- */
-export function lowPair({ engine, route, dragon }, first, last) {
-  return withArena(engine, (arena) =>
-    engine.call(
-      "bd_low_points_low_pair", route.rows, dragon.links, dragon.sizes, first, last,
-      arena.array("d", SPIRAL.LANES), arena.placements(dragon.benches + 1, SPIRAL.LANES),
-      arena.array("d", 2, BOX.BOX_COLUMNS),
-    ),
-  ); // prettier-ignore
 }

@@ -2,7 +2,7 @@
 // Twin of analysis/engine_question.py.
 
 import { NoMemory } from "../engine.js";
-import { Arena, doubles } from "./arena.js";
+import { Arena, doubles, withArena } from "./arena.js";
 import { hold, left, spend } from "./budget.js";
 import { QUESTION } from "./constants.js";
 import { tick } from "./tick.js";
@@ -14,22 +14,25 @@ export class EngineQuestion {
   /**
    * @param {import("../engine.js").Engine} engine
    * @param {string} named its entries: `bd_${kernel}_open_${name}`, and those that step and read
-   * @param {(arena: Arena, open: (...values: import("../engine.js").Argument[]) => number) => number} opened
-   *   hands over what is asked
+   * @param {(arena: Arena, open: (...values: import("../engine.js").Argument[]) => number, kept: Arena) => number} opened
+   *   hands over what is asked; what is put into the last arena lasts as long as the question
    * @param {number[][]} told shapes of the arrays that `read` fills, the first as kernels/question.py says
    */
   constructor(engine, named, opened, told) {
     this.engine = engine;
     this.named = named;
-    const asking = new Arena(engine);
-    try {
-      this.handle = opened(asking, (...values) => this.call("open", ...values));
-    } finally {
-      asking.free();
-    }
-    if (!this.handle) throw new NoMemory("no memory for a question");
     this.arena = new Arena(engine);
-    this.told = told.map((shape) => this.arena.full(shape, 0));
+    this.handle = 0;
+    try {
+      this.told = told.map((shape) => this.arena.full(shape, 0));
+      this.handle = withArena(engine, (asking) =>
+        opened(asking, (...values) => this.call("open", ...values), this.arena),
+      );
+      if (!this.handle) throw new NoMemory("no memory for a question");
+    } catch (error) {
+      this.arena.free();
+      throw error;
+    }
   }
 
   /** What an entry of it gives. @param {string} entry @param {import("../engine.js").Argument[]} values */

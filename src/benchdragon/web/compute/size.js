@@ -3,11 +3,11 @@
 
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
-import { withArena } from "./arena.js";
 import { question as asOne } from "./budget.js";
 import { SIZE_BRACKET, SIZE_SEARCH, SOLVE_SIZE } from "./constants.js";
-import { ContactSearch } from "./contact_search.js";
+import { standAlone } from "./contact_search.js";
 import { InputError, PlanError, notNegative } from "./errors.js";
+import { HeadTimes } from "./head_times.js";
 import { evenly } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
 import { PlanFamily, TOLERANCE, question } from "./size_family.js";
@@ -122,10 +122,8 @@ function witnessOf(family, found, size) {
   if (!meeting || !spanned) return null;
   const { walk, start, end } = spanned;
   const [first, last] = [walk.headPosition(start), walk.headPosition(end)];
-  return withArena(family.engine, (arena) => {
-    const search = new ContactSearch(arena, walk, first, last, family.margin, silent, start);
-    return search.witness(Math.min(meeting.s, last), meeting.i, meeting.j);
-  });
+  const times = new HeadTimes(walk, first, start);
+  return standAlone(walk, times, Math.min(meeting.s, last), meeting.i, meeting.j);
 }
 
 /** @param {PlanFamily} family @param {number} size */

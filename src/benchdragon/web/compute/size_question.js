@@ -6,8 +6,6 @@ import { withArena, withArenaAsync } from "./arena.js";
 import { memory } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
-  ANALYSIS_TABLES,
-  OWN_ROOM,
   QUESTION,
   SIZE_BRACKET,
   SIZE_MEMORY,
@@ -22,6 +20,7 @@ import { general } from "./number_format.js";
 import { ObstacleSearch } from "./obstacle_search.js";
 import { touching } from "./obstacles.js";
 import { TOLERANCE, kernelFamily } from "./size_family.js";
+import { beginnings, inColumns } from "./tables.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
@@ -38,30 +37,12 @@ const MEETING = 4; // numbers of one
 /** Sizes are tried to so many times the plan's own where there are obstacles. */
 export const { FAR } = SOLVE_SIZE_QUESTION;
 
-/** Numbers in the order of the columns that they are told for. @param {Array<[number, number]>} told */
-function row(told) {
-  return told.sort(([a], [b]) => a - b).map(([, value]) => value);
-}
-
-/** The room that searches begin with, as the engine takes it. */
-function beginnings() {
-  return row([
-    [OWN_ROOM.A_CELL, ANALYSIS_TABLES.A_CELL],
-    [OWN_ROOM.AT_FIRST, ANALYSIS_TABLES.AT_FIRST],
-    [OWN_ROOM.FIRST_PAIRS, ANALYSIS_TABLES.PAIRS],
-    [OWN_ROOM.FIRST_MEMBERS, ANALYSIS_TABLES.MEMBERS],
-    [OWN_ROOM.FIRST_DOUBTS, ANALYSIS_TABLES.DOUBTS],
-    [OWN_ROOM.MOST_CELLS, ANALYSIS_TABLES.MOST_CELLS],
-    [OWN_ROOM.PLACES, ANALYSIS_TABLES.PLACES],
-  ]);
-}
-
 /** What the engine is told of a question about a family, whose plan's own walk goes so far, m. @param {PlanFamily} family @param {Walk} walk @param {number} first @param {number} last */
 function limitsOf({ engine, margin, question, tolerance }, walk, first, last) {
   const [x, y] = withArena(engine, (arena) =>
     originOf(walk.placement(arena, [first], { throws: false })),
   );
-  return row([
+  return inColumns([
     [SIZE_MEMORY.MARGIN, margin],
     [SIZE_MEMORY.LEAST_OFF, SLACK],
     [SIZE_MEMORY.WIDTH, WIDTH],

@@ -1,0 +1,195 @@
+"""What a question about contact knows, and where that lies in a block of the engine's own memory."""
+
+from typing import NamedTuple
+
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.box import BOX_COLUMNS
+from benchdragon.kernels.chain import Placements
+from benchdragon.kernels.course import Benches, Room, Walk
+from benchdragon.kernels.curve import COLUMNS
+from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.kinds import find_kinds
+from benchdragon.kernels.memory import (
+    ADDRESS,
+    HEADER,
+    copy_row,
+    copy_table,
+    group_at,
+    integers_at,
+    lay_from,
+    lay_row,
+    lay_table,
+    slot_count,
+    slot_of,
+)
+from benchdragon.kernels.nearness import NEARNESS
+from benchdragon.kernels.own_room import (
+    BEGINNINGS,
+    PLACES,
+    ROUTE_ROWS,
+    SIZES,
+    lay_block,
+    lay_placements,
+)
+from benchdragon.kernels.question import TOLD
+from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import NOTES
+from benchdragon.kernels.spiral import LANES
+
+# What may be sought besides FIRST_TOUCH and TOUCH_END, each from where the one before was found, LEAST
+# of the whole, and SEEK, the next step in which pairs may come within reach:
+SEEN = 4  # the least distance that is seen here and there
+BETWEEN = 5  # the least between two head positions, about one that is known
+NOTHING = -1
+# How steps end, besides the ways of kernels/search.py and kernels/question.py.
+STOPPED = 30  # the walk could not be followed past SOUND_TO: why may be seen up to UNTIL
+UNSHOWN = 31  # it could not be shown that the dragon stands where a span begins
+ENDLESS = 32  # the route has too many cells
+BLURRED = 33  # rounding may hide more than a search allows for, OFF_BY
+FARTHER = 34  # LEAST: no pair comes nearer than WITHIN, nor than FLOOR_AT
+# What hosts say of a question, a row of floats.
+MARGIN = 0  # distance that benches must keep, m
+LEAST_OFF = 1  # what computed distances count as off by at least, m
+WIDTH = 2  # parts of a step narrower than this, m, are not halved
+MOST = 3  # chains marched in one step of a search
+MOST_LEAST = 4  # likewise for the least distance
+BYTES = 5  # that tables may take
+BEGIN = 6  # between which head positions it is, m
+END = 7
+MOST_KINDS = 8  # sizes of benches there may be
+REFINING = 9  # handles that a bracket may be refined with to the first tolerance
+REFINING_ON = 10  # and to each of the others
+LIMITS = 11
+# What is told of it, a row of floats that begins as kernels/question.py says.
+WALKED = TOLD  # the head position up to which it has come, m
+EARLY = 3  # between which head positions it was found, m
+LATE = 4
+FIRST_BENCH = 5  # of which benches, from 0
+SECOND_BENCH = 6
+OFF_BY = 7  # what distances that mattered may be off by, m
+MARCHED = 8  # chains, in searches
+BEST = 9  # the least distance seen, m
+FLOOR_AT = 10  # no pair is nearer, m
+SOUND_TO = 11  # where the walk could not be followed, m, and up to where that may be looked for
+UNTIL = 12
+# What is its own.
+GOAL, STAGE, READY, SPAN, BEGUN, NEAR, LEFT = 13, 14, 15, 16, 17, 18, 19
+PASS, ASIDE, AIMED, REACH, WITHIN, WHERE = 20, 21, 22, 23, 24, 25
+FIGURES = 26
+# The memory of the block that all lies in that keeps its size.
+OWN_MEMORY = 3
+# Head positions at which a pair is looked at, at least.
+FEWEST = 4
+
+
+class Hunt(NamedTuple):
+    """A search for contacts; what stands from `at` to `bench_off` is scratch, of all benches."""
+
+    walk: Walk
+    seams: Table  # (rows, SEAM_COLUMNS)
+    room: Room
+    sizes: IntVector  # of the room
+    beginnings: IntVector  # likewise: see own_room
+    spans: Table  # of the head's way, m, (spans, 2)
+    at: Vector
+    placed: Placements
+    boxes: Table
+    lanes: Vector
+    errors: Vector
+    bench_off: Vector
+    limits: Vector
+    tolerances: Vector  # widths of brackets, m: the first that can be
+    figures: Vector
+    near: Vector  # how near the pair is that was found: see kernels/nearness.py
+    note: Vector
+
+
+WALK_SLOT, ROOM_SLOT = slot_of(Hunt, "walk"), slot_of(Hunt, "room")
+SIZES_SLOT = slot_of(Hunt, "sizes")
+KINDS_SLOT = WALK_SLOT + 3 + slot_count(Benches)
+END_SLOT = HEADER + slot_count(Hunt)
+# Where it begins in a block, in bytes.
+BASE = 8 * HEADER
+
+
+class Asked(NamedTuple):
+    """What a host hands over."""
+
+    rows: Table
+    links: Vector
+    sizes: Table  # of benches, (4, benches)
+    lever: Vector  # (1,)
+    spans: Table
+    limits: Vector
+    tolerances: Vector
+    beginnings: IntVector
+
+
+@kernel
+def lay_hunt(slots: IntArray, address: int, asked: Asked) -> int:
+    """Lay all from an address on that keeps its size; the bytes that takes."""
+    rows, benches, places = asked.rows.shape[0], asked.links.shape[0], asked.beginnings[PLACES]
+    kinds = min(benches, int(asked.limits[MOST_KINDS]))
+    lay_from(slots, WALK_SLOT, address)
+    lay_table(slots, rows, COLUMNS)
+    lay_row(slots, benches)
+    lay_table(slots, 4, benches)
+    lay_row(slots, benches)
+    lay_row(slots, benches)
+    lay_row(slots, 1)
+    lay_table(slots, 4, kinds)
+    lay_row(slots, kinds)
+    lay_table(slots, rows, SEAM_COLUMNS)
+    lay_from(slots, SIZES_SLOT, lay_block(slots, ROOM_SLOT, slots[ADDRESS], benches, places))
+    lay_row(slots, SIZES)
+    lay_row(slots, BEGINNINGS)
+    lay_table(slots, asked.spans.shape[0], 2)
+    count = max(FEWEST, min(LANES, places // (benches + 1)))
+    lay_row(slots, count)
+    lay_placements(slots, benches + 1, count)
+    lay_table(slots, 2, BOX_COLUMNS)
+    lay_row(slots, benches)
+    lay_row(slots, benches + 1)
+    lay_row(slots, benches)
+    lay_row(slots, LIMITS)
+    lay_row(slots, asked.tolerances.shape[0])
+    lay_row(slots, FIGURES)
+    lay_row(slots, NEARNESS)
+    lay_row(slots, NOTES)
+    return slots[ADDRESS] - address
+
+
+@kernel
+def fill_hunt(block: int, asked: Asked) -> bool:
+    """Copy what a host says; whether the benches are not of too many kinds."""
+    hunt = group_at(Hunt, block + BASE)
+    benches, kinds, ahead = hunt.walk.benches, hunt.walk.kinds, 0.0
+    copy_table(hunt.walk.rows, asked.rows)
+    copy_row(benches.links, asked.links)
+    copy_table(benches.sizes, asked.sizes)
+    for i in range(asked.links.shape[0]):
+        benches.ahead[i] = ahead
+        ahead += asked.links[i]
+    copy_row(benches.lever, asked.lever)
+    find_seams(hunt.walk.rows, hunt.seams)
+    copy_row(hunt.beginnings, asked.beginnings)
+    copy_table(hunt.spans, asked.spans)
+    copy_row(hunt.limits, asked.limits)
+    copy_row(hunt.tolerances, asked.tolerances)
+    hunt.sizes[ROUTE_ROWS] = asked.rows.shape[0]
+    for n in range(FIGURES):
+        hunt.figures[n] = 0.0
+    count, most = (
+        find_kinds(benches.sizes, kinds.sizes, benches.kind, kinds.group),
+        kinds.sizes.shape[1],
+    )
+    if count > most:
+        return False
+    for n in range(4):
+        for k in range(count):  # in rows of as many as there are, from now on
+            at = n * count + k
+            kinds.sizes[at // most, at % most] = kinds.sizes[n, k]
+    slots = integers_at(block, END_SLOT)
+    slots[KINDS_SLOT + 2] = slots[KINDS_SLOT + 4] = count
+    return True
