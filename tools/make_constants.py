@@ -29,11 +29,11 @@ KERNELS = (
 # Modules with twins in the page: add those whose numbers you need.
 TWINS = (
     "analysis.bench_nearness", "analysis.bench_walks", "analysis.bends", "analysis.check",
-    "analysis.clock", "analysis.contact", "analysis.contact_search", "analysis.crossings",
-    "analysis.distance", "analysis.ground", "analysis.left_open", "analysis.marks",
+    "analysis.contact", "analysis.contact_search", "analysis.crossings",
+    "analysis.distance", "analysis.left_open", "analysis.marks",
     "analysis.nearby", "analysis.not_looked_at", "analysis.obstacle_search",
     "analysis.room", "analysis.rounds", "analysis.shortage", "analysis.speed", "analysis.tables",
-    "analysis.unfinished", "budget", "errors", "explain.bench_text",
+    "analysis.unfinished", "budget", "errors",
     "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
     "model.formations", "model.holds", "model.obstacle", "model.placement", "model.profile",
     "model.walk", "number_format",

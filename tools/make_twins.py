@@ -28,6 +28,12 @@ import benchdragon
 FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
 # Of which modules pages are given what: the file, and the names that are asked for.
 TWINS = {
+    "analysis.clock": ("clock", "Clock"),
+    "analysis.ground": ("ground", "Ground"),
+    "explain.bench_text": (
+        "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
+    ),
+    "plans.people": ("people", "called", "village"),
     "rosters.names": ("roster_names", "like_two"),
     "rosters.words": (
         "roster_words", "NUMERALS", "numeral", "heading", "doubtful", "is_name", "is_other", "is_sum",
@@ -50,6 +56,8 @@ GIVEN = {
     "rosters.grid._cells": "../compute/roster_text.js",
     "decoding.readings": "../compute/roster_text.js",
 }
+# Methods that only Python has.
+LEFT_OUT = {"analysis.ground.Ground": ("of", "seen")}
 HEADER = "// @ts-nocheck\n// Made from {name} by tools/make_twins.py; to make it again: make types\n"
 
 
@@ -132,7 +140,7 @@ class Twin:
             self.imports.setdefault(path, set()).add(camel(name))
         elif name in self.definitions:
             self.wanted[name] = ""
-            node = self.definitions[name]
+            node = _without(self.definitions[name], LEFT_OUT.get(f"{self.name}.{name}", ()))
             make = self.code.function if isinstance(node, ast.FunctionDef) else self.code.record
             scopes, self.code.scopes = self.code.scopes, []
             me, self.code.me = self.code.me, []
@@ -160,7 +168,7 @@ class Twin:
         elif path:
             self.imports.setdefault(path, set()).add(_renamed(there, name))
         else:
-            raise NameError(f"{self.name}: {name} of {module} has no twin")
+            self.wanted[name] = f"const {name} = {self.literal(value)};"
 
     def parameters(self, name: str) -> Sequence[str] | None:
         """What a function or a record takes; of a method, named with a point, any of that name."""
@@ -204,7 +212,10 @@ class Twin:
             case re.Pattern():
                 return _pattern(value.pattern, value.flags)
             case _ if hasattr(value, "items"):
-                pairs = (f"[{self.literal(key)}, {self.literal(of)}]" for key, of in value.items())
+                pairs = (
+                    f"[{text(key) if isinstance(key, str) else self.literal(key)}, {self.literal(of)}]"
+                    for key, of in value.items()
+                )
                 return f"py.dict([{', '.join(pairs)}])"
             case _ if dataclasses.is_dataclass(value):
                 name = type(value).__name__
@@ -237,6 +248,14 @@ class Twin:
 
 # Kinds of errors that the languages have in common, or have by other names.
 ERRORS = ("Error", "TypeError", "RangeError")
+
+
+def _without(
+    node: ast.FunctionDef | ast.ClassDef, names: Sequence[str]
+) -> ast.FunctionDef | ast.ClassDef:
+    """A record without some of its methods."""
+    node.body = [one for one in node.body if getattr(one, "name", "") not in names]
+    return node
 
 
 def _renamed(there: str, here: str) -> str:

@@ -22,12 +22,12 @@ def planned(*settings: str) -> tuple[Plan, Ground]:
 @pytest.mark.parametrize(("angle", "turned"), [(0, 0), (30, 30), (-20, -20), (80, -10), (120, 30)])
 def test_the_base_line_runs_along_the_venues_longest_edge(angle: float, turned: float) -> None:
     outline = rectangle_outline("venue", (3.0, 1.0), (30.0, 20.0), math.radians(angle))
-    assert base_angle(outline) == pytest.approx(math.radians(turned), abs=1e-9)
+    assert base_angle(outline.tolist()) == pytest.approx(math.radians(turned), abs=1e-9)
 
 
 def test_a_bent_edge_and_no_venue_leave_the_axes_of_the_plan() -> None:
     angles = np.linspace(0.1, 0.1 + math.tau, 25)[:-1]
-    assert base_angle(np.column_stack([np.cos(angles), np.sin(angles)])) == 0.0
+    assert base_angle(np.column_stack([np.cos(angles), np.sin(angles)]).tolist()) == 0.0
     plan, ground = planned()
     assert (ground.turned, ground.venue, ground.y_word) == (0.0, False, "y")
     assert ground.peg == plan.build().route.centre

@@ -11,7 +11,8 @@ from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.analysis.bench_walks import PACES, BenchWalk, Stretch, bench_walks
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
-from benchdragon.explain.bench_text import BenchText, bench_text, quick_line, tightest_line
+from benchdragon.explain.bench_basis import bench_text
+from benchdragon.explain.bench_text import BenchText, quick_line, tightest_line
 from benchdragon.i18n import spoken_in
 from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called

@@ -7,21 +7,16 @@ const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const [{ Engine }, { withArenaAsync }, { briefed }, { checkedPlan }] = await Promise.all(
   ["engine", "compute/arena", "compute/briefing", "compute/plan"].map(load),
 );
-const [{ benchText, markLine }, { Clock }, { called }, { language, speak, useWords }] =
-  await Promise.all(["compute/bench_text", "compute/clock", "compute/people", "words"].map(load));
+const [{ Sayings, markLine }, { called }, { speak, useWords }] =
+  await Promise.all(["bench_sheet", "made/people", "words"].map(load));
 const engine = await Engine.load(readFileSync(file));
 
 /** What stands on the sheets of all benches, in a language. */
 function sentences(told, spoken) {
   speak(spoken);
-  const { people, start, clock, ground, benches, halts, coiled } = told;
-  const basis = { clock: new Clock(clock, start), people, ground, halts, coiled };
-  const name = (bench) => called(people, bench, benches.length);
-  return benches.map((one, k) => {
-    const { apart, name: words, edge } = told.landmarks[k];
-    const near = { apart, name: words?.[language()] ?? "", edge };
-    return [benchText(basis, one, near, name), markLine(told.marks[k])];
-  });
+  const said = new Sayings(told, new Map());
+  const name = (bench) => called(told.people, bench, told.benches.length);
+  return told.benches.map((_one, k) => [said.text(k + 1, name), markLine(told.marks[k])]);
 }
 
 const { plans, words } = JSON.parse(readFileSync(questions, "utf-8"));

@@ -14,7 +14,7 @@ from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import Trail, placed_marks
 from benchdragon.errors import BenchDragonError
-from benchdragon.explain.bench_text import bench_text
+from benchdragon.explain.bench_basis import bench_text
 from benchdragon.i18n import LANGUAGES, spoken_in
 from benchdragon.model.walk import Walk
 from benchdragon.plans.people import called

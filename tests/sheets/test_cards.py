@@ -17,7 +17,8 @@ from pypdf import PdfReader
 from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.analysis.check import clearance_text, sentence
 from benchdragon.errors import InputError
-from benchdragon.explain.bench_text import bench_text, tightest_line
+from benchdragon.explain.bench_basis import bench_text
+from benchdragon.explain.bench_text import tightest_line
 from benchdragon.export.document import Paragraph, Table
 from benchdragon.export.typeset import Typeset
 from benchdragon.i18n import spoken_in

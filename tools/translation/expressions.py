@@ -42,6 +42,7 @@ class Expressions:
     hoist: Callable[[str, int], str]
     scopes: list[set[str]] = field(default_factory=list)
     me: list[str] = field(default_factory=list)
+    record_name: str = ""
 
     def pattern(self, target: ast.expr) -> str:
         """What is assigned to."""
@@ -63,8 +64,14 @@ class Expressions:
         pairs = [*zip(own, defaults, strict=True)][skip:]
         pairs += zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
         return ", ".join(
-            camel(one.arg) + (f" = {self.expr(default)}" if default else "") for one, default in pairs
+            camel(one.arg) + (f" = {self.default(default)}" if default else "")
+            for one, default in pairs
         )
+
+    def default(self, node: ast.expr) -> str:
+        """What is taken where nothing is given; types of pages are guessed from it."""
+        said = self.expr(node)
+        return "/** @type {any} */ (null)" if said == "null" else said
 
     def truth(self, node: ast.expr) -> str:
         """An expression where only its truth counts."""
@@ -273,6 +280,8 @@ class Expressions:
         match node.func:
             case ast.Attribute(value=value, attr=attr):
                 return self._method_call(node, value, attr)
+            case ast.Name(id=name) if self.me and name == self.me[-1]:
+                return f"new this({self._given(node, self.parameters(self.record_name))})"
             case ast.Name(id=name) if not any(name in scope for scope in self.scopes):
                 return self._function_call(node, name)
         return f"{self.expr(node.func)}({self._given(node)})"

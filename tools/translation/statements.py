@@ -140,6 +140,7 @@ class Code(Expressions):
 
     def record(self, node: ast.ClassDef) -> str:
         """A class of records, with their methods."""
+        self.record_name = node.name
         fields = [one for one in node.body if isinstance(one, ast.AnnAssign)]
         names = [camel(one.target.id) for one in fields if isinstance(one.target, ast.Name)]
         given = ", ".join(
@@ -170,9 +171,9 @@ class Code(Expressions):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "field":
             said = {one.arg: one.value for one in node.keywords}
             if "default" in said:
-                return self.expr(said["default"])
+                return self.default(said["default"])
             return self.expr(ast.Call(said["default_factory"], [], []))
-        return self.expr(node)
+        return self.default(node)
 
 
 def _within(body: Iterable[ast.stmt]) -> Iterator[ast.AST]:

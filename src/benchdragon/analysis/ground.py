@@ -52,17 +52,21 @@ class Ground:
     @classmethod
     def of(cls, plan: Plan, route: Route) -> Self:
         """That of a plan."""
-        peg = own_peg(plan, route)
-        edges = [one for one in plan.obstacles() if one.kind == "venue"]
-        if plan.survey.north:
-            return cls(peg, north=True)
-        return cls(peg, base_angle(edges[0].outline) if edges else 0.0, venue=bool(edges))
+        edges = [one.outline.tolist() for one in plan.obstacles() if one.kind == "venue"]
+        return cls.measured(own_peg(plan, route), plan.survey.north, edges)
+
+    @classmethod
+    def measured(cls, peg: Point, north: bool, edges: Sequence[Sequence[Point]]) -> Self:
+        """That of a plan with its peg there, m, and with a venue of such edges, corner by corner."""
+        if north or not edges:
+            return cls(peg, 0.0, north)
+        return cls(peg, base_angle(edges[0]), False, True)
 
     @property
-    def ways(self) -> FloatArray:
-        """Unit vectors of the plan: the ways x and y point, and against them; (4, 2)."""
+    def ways(self) -> tuple[Point, ...]:
+        """Unit vectors of the plan: the ways x and y point, and against them."""
         c, s = math.cos(self.turned), math.sin(self.turned)
-        return np.array([(c, s), (-s, c), (-c, -s), (s, -c)])
+        return ((c, s), (-s, c), (-c, -s), (s, -c))
 
     @property
     def way_names(self) -> tuple[str, str, str, str]:
@@ -70,9 +74,14 @@ class Ground:
         x, y, against_x, against_y = NORTH if self.north else VENUE if self.venue else AXES
         return _(x), _(y), _(against_x), _(against_y)
 
-    def edge_name(self, out: FloatArray) -> str:
-        """What the venue's edge is called over which a way, (2,), leads out."""
-        return _((NORTH_EDGES if self.north else EDGES)[int(np.argmax(self.ways @ out))])
+    def edge(self, out: Sequence[float] | FloatArray) -> int:
+        """Over which edge of the venue a way leads out: to the right, forward, to the left, back."""
+        along = [u * out[0] + v * out[1] for u, v in self.ways]
+        return along.index(max(along))
+
+    def edge_name(self, edge: int) -> str:
+        """What that edge is called, in the language in use."""
+        return _((NORTH_EDGES if self.north else EDGES)[edge])
 
     @property
     def y_name(self) -> str:
@@ -102,8 +111,14 @@ class Ground:
     def seen(self, points: Sequence[Point] | FloatArray) -> FloatArray:
         """Places of the plan, (n, 2), as measured on the ground: x and y from the peg, m, (n, 2)."""
         off = np.asarray(points, dtype=float) - np.array(self.peg)
-        found: FloatArray = off @ self.ways[:2].T
+        found: FloatArray = off @ np.array(self.ways[:2]).T
         return found
+
+    def seen_at(self, place: Point) -> Point:
+        """One of them."""
+        x, y = place[0] - self.peg[0], place[1] - self.peg[1]
+        (ux, uy), (vx, vy), *_against = self.ways
+        return x * ux + y * uy, x * vx + y * vy
 
 
 def way_out(
@@ -151,15 +166,16 @@ def own_peg(plan: Plan, route: Route) -> Point:
     return route.centre if route.centre != (0.0, 0.0) else plan.route.at or (0.0, 0.0)
 
 
-def base_angle(outline: FloatArray) -> float:
+def base_angle(outline: Sequence[Point]) -> float:
     """By how much the longest edge of a venue is turned from the nearer axis, rad; within ±π/4.
 
     0 for a bent edge, which has none that is long.
     """
-    sides = np.roll(outline, -1, axis=0) - outline
-    lengths = np.hypot(sides[:, 0], sides[:, 1])
-    n = int(np.argmax(np.round(lengths, 9)))
-    if lengths[n] < LEAST_EDGE * lengths.sum():
+    ends = zip(outline, [*outline[1:], outline[0]], strict=True)
+    sides = [(c - a, d - b) for (a, b), (c, d) in ends]
+    lengths = [round(math.hypot(x, y), 9) for x, y in sides]
+    n = lengths.index(max(lengths))
+    if lengths[n] < LEAST_EDGE * sum(lengths):
         return 0.0
-    turned = math.remainder(math.atan2(sides[n, 1], sides[n, 0]), 0.5 * math.pi)
+    turned = math.remainder(math.atan2(sides[n][1], sides[n][0]), 0.5 * math.pi)
     return 0.0 if abs(turned) < UNTURNED else turned

@@ -6,21 +6,13 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import NamedTuple
 
-import numpy as np
-
 from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import BenchWalk, Stretch, Tightest
 from benchdragon.analysis.clock import Clock
-from benchdragon.analysis.findings import named
 from benchdragon.analysis.ground import Ground
-from benchdragon.analysis.marks import angles_of
-from benchdragon.analysis.obstacle_distance import nearest_boxes
-from benchdragon.i18n import N_, _, language
-from benchdragon.kernels.box import CX, CY, UX, UY
-from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.obstacle import Obstacle
+from benchdragon.i18n import N_, _
 from benchdragon.number_format import known
-from benchdragon.plans.schema import Plan
+from benchdragon.plans.people import PeopleTable
 
 # Turns and paces that the first line names one by one; of more it tells how many there are.
 MOST_TURNS, MOST_PACES = 3, 4
@@ -86,29 +78,56 @@ class BenchText:
         ]  # fmt: skip
 
 
-def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], ground: Ground) -> BenchText:
+@dataclass(frozen=True)
+class Basis:
+    """What sentences about benches rest on, beside what each does.
+
+    Attributes:
+        clock: which tells times.
+        people: what the plan says of them.
+        ground: from which places are told.
+        halts: what the plan says the head stands for.
+        coiled: whether the dance ends inside.
+    """
+
+    clock: Clock
+    people: PeopleTable
+    ground: Ground
+    halts: tuple[Halt, ...]
+    coiled: bool
+
+
+@dataclass(frozen=True)
+class Landmark:
+    """What is nearest to a bench when the dance starts.
+
+    Attributes:
+        apart: how far it is, m.
+        name: what it is called; "" for the peg.
+        edge: of the venue the edge there: see `Ground.edge`.
+    """
+
+    apart: float
+    name: str = ""
+    edge: int | None = None
+
+
+def bench_lines(
+    basis: Basis, found: BenchWalk, landmark: Landmark, called: Callable[[int], str]
+) -> BenchText:
     """What one bench of a plan does; `called` says what people call the bench of a number.
 
     Places are told as the chalk plan measures them on the ground.
     """
-    clock, halts = Clock(plan.cues.clock, found.stretches[0].start), halts_of(plan)
+    clock, halts, people = basis.clock, basis.halts, basis.people
     return BenchText(
         quick_line(found, clock, halts),
-        (*place_lines(plan, found, ground), _coming_line(found)),
-        tuple(_stretch_line(one, clock, halts, plan.people.step) for one in found.stretches),
-        _pace_lines(plan, found),
+        (*place_lines(basis, found, landmark), _coming_line(found)),
+        tuple(_stretch_line(one, clock, halts, people.step) for one in found.stretches),
+        _pace_lines(people, found),
         tightest_line(found.tightest, clock, called),
-        (*_people_lines(found, called), _after_line(plan, found)),
+        (*_people_lines(found, called), _after_line(basis, found)),
         _times_line(found, clock),
-    )
-
-
-def halts_of(plan: Plan) -> tuple[Halt, ...]:
-    """What the plan says the head stands for, in the language in use."""
-    return tuple(
-        Halt(moment.time, moment.until, moment.cue.called(language()))
-        for moment in plan.moments()
-        if moment.cue.kind in ("hold", "stop") and (moment.cue.text or moment.cue.text_zh)
     )
 
 
@@ -166,20 +185,21 @@ def _quick_pace(pace: str, some: Sequence[Stretch], clock: Clock, halts: Sequenc
     return text.format(pace=_(PACES[pace]), start=clock.tell(start), end=clock.tell(end), what=what)
 
 
-def _pace_lines(plan: Plan, found: BenchWalk) -> tuple[str, ...]:
+def _pace_lines(people: PeopleTable, found: BenchWalk) -> tuple[str, ...]:
     """What the paces of a bench mean, but for walking, which everybody knows."""
     means = {
-        "hurry": _("Hurry means {speed} m/s or more.").format(speed=f"{plan.people.hurry_from:g}"),
-        "run": _("Run means {speed} m/s or more.").format(speed=f"{plan.people.run_from:g}"),
+        "hurry": _("Hurry means {speed} m/s or more.").format(speed=f"{people.hurry_from:g}"),
+        "run": _("Run means {speed} m/s or more.").format(speed=f"{people.run_from:g}"),
         "wait": _("Wait means to stand still."),
     }
     used = {one.pace for one in found.stretches}
     return tuple(text for pace, text in means.items() if pace in used)
 
 
-def place_lines(plan: Plan, found: BenchWalk, ground: Ground) -> tuple[str, str]:
+def place_lines(basis: Basis, found: BenchWalk, landmark: Landmark) -> tuple[str, str]:
     """Where a bench starts: how far from the peg, and steps from a landmark."""
-    (x, y), radius = ground.seen([found.place])[0].tolist(), math.dist(found.place, ground.peg)
+    ground, steps = basis.ground, _steps_line(basis, landmark)
+    (x, y), radius = ground.seen_at(found.place), math.dist(found.place, ground.peg)
     if ground.venue:
         ways = ground.way_names
         where = _(
@@ -189,7 +209,7 @@ def place_lines(plan: Plan, found: BenchWalk, ground: Ground) -> tuple[str, str]
             y=f"{_settled(abs(y)):.2f}", way_y=ways[1 if y >= 0.0 else 3],
             radius=f"{_settled(radius):.2f}",
         )  # fmt: skip
-        return where, _steps_line(plan, found, ground, radius)
+        return where, steps
     text = N_(
         "Your front handle starts at x = {x} m, y = {y} m from the peg: {radius} m from it at {angle}° "
         "from the x axis."
@@ -199,11 +219,11 @@ def place_lines(plan: Plan, found: BenchWalk, ground: Ground) -> tuple[str, str]
             "Your front handle starts at x = {x} m (east), y = {y} m (north) from the peg: {radius} m "
             "from it on a bearing of {angle}° from north."
         )
-    angle = round(float(angles_of(np.array([[x, y]]), north=ground.north)[0])) % 360
+    angle = round(math.degrees(math.atan2(x, y) if ground.north else math.atan2(y, x)) % 360.0) % 360
     where = _(text).format(
         x=f"{_settled(x):z.2f}", y=f"{_settled(y):z.2f}", radius=f"{_settled(radius):.2f}", angle=angle
     )
-    return where, _steps_line(plan, found, ground, radius)
+    return where, steps
 
 
 def _steps(way: float, step: float) -> int:
@@ -216,33 +236,17 @@ def _settled(value: float) -> float:
     return round(value, 6)
 
 
-def _steps_line(plan: Plan, found: BenchWalk, ground: Ground, from_peg: float) -> str:
+def _steps_line(basis: Basis, landmark: Landmark) -> str:
     """How many steps the bench is from the nearest landmark when the dance starts."""
-    best: tuple[float, Obstacle | None, int] = (from_peg, None, 0)
-    for obstacle in plan.obstacles():
-        far, which = nearest_boxes(np.array([found.box]), obstacle)
-        apart = max(float(far[0]) - obstacle.radius, 0.0)
-        if apart < best[0]:
-            best = apart, obstacle, int(which[0])
-    apart, landmark, side = best
-    steps = _steps(apart, plan.people.step)
+    steps = _steps(landmark.apart, basis.people.step)
     told = str(steps) if steps else _("less than 1")
-    if landmark is None:
+    if not landmark.name:
         return _("At the start your front handle is {steps} steps from the peg.").format(steps=told)
-    if landmark.kind == "venue":
-        text = _("At the start your bench is {steps} steps from the {edge} of {name}.")
-        edge = _edge_name(found, ground, landmark.boxes[side])
-        return text.format(steps=told, edge=edge, name=named(landmark))
-    text = _("At the start your bench is {steps} steps from {name}.")
-    return text.format(steps=told, name=named(landmark))
-
-
-def _edge_name(found: BenchWalk, ground: Ground, side: FloatArray) -> str:
-    """What the side of the venue (a box) by a bench is called: the way out over it that is nearest."""
-    out = np.array([side[UY], -side[UX]])
-    if out @ (side[[CX, CY]] - np.array(found.box)[[CX, CY]]) < 0.0:
-        out = -out
-    return ground.edge_name(out)
+    if landmark.edge is None:
+        text = _("At the start your bench is {steps} steps from {name}.")
+        return text.format(steps=told, name=landmark.name)
+    text = _("At the start your bench is {steps} steps from the {edge} of {name}.")
+    return text.format(steps=told, edge=basis.ground.edge_name(landmark.edge), name=landmark.name)
 
 
 def _stretch_line(one: Stretch, clock: Clock, halts: Sequence[Halt], step: float) -> str:
@@ -312,9 +316,9 @@ def _coming_line(found: BenchWalk) -> str:
     return _("Coming in: follow the bench before you along the chalk line.")
 
 
-def _after_line(plan: Plan, found: BenchWalk) -> str:
+def _after_line(basis: Basis, found: BenchWalk) -> str:
     """Where to go when the dance is over: who has coiled in cannot follow the head out."""
-    if plan.route.kind == "spiral-in":
+    if basis.coiled:
         return _("Afterwards: stand until your pin is pulled; the tail goes first.")
     if found.before is None:
         return _("Afterwards: lead all of them out where the leader says.")

@@ -1,12 +1,13 @@
 """The table of a plan file about the people: who carries, what room and what speeds they need."""
 
 import re
+from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field
 
 from benchdragon.errors import brief
-from benchdragon.i18n import N_, _
+from benchdragon.i18n import N_, Words, _, both
 from benchdragon.plans.tables import Length, LengthOrZero, OneLine, Speed, Table, one_line
 
 # What a bench is called in a line of them, after its number.
@@ -81,6 +82,16 @@ class PeopleTable(Table):
     source: SourcesTable = SourcesTable()
 
 
+@dataclass(frozen=True)
+class Village:
+    """Head and tail by name, {n} for the number of those between: the plan's, less `before`."""
+
+    head: Words
+    between: Words
+    tail: Words
+    before: int
+
+
 # What of it decides whether a dance is safe.
 DECIDING = ("beside", "ahead", "sway", "imprecision", "most_speed")
 
@@ -92,3 +103,15 @@ def called(people: PeopleTable, bench: int, count: int) -> str:
     if not people.count_head and bench == count:
         return _("the tail")
     return _(UNITS[people.unit]).format(n=bench if people.count_head else bench - 1)
+
+
+def village(people: PeopleTable, count: int) -> Village | None:
+    """What the village calls so many benches, where that is not what the plan calls them."""
+    if people.unit == "bench" and people.count_head:
+        return None
+    return Village(
+        both(lambda: called(people, 1, count)),
+        both(lambda: _(UNITS[people.unit])),
+        both(lambda: called(people, count, count)),
+        0 if people.count_head else 1,
+    )

@@ -24,7 +24,7 @@ from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import margin_rings
 from benchdragon.model.walk import Walk
 from benchdragon.plans.cues import CueTable
-from benchdragon.plans.people import UNITS, PeopleTable, called
+from benchdragon.plans.people import PeopleTable, village
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
 from benchdragon.player.following import FINE, Following, Table, following
@@ -136,6 +136,7 @@ def _of_plan(
     plan: Plan, dance: messages.Dance, verdict: Verdict, found: list[messages.Occasion]
 ) -> messages.Dance:
     """A dance with what its plan says, and what was found."""
+    told = village(plan.people, len(dance.benches.length))
     return dance.model_copy(
         update={
             "plan_sha256": plan.sha256,
@@ -151,7 +152,7 @@ def _of_plan(
             ),
             "beats": _beats(plan),
             "papers": _papers(plan),
-            "village": _village(plan.people, len(dance.benches.length)),
+            "village": told and messages.Village(**vars(told)),
             "north": plan.survey.north,
         }
     )
@@ -173,18 +174,6 @@ def _cues(plan: Plan, frames: messages.Frames) -> list[messages.Occasion]:
 
 def _called(cue: CueTable) -> str:
     return cue.called(language())
-
-
-def _village(people: PeopleTable, count: int) -> messages.Village | None:
-    """What the village calls so many benches, where that is not what the plan calls them."""
-    if people.unit == "bench" and people.count_head:
-        return None
-    return messages.Village(
-        head=both(partial(called, people, 1, count)),
-        between=both(lambda: _(UNITS[people.unit])),
-        tail=both(partial(called, people, count, count)),
-        before=0 if people.count_head else 1,
-    )
 
 
 def _beats(plan: Plan) -> messages.Beats | None:

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from benchdragon.analysis.marks import Marks, between
-from benchdragon.explain.bench_text import BenchText, bench_text
+from benchdragon.explain.bench_basis import bench_text
+from benchdragon.explain.bench_text import BenchText
 from benchdragon.i18n import _
 from benchdragon.rosters.roster import Person, phones_of
 from benchdragon.sheets.briefing import Briefing

@@ -236,7 +236,7 @@ def edge_lengths(ground: Ground, obstacles: Sequence[Obstacle]) -> list[float] |
     venue = next((one for one in obstacles if one.kind == "venue"), None)
     if venue is None:
         return None
-    found = [way_out(venue.outline, ground.peg, way) for way in ground.ways]
+    found = [way_out(venue.outline, ground.peg, way) for way in np.array(ground.ways)]
     return [one[0] for one in found if one is not None] or None
 
 
@@ -269,7 +269,7 @@ def _steps(marks: Marks) -> Iterator[Paragraph]:
 def _directions(marks: Marks) -> list[str]:
     """Where base points are from the peg, in words."""
     names = marks.ground.way_names
-    ways = ((marks.bases - marks.peg) / marks.reach) @ marks.ground.ways.T
+    ways = ((marks.bases - marks.peg) / marks.reach) @ np.array(marks.ground.ways).T
     return [names[n] for n in np.argmax(ways, axis=1)]
 
 

@@ -15,7 +15,8 @@ from benchdragon.analysis.check import sentence
 from benchdragon.analysis.findings import named, shown_name
 from benchdragon.analysis.ground import way_out
 from benchdragon.analysis.marks import nearest_mark
-from benchdragon.explain.bench_text import BenchText, bench_text, tightest_line
+from benchdragon.explain.bench_basis import bench_text
+from benchdragon.explain.bench_text import BenchText, tightest_line
 from benchdragon.explain.room import level_line, plain_asked
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, Table, say
 from benchdragon.export.pages import write_pdf
@@ -176,8 +177,9 @@ def _straight_on(
     elif venue is not None and found is not None:
         far, out = found
         x, y = (np.array(start) + far * way).tolist()
+        edge = briefing.ground.edge_name(briefing.ground.edge(out))
         yield say(
-            free, edge=briefing.ground.edge_name(out), venue=named(venue), far=f"{far:.1f}",
+            free, edge=edge, venue=named(venue), far=f"{far:.1f}",
             place=_offset(briefing, briefing.ground.peg, (x, y)),
         )  # fmt: skip
 
@@ -251,7 +253,7 @@ def _nearest_edge(briefing: Briefing, tail: Point) -> Iterator[Block]:
     found = None if venue is None else way_out(venue.outline, tail)
     if venue is not None and found is not None:
         text = _("The nearest edge to the tail is then the {edge} of {venue}: {far} m away.")
-        edge = briefing.ground.edge_name(found[1])
+        edge = briefing.ground.edge_name(briefing.ground.edge(found[1]))
         yield say(text, edge=edge, venue=named(venue), far=f"{found[0]:.1f}")
 
 

@@ -1,15 +1,17 @@
 // The sheets of benches as they are printed: who it is, what they do, a map, and all else that finds room.
 
-import { benchText, markLine, tightestLine } from "./compute/bench_text.js";
-import { Clock } from "./compute/clock.js";
 import { SHEETS_BRIEFING } from "./compute/constants.js";
-import { called } from "./compute/people.js";
+import { decimals } from "./compute/number_format.js";
 import { drawnCode } from "./code.js";
 import { make } from "./elements.js";
+import { Basis, Halt, Landmark, benchLines, tightestLine } from "./made/bench_text.js";
+import { Clock } from "./made/clock.js";
+import { Ground } from "./made/ground.js";
+import { called } from "./made/people.js";
 import { readable } from "./sheet_map.js";
 import { _, language } from "./words.js";
 
-/** @typedef {import("./compute/bench_text.js").BenchText} BenchText */
+/** What a bench does: see `BenchText` of explain/bench_text.py. @typedef {{ quick: string, place: string[], stretches: string[], paces: string[], tightest: string, people: string[], times: string }} BenchText */
 /** @typedef {import("./compute/briefing.js").Briefing} Briefing */
 /** @typedef {import("./sheet_map.js").SheetMaps} SheetMaps */
 
@@ -43,10 +45,20 @@ export function listed(names, most) {
 export class Sayings {
   /** @param {Briefing} briefing @param {People} people */
   constructor(briefing, people) {
-    const { clock, start, ground, people: village, halts, coiled } = briefing;
+    const { clock, start, ground } = briefing;
     this.briefing = briefing;
     this.people = people;
-    this.basis = { clock: new Clock(clock, start), people: village, ground, halts, coiled };
+    this.clock = new Clock(clock, start);
+    this.ground = new Ground(ground.peg, ground.turned, ground.north, ground.venue);
+  }
+
+  /** What sentences rest on, in the language in use. */
+  get basis() {
+    const { people, coiled } = this.briefing;
+    const halts = this.briefing.halts.map(
+      ({ start, end, said }) => new Halt(start, end, said[language()]),
+    );
+    return new Basis(this.clock, people, this.ground, halts, coiled);
   }
 
   /** What the village calls a bench (number, from 1). @param {number} bench */
@@ -109,14 +121,19 @@ export class Sayings {
   text(bench, name) {
     const { benches, landmarks } = this.briefing;
     const { apart, name: words, edge } = landmarks[bench - 1];
-    const landmark = { apart, name: words?.[language()] ?? "", edge };
-    return benchText(this.basis, benches[bench - 1], landmark, name);
+    const landmark = new Landmark(apart, words?.[language()] ?? "", edge);
+    return benchLines(this.basis, benches[bench - 1], landmark, name);
   }
 
   /** The tightest moment of a bench as the leader reads of it, others without their people. @param {number} bench */
   tightest(bench) {
     const { tightest } = this.briefing.benches[bench - 1];
-    return tightestLine(tightest, this.basis.clock, (other) => this.called(other), true);
+    return tightestLine(
+      tightest,
+      this.clock,
+      (/** @type {number} */ other) => this.called(other),
+      true,
+    );
   }
 
   /** What a bench's sheet says. @param {number} bench @param {boolean} phones @returns {Told} */
@@ -146,6 +163,17 @@ function phonesOf(people, asked) {
   const all = new Set(people.flatMap(({ phone, home_phone }) => [phone, home_phone]));
   const home = [...all].filter((phone) => phone && !own.includes(phone));
   return { own, home: home.map((phone) => _("phone of the household: {phone}", { phone })) };
+}
+
+/** Where a front handle starts by the chalk plan's marks: `mark_line` of sheets/benches.py. @param {import("./compute/marks.js").MarkPlace | null} place */
+export function markLine(place) {
+  if (!place) return "";
+  const { n, past } = place;
+  if (!past) return _("Your front handle starts at mark {n} of the chalk plan.", { n });
+  return _(
+    "Your front handle starts between marks {n} and {next} of the chalk plan, {past} m past mark {n} along the line.",
+    { n, next: n + 1, past: decimals(past, 2) },
+  );
 }
 
 /** The code of an address; itself where it is too long for one. @param {string} address */

@@ -2,7 +2,6 @@
 
 import { make } from "./elements.js";
 import { ANALYSIS_BENCH_NEARNESS } from "./compute/constants.js";
-import { groundLegend, seenFrom } from "./compute/ground.js";
 import { decimals, general } from "./compute/number_format.js";
 import { _, language } from "./words.js";
 
@@ -32,11 +31,12 @@ function headings() {
 
 /** A row for each bench. @param {Sayings} said @param {boolean} phones */
 function rowsOf(said, phones) {
-  const { ground, benches } = said.briefing;
+  const { ground } = said;
+  const { benches } = said.briefing;
   return benches.map(({ bench, place, tightest }) => ({
     bench: said.called(bench),
     people: said.remarked(bench, phones),
-    place: seenFrom(ground, place).map((far) => decimals(far, 2)),
+    place: ground.seen_at(place).map((/** @type {number} */ far) => decimals(far, 2)),
     quick: said.text(bench, (other) => said.called(other)).quick,
     tightest: tightest ? said.tightest(bench) : NONE,
   }));
@@ -79,7 +79,7 @@ export function overviewSheet(said, maps, phones, notes, date, foot) {
     ...listOf(_("Tightest moments between coils"), tight),
     ...listOf(_("Notes on the list of names"), notes),
     make("h3", {}, _("Where each bench starts")),
-    make("p", {}, groundLegend(said.briefing.ground)),
+    make("p", {}, said.ground.legend),
     maps.starts((bench) => said.called(bench)),
     make("h3", {}, _("Benches")),
     ...(alike ? [make("p", {}, _("All benches: {what}", { what: rows[0].quick }))] : []),

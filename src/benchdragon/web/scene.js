@@ -1,6 +1,6 @@
 // A dance unpacked: where every handle is, and how fast, at any time.
 
-import { Clock } from "./compute/clock.js";
+import { Clock } from "./made/clock.js";
 import { Table } from "./following.js";
 
 /** @typedef {import("./messages").Dance} Dance */

@@ -1,7 +1,7 @@
 // A small map of a dance on paper: the square, the route, and the track of one bench, or where all start.
 
-import { yWord } from "./compute/ground.js";
 import { draw, make } from "./elements.js";
+import { Ground } from "./made/ground.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./compute/briefing.js").Briefing} Briefing */
@@ -205,7 +205,7 @@ function compass(ground) {
   const d = "M8 11V3M8 0L5.6 4.2H10.4Z";
   const arrow = draw("path", { d, class: "compass", transform: `rotate(${turned} 8 5.5)` });
   const text = draw("text", { x: "8", y: "15", "text-anchor": "middle" });
-  text.textContent = yWord(ground);
+  text.textContent = new Ground(ground.peg, ground.turned, ground.north, ground.venue).y_word;
   return draw("svg", { class: "compass", viewBox: "-4 0 24 17", "aria-hidden": "true" }, arrow, text);
 }
 

@@ -1,10 +1,10 @@
 // The sheets of a dance on a page of their own: asked for, seen, printed.
 
 import { BenchSheet, Sayings, fitted } from "./bench_sheet.js";
-import { called } from "./compute/people.js";
 import { planName } from "./names.js";
 import { choice, make, tick } from "./elements.js";
 import { deliver } from "./files.js";
+import { called } from "./made/people.js";
 import { Numbering } from "./made/roster.js";
 import { overviewSheet, overviewTable } from "./overview_sheet.js";
 import { NameList } from "./name_list.js";

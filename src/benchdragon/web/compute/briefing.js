@@ -1,6 +1,7 @@
 // What the benches' sheets are made from: the plan as it was checked, and what each bench does. Twin of
 // sheets/briefing.py.
 
+import { Ground } from "../made/ground.js";
 import { _, both } from "../words.js";
 import { withArenaAsync } from "./arena.js";
 import { benchWalks } from "./bench_walks.js";
@@ -9,7 +10,6 @@ import { cueName } from "./cues.js";
 import { BOX } from "./constants.js";
 import { InputError } from "./errors.js";
 import { named, shownName } from "./findings.js";
-import { groundOf, waysOf } from "./ground.js";
 import { Marks } from "./marks.js";
 import { nearestBoxes } from "./obstacle_distance.js";
 import { evenly } from "./lists.js";
@@ -18,7 +18,6 @@ import { sentence } from "./verdict_text.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./bench_walks.js").BenchWalk} BenchWalk */
-/** @typedef {import("./ground.js").Ground} Ground */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./questions.js").Asked} Asked */
@@ -27,7 +26,7 @@ import { sentence } from "./verdict_text.js";
 /** @typedef {import("../messages").Words} Words */
 /** @typedef {[number, number]} Point */
 
-/** A landmark, and how far a bench is from it, m, null: the peg; of the venue which edge: see `Landmark` of bench_text.js. @typedef {{ apart: number, name: Words | null, edge: number | null }} Near */
+/** A landmark, and how far a bench is from it, m, null: the peg; of the venue which edge: see `Landmark` of explain/bench_text.py. @typedef {{ apart: number, name: Words | null, edge: number | null }} Near */
 
 /** A time, s, in which the head stands, and what the plan says it stands for. @typedef {{ start: number, end: number, said: Words }} Halt */
 
@@ -95,7 +94,8 @@ export async function briefed(arena, plan, walk, span, progress) {
   const { people, cues, chalk, route, survey, event } = plan.tables;
   const { points, low, high } = wayOf(walk, s);
   const obstacles = plan.obstacles();
-  const ground = groundOf(chalk.peg ?? ownPeg(walk, route.at), survey.crs !== null, obstacles);
+  const edges = obstacles.filter(({ kind }) => kind === "venue").map(({ outline }) => outline);
+  const ground = Ground.measured(chalk.peg ?? ownPeg(walk, route.at), survey.crs !== null, edges);
   const ends = s.map((at) => endsOf(walk, at));
   return {
     sha256: plan.sha256,
@@ -166,8 +166,7 @@ function edgeOf(box, side, ground) {
   const out = [side[BOX.UY], -side[BOX.UX]];
   const away = [side[BOX.CX] - box[BOX.CX], side[BOX.CY] - box[BOX.CY]];
   const hand = out[0] * away[0] + out[1] * away[1] < 0 ? -1 : 1;
-  const along = waysOf(ground).map(([u, v]) => hand * (u * out[0] + v * out[1]));
-  return along.indexOf(Math.max(...along));
+  return ground.edge([hand * out[0], hand * out[1]]);
 }
 
 /** The route from where the tail starts to where the head ends. @param {Walk} walk @param {number[][]} s */

@@ -712,10 +712,6 @@ export const ANALYSIS_CHECK = {
   AFTER_NEXT: 2,
 };
 
-export const ANALYSIS_CLOCK = {
-  DAY: 86400,
-};
-
 export const ANALYSIS_CONTACT = {
   FRAYED: 1e-5,
   MOST_GRAZES: 100,
@@ -741,12 +737,6 @@ export const ANALYSIS_DISTANCE = {
   MOST_PAIRS: 100000,
   TIE: 12,
   TOUCHING: 1e-9,
-};
-
-export const ANALYSIS_GROUND = {
-  LEAST_EDGE: 0.15,
-  UNTURNED: 1e-9,
-  CORNER: 1e-6,
 };
 
 export const ANALYSIS_LEFT_OPEN = {
@@ -853,14 +843,6 @@ export const BUDGET = {
 
 export const ERRORS = {
   MOST_SHOWN: 80,
-};
-
-export const EXPLAIN_BENCH_TEXT = {
-  MOST_TURNS: 3,
-  MOST_PACES: 4,
-  LEAST_ANGLE: 5,
-  ROUND: 360,
-  QUARTERS: 4,
 };
 
 export const MODEL_ANSWER = {

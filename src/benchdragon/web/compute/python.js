@@ -52,6 +52,9 @@ class Match {
     const said = typeof n === "string" ? this.found.groups?.[n] : this.found[n];
     return said ?? null;
   }
+  groups() {
+    return this.found.slice(1).map((one) => one ?? null);
+  }
   start() {
     return py.len(this.found.input.slice(0, this.found.index));
   }
@@ -310,6 +313,7 @@ export const py = {
   isfinite: Number.isFinite,
   dist: ([a, b], [c, d]) => Math.hypot(a - c, b - d),
   degrees: (a) => (a * 180) / Math.PI,
+  remainder: (a, b) => a - b * rint(a / b),
   mod: (a, b) => ((a % b) + b) % b,
   div: (a, b) => Math.floor(a / b),
   divmod: (a, b) => [Math.floor(a / b), py.mod(a, b)],
@@ -323,6 +327,7 @@ export const py = {
   chr: String.fromCodePoint,
   format(a, spec) {
     const [, digits, kind] = /^z?0?(?:\.?([0-9]+))?([fgXd]?)$/.exec(spec) ?? [];
+    if (kind === "d") return String(a).padStart(Number(digits ?? 0), "0");
     if (kind === "X") return a.toString(16).toUpperCase().padStart(Number(digits), "0");
     return kind === "f" ? decimals(a, Number(digits)) : general(a, Number(digits ?? 6));
   },

@@ -1,6 +1,7 @@
 // A dance as the player shows it, computed here: twin of player/scene.py. Its lists of numbers come beside
 // the message, not packed into it.
 
+import { village } from "../made/people.js";
 import { _, both } from "../words.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { scoreOf } from "./beats.js";
@@ -15,7 +16,6 @@ import { foretold, frames } from "./frames.js";
 import { nearness } from "./nearness.js";
 import { general } from "./number_format.js";
 import { interpolated, rounded } from "./numbers.js";
-import { villageOf } from "./people.js";
 import { marginRings } from "./rings.js";
 import { silent } from "./tick.js";
 
@@ -156,7 +156,7 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
       occasions: occasions.sort((a, b) => a.time - b.time),
       beats: beatsOf(plan, start, end),
       papers: plan.hasPapers ? { said: tables.cues.clock, start } : null,
-      village: villageOf(tables.people, walk.dragon.benches),
+      village: village(tables.people, walk.dragon.benches),
       north: tables.survey.crs !== null,
     };
     return { ...dance, sent };

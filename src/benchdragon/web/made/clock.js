@@ -1,0 +1,38 @@
+// @ts-nocheck
+// Made from analysis/clock.py by tools/make_twins.py; to make it again: make types
+
+import { py } from "../compute/python.js";
+import { _ } from "../words.js";
+
+export class Clock {
+  constructor(said, start) {
+    this.said = said;
+    this.start = start;
+  }
+  tell(time) {
+    let found, hours, more, past, seconds;
+    found = TIME_OF_DAY.fullmatch(this.said);
+    if (!py.truth(found)) {
+      return minutes(py.sub(time, this.start));
+    }
+    [hours, past, more] = py.list(py.list(found.groups()).map((part) => py.int(py.or(part, () => 0))));
+    seconds = py.mod(_whole(py.sub(py.add(py.add(py.add((3600 * hours), (60 * past)), more), time), this.start)), py.int(DAY));
+    return `${py.str(py.div(seconds, 3600))}:${py.format(py.mod(py.div(seconds, 60), 60), `02d`)}:${py.format(py.mod(seconds, 60), `02d`)}`;
+  }
+  get legend() {
+    if (!py.truth(this.said)) {
+      return _("Times are minutes and seconds since the dance starts.");
+    }
+    return py.filled(_("Times are times of day; the dance starts at {clock}."), { clock: this.said });
+  }
+}
+const DAY = 86400.0;
+const TIME_OF_DAY = py.pattern("([01]?[0-9]|2[0-3]):([0-5][0-9])(?::([0-5][0-9]))?", "");
+function minutes(seconds) {
+  let whole;
+  whole = _whole(seconds);
+  return `${py.str(py.div(whole, 60))}:${py.format(py.mod(whole, 60), `02d`)}`;
+}
+function _whole(seconds) {
+  return py.floor((seconds + 0.5));
+}

@@ -1,0 +1,81 @@
+// @ts-nocheck
+// Made from analysis/ground.py by tools/make_twins.py; to make it again: make types
+
+import { py } from "../compute/python.js";
+import { N_, _ } from "../words.js";
+
+export class Ground {
+  constructor(peg, turned = 0.0, north = false, venue = false) {
+    this.peg = peg;
+    this.turned = turned;
+    this.north = north;
+    this.venue = venue;
+  }
+  static measured(peg, north, edges) {
+    if ((py.truth(north) || !py.truth(edges))) {
+      return new this(peg, 0.0, north);
+    }
+    return new this(peg, baseAngle(py.at(edges, 0)), false, true);
+  }
+  get ways() {
+    let c, s;
+    [c, s] = py.list([py.cos(this.turned), py.sin(this.turned)]);
+    return [[c, s], [-s, c], [-c, -s], [s, -c]];
+  }
+  get way_names() {
+    let againstX, againstY, x, y;
+    [x, y, againstX, againstY] = py.list((py.truth(this.north) ? NORTH : (py.truth(this.venue) ? VENUE : AXES)));
+    return [_(x), _(y), _(againstX), _(againstY)];
+  }
+  edge(out) {
+    let along;
+    along = py.list(this.ways).map(([u, v]) => py.add((u * py.at(out, 0)), (v * py.at(out, 1))));
+    return py.index(along, py.max(along));
+  }
+  edge_name(edge) {
+    return _(py.at((py.truth(this.north) ? NORTH_EDGES : EDGES), edge));
+  }
+  get y_name() {
+    if (py.truth(this.north)) {
+      return _("N (y axis)");
+    }
+    return (py.truth(this.venue) ? _("forward (y)") : _("y axis"));
+  }
+  get legend() {
+    if (py.truth(this.north)) {
+      return _("x and y are measured from the peg: x east, y north.");
+    }
+    if (py.truth(this.venue)) {
+      return _("x and y are measured from the peg along the venue's edges: x to the right, y forward, as one sees it who stands at the near edge and faces the square; to the left and back they are negative.");
+    }
+    return _("x and y are measured from the peg: on the drawings x to the right, y up.");
+  }
+  get y_word() {
+    return (py.truth(this.north) ? _("N") : (py.truth(this.venue) ? _("forward") : "y"));
+  }
+  seen_at(place) {
+    let _against, ux, uy, vx, vy, x, y;
+    [x, y] = py.list([py.sub(py.at(place, 0), py.at(this.peg, 0)), py.sub(py.at(place, 1), py.at(this.peg, 1))]);
+    [[ux, uy], [vx, vy], ..._against] = py.list(this.ways);
+    return [py.add((x * ux), (y * uy)), py.add((x * vx), (y * vy))];
+  }
+}
+const LEAST_EDGE = 0.15;
+const UNTURNED = 1e-09;
+const NORTH = [N_("due east"), N_("due north"), N_("due west"), N_("due south")];
+const VENUE = [N_("to the right"), N_("forward"), N_("to the left"), N_("back")];
+const NORTH_EDGES = [N_("eastern edge"), N_("northern edge"), N_("western edge"), N_("southern edge")];
+const EDGES = [N_("right edge"), N_("far edge"), N_("left edge"), N_("near edge")];
+const AXES = [N_("the way x points"), N_("the way y points"), N_("against x"), N_("against y")];
+function baseAngle(outline) {
+  let ends, lengths, n, sides, turned;
+  ends = py.zip(outline, [...py.iter(py.slice(outline, 1, null)), py.at(outline, 0)]);
+  sides = py.list(ends).map(([[a, b], [c, d]]) => [py.sub(c, a), py.sub(d, b)]);
+  lengths = py.list(sides).map(([x, y]) => py.round(py.hypot(x, y), 9));
+  n = py.index(lengths, py.max(lengths));
+  if ((py.at(lengths, n) < (LEAST_EDGE * py.sum(lengths)))) {
+    return 0.0;
+  }
+  turned = py.remainder(py.atan2(py.at(py.at(sides, n), 1), py.at(py.at(sides, n), 0)), (0.5 * Math.PI));
+  return ((py.abs(turned) < UNTURNED) ? 0.0 : turned);
+}
