@@ -30,6 +30,7 @@ by up to six times. A low distance, seen at 128 places and about the least of th
 Below: what each costs, and what answers the two ways give.
 """
 
+import math
 import time
 from collections.abc import Callable
 from functools import partial
@@ -67,11 +68,11 @@ def speed_rows(name: str, quantity: Quantity, walk: Walk, span: tuple[float, flo
     job = partial(greatest, walk, quantity, *span, tolerance=WIDTHS[quantity.name])
     for step in (0.4, 0.8, 1.6):
         for loss in (0.02, 0.1, 0.2):
-            with mock.patch.multiple(speed, COARSE_STEP=step, MOST_LOSS=loss):
+            with mock.patch.object(speed, "ROOM", (*speed.ROOM[:5], step, loss, speed.ROOM[-1])):
                 spent, found = timed(job)
             row = f"{name:18s} {quantity.name:18s} {step:5g} {loss:5g} {spent:8.1f}"
             print(f"{row} {found.evaluations:7d}  {found.value:.11f}")
-    with mock.patch.object(speed, "coarse_bound_pays", return_value=False):
+    with mock.patch.object(speed, "ROOM", (*speed.ROOM[:4], math.inf, *speed.ROOM[5:])):
         spent, found = timed(job, 1)
     row = f"{name:18s} {quantity.name:18s} {'no cells':>11s} {spent:8.1f}"
     print(f"{row} {found.evaluations:7d}  {found.value:.11f}")

@@ -7,16 +7,17 @@ from pathlib import Path
 import pytest
 
 from benchdragon import budget
-from benchdragon.analysis import speed
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import first_contact
-from benchdragon.analysis.speed import greatest_speed, hulls
+from benchdragon.analysis.speed import greatest_speed
 from benchdragon.budget import OverBudgetError
 from benchdragon.cli.main import run
 from benchdragon.errors import InputError
 from benchdragon.i18n import use_language
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import checked, read_plan
+from benchdragon.progress import silent
+from benchdragon.solve import head_speed
 from benchdragon.solve.size import limit
 from benchdragon.sweeps.questions import RandomDances, outcome, questions
 from tests.planner.test_solve import small
@@ -115,13 +116,6 @@ def test_a_small_odd_plan_that_took_two_gigabytes_is_refused() -> None:
         limit(checked(small(23), "plan"), "length")
 
 
-@pytest.mark.usefixtures("small_budget")
-def test_what_is_known_beforehand_is_refused_beforehand() -> None:
-    walk = read_plan("turn").build()
-    with budget.question(), pytest.raises(OverBudgetError, match=WORK):
-        hulls(walk, 0.0, 1.0, 20, 100)
-
-
 def test_a_greater_budget_answers(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
@@ -159,8 +153,8 @@ def test_searches_count_what_kernels_place(name: str) -> None:
 
 
 def test_bounds_of_a_pace_are_refused_before_they_are_begun(monkeypatch: pytest.MonkeyPatch) -> None:
-    walk = read_plan("spiral-in", ["dragon.benches=30"]).build()
-    monkeypatch.setattr(speed, "place_chain", lambda *_arguments: pytest.fail("it began"))
-    monkeypatch.setenv(budget.VARIABLE, "0.01")
+    plan = read_plan("spiral-in", ["dragon.benches=30", "limits.speed=2"])
+    monkeypatch.setattr(head_speed, "PeakQuestion", lambda *_arguments: pytest.fail("it began"))
+    monkeypatch.setenv(budget.VARIABLE, "0.0001")
     with budget.question(), pytest.raises(OverBudgetError, match=WORK):
-        hulls(walk, 0.0, 100.0, 100, 5000)
+        head_speed._fastest(plan, plan.build(), 0.0, 100.0, silent)

@@ -11,6 +11,7 @@ import pytest
 from benchdragon import Arc, Clothoid, Dragon, Line, Route, SpeedProfile, Spiral, Walk, WalkError
 from benchdragon.analysis import speed
 from benchdragon.analysis.speed import QUANTITIES, Quantity, greatest, greatest_speed
+from benchdragon.kernels import peak_memory as told
 from benchdragon.model.answer import Answer
 from benchdragon.model.curves import AnyCurve
 from benchdragon.plans.schema import read_plan
@@ -35,9 +36,17 @@ def walk_of(name: str) -> tuple[Walk, float, float]:
     return Walk(UNEVEN, walk.route, walk.profile, walk.start) if name == "uneven" else walk, *span
 
 
+def with_room(patch: pytest.MonkeyPatch, **numbers: float) -> None:
+    """Let the engine go by other numbers: see kernels/peak_memory.py."""
+    room = list(speed.ROOM)
+    for name, value in numbers.items():
+        room[getattr(told, name) - told.MOST_CELLS] = value
+    patch.setattr(speed, "ROOM", tuple(room))
+
+
 def without_coarse_bound(walk: Walk, start: float, end: float, tolerance: float) -> Answer:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(speed, "coarse_bound_pays", lambda _walk, _way: False)
+        with_room(patch, CELL_COST=math.inf)
         return greatest_speed(walk, start, end, tolerance=tolerance)
 
 
@@ -45,7 +54,6 @@ def without_coarse_bound(walk: Walk, start: float, end: float, tolerance: float)
 @pytest.mark.parametrize("name", [*PLANS, "uneven"])
 def test_the_coarse_bound_changes_no_answer(name: str, tolerance: float) -> None:
     walk, start, end = walk_of(name)
-    assert speed.coarse_bound_pays(walk, float(np.ptp(walk.head_position([start, end]))))
     found, plain = (
         way(walk, start, end, tolerance=tolerance) for way in (greatest_speed, without_coarse_bound)
     )
@@ -63,7 +71,7 @@ def test_a_way_searched_in_windows_gives_the_same(monkeypatch: pytest.MonkeyPatc
     whole = {
         name: greatest(walk, kind, start, end, tolerance=1e-4) for name, kind in QUANTITIES.items()
     }
-    monkeypatch.setattr(speed, "MOST_CELLS", 1)  # windows of a dragon's length
+    with_room(monkeypatch, MOST_CELLS=1)  # windows of a dragon's length
     for name, kind in QUANTITIES.items():
         found = greatest(walk, kind, start, end, tolerance=1e-4)
         assert max(found.lower, whole[name].lower) <= min(found.upper, whole[name].upper)
@@ -73,8 +81,7 @@ def test_a_way_searched_in_windows_gives_the_same(monkeypatch: pytest.MonkeyPatc
 def test_where_too_much_waits_the_bracket_stays_wide_and_sound(monkeypatch: pytest.MonkeyPatch) -> None:
     walk = Walk(Dragon.uniform(5), Route((Arc(6.0, 10.0),)), start=20.0)
     fine = greatest(walk, QUANTITIES["total_acceleration"], 0.0, 35.0, tolerance=1e-4)
-    monkeypatch.setattr(speed, "MOST_OPEN", 0)
-    monkeypatch.setattr(speed, "OPEN", 20)
+    with_room(monkeypatch, MOST_OPEN=0, FIRST_OPEN=20)
     wide = greatest(walk, QUANTITIES["total_acceleration"], 0.0, 35.0, tolerance=1e-12)
     assert wide.lower <= fine.upper
     assert fine.lower <= wide.upper < math.inf
@@ -83,7 +90,7 @@ def test_where_too_much_waits_the_bracket_stays_wide_and_sound(monkeypatch: pyte
 
 def test_progress_only_grows_and_ends_at_one(monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[float] = []
-    monkeypatch.setattr(speed, "BUDGET", 1_000)
+    with_room(monkeypatch, BUDGET=1_000)
     walk, start, end = walk_of("turn")
     greatest(
         walk, QUANTITIES["total_acceleration"], start, end, tolerance=1e-9,
@@ -115,9 +122,11 @@ def test_a_walk_that_falls_says_so_through_the_coarse_bound() -> None:
 def test_short_walks_of_uneven_dragons_need_no_coarse_bound() -> None:
     walk, _start, _end = walk_of("coil")
     lengths = np.random.default_rng(2).uniform(2.0, 2.4, len(walk.dragon))
-    assert speed.coarse_bound_pays(walk, 200.0)
-    assert not speed.coarse_bound_pays(walk, 1.0)
-    assert not speed.coarse_bound_pays(Walk(Dragon.of_sizes(lengths, 0.3, 0.2, 0.2), walk.route), 200.0)
+    uneven = Walk(Dragon.of_sizes(lengths, 0.3, 0.2, 0.2), walk.route, walk.profile, walk.start)
+    for tried, way, pays in ((walk, 200.0, True), (walk, 1.0, False), (uneven, 200.0, False)):
+        found = greatest_speed(tried, 0.0, way, tolerance=1e-6)
+        plain = without_coarse_bound(tried, 0.0, way, 1e-6)
+        assert (found.evaluations < plain.evaluations) == pays
 
 
 Float = npt.NDArray[np.float64]

@@ -25,7 +25,7 @@ from benchdragon.hosts import built
 from benchdragon.hosts.arguments import DTYPES
 from benchdragon.hosts.serving import PLAIN, VARIABLE
 from benchdragon.hosts.signature import Parameter, signature
-from benchdragon.kernels import entries, peak, search
+from benchdragon.kernels import entries, search
 from tests.engine.questions import questions, wrap
 
 PACKAGE = Path(wasm.__file__).parents[1]
@@ -34,10 +34,10 @@ LOADER = PACKAGE / "web" / "engine.js"
 HERE = Path(__file__).parent
 CODES = {dtype: code for code, dtype in DTYPES.items()}
 # Questions under way are known to their engine alone, by handles: what they answer is compared whole
-# (tests/solve/test_size_question.py), not call by call.
+# (tests/solve/test_size_question.py, tests/analysis/test_peak_question.py), not call by call.
 WHOLE = tuple(
     f"benchdragon.kernels.{name}."
-    for name in ("memory", "question", "size_question", "contact_question")
+    for name in ("memory", "question", "size_question", "contact_question", "peak_question")
 )
 # Of each entry so many calls are kept, of which none takes more bytes than this.
 CALLS, BYTES = 12, 4_000_000
@@ -48,7 +48,6 @@ ANSWERS = {
     "bd_walk_search_search_walk": {"note": [search.LOWER, search.NEAREST]},
     "bd_standing_search_spans": {"note": [search.LOWER, search.NEAREST]},
     "bd_standing_look_along": {"note": [search.NEAREST]},
-    "bd_peak_seek_peak": {"notes": [peak.SEEN, peak.UPPER], "counts": [peak.OPEN]},
     "bd_low_points_low_point": {},
 }
 # Where a distance is least is known to half its digits only: of these only the other results count.

@@ -11,11 +11,12 @@ from benchdragon.kernels import bench_cells as cells
 from benchdragon.kernels import drive, step_bounds
 from benchdragon.kernels.chain import empty_placements, rates
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.rate_rounding import bend_errors, errors_for, rate_errors
+from benchdragon.kernels.rate_rounding import bend_errors, rate_errors
 from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.status import Ended
 from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.placement import Placement
+from tests.kernels import rooms
 from tests.kernels.quantities import QUANTITIES, size_of
 
 LONGEST, SHORTEST = 0.44, 0.05
@@ -34,8 +35,8 @@ def cut(
     """The cells of a way, m, for benches that come all along; made in calls of so many cells."""
     kinds = cells.Kinds(LINKS[:, np.newaxis].copy(), np.tile([low, high], (len(LINKS), 1)))
     shop, made = (
-        cells.workshop_for(len(LINKS), seams_of(route.rows)),
-        cells.empty_cells(room, len(LINKS)),
+        rooms.workshop_for(len(LINKS), seams_of(route.rows)),
+        rooms.empty_cells(room, len(LINKS)),
     )
     cuts = cells.Cuts(high, LONGEST, SHORTEST, loss)
     reached, done = np.array([low, LONGEST]), np.zeros(2, dtype=np.int64)
@@ -118,7 +119,7 @@ def test_cells_made_a_few_at_a_time_are_the_same() -> None:
 def test_kinds_that_never_come_are_left_open() -> None:
     route, high = ROUTES["joints"], 15.0
     kinds = cells.Kinds(LINKS[:, np.newaxis].copy(), np.array([[9.0, high], [13.0, 14.0]]))
-    shop, made = cells.workshop_for(2, seams_of(route.rows)), cells.empty_cells(400, 2)
+    shop, made = rooms.workshop_for(2, seams_of(route.rows)), rooms.empty_cells(400, 2)
     reached, done = np.array([9.0, LONGEST]), np.zeros(2, dtype=np.int64)
     cuts = cells.Cuts(high, LONGEST, SHORTEST, 1e-2)
     cells.cut_cells(route.rows, kinds, shop, cuts, made, reached, done, 400)
@@ -209,7 +210,7 @@ def test_cells_say_what_rounding_may_have_hidden() -> None:
     for c in range(len(made.borders) - 1):
         for g in range(len(LINKS)):
             link, told = LINKS[g : g + 1], made.benches[c, g]
-            errors, (change, turn) = errors_for(2, 2, seams_of(rows)), np.zeros((2, 2, 2))
+            errors, (change, turn) = rooms.errors_for(2, 2, seams_of(rows)), np.zeros((2, 2, 2))
             assert place_chain(rows, link, made.borders[c : c + 2].copy(), 0, 2, places)
             rates(rows, link, *places[:5], change, turn[:1])
             for t in (0, 1):

@@ -10,6 +10,7 @@ from benchdragon.kernels import chain, drive, step_bounds
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
+from tests.kernels import rooms
 from tests.kernels.quantities import QUANTITIES, ROUNDING, size_of
 
 DRAGON = Dragon.of_sizes(np.array([1.8, 1.1, 1.4]), 0.2, 0.0, 0.0)
@@ -32,7 +33,7 @@ def placed(route: Route, at: FloatArray) -> Placements:
 
 def bounds_over(route: Route, at: FloatArray, drives: FloatArray, quantity: int) -> FloatArray:
     """The kernel's bounds from each position to the next."""
-    bounds, scratch, places = [], drive.scratch_for(len(DRAGON) + 1), placed(route, at)
+    bounds, scratch, places = [], rooms.scratch_for(len(DRAGON) + 1), placed(route, at)
     for n, driven in enumerate(drives):
         drive.bound_step(route.rows, DRAGON.links, places, n, n + 1, driven, quantity, scratch)
         bounds.append(scratch.most.max())
@@ -124,7 +125,7 @@ def test_who_stands_asks_for_nothing_and_a_kink_for_everything() -> None:
 @pytest.mark.parametrize("side", [-5e-7, 5e-7])
 def test_handles_beside_jumps_count_as_crossing(side: float) -> None:
     route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(9.0)])
-    scratch, links, joint = drive.scratch_for(len(DRAGON) + 1), len(DRAGON), 1
+    scratch, links, joint = rooms.scratch_for(len(DRAGON) + 1), len(DRAGON), 1
     head = float(route.joints[2]) + side
     for heads, slot in (([head - 0.01, head], 1), ([head, head + 0.01], 0)):
         places = placed(route, np.array(heads))
@@ -143,7 +144,7 @@ def test_handles_beside_jumps_count_as_crossing(side: float) -> None:
 def test_more_jumps_at_once_than_are_told_apart_are_bounded_together() -> None:
     bends = [Arc(2.0, 0.05 if n % 2 else -0.05) for n in range(60)]
     route = Route.joined([Line(6.0), *bends])
-    at, scratch = np.array([9.0, 9.6]), drive.scratch_for(len(DRAGON) + 1)
+    at, scratch = np.array([9.0, 9.6]), rooms.scratch_for(len(DRAGON) + 1)
     places = placed(route, at)
     step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, scratch.table)
     assert drive.find_jumps(route.rows, places, 0, 1, len(DRAGON), scratch) == drive.MOST_JUMPS

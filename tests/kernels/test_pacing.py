@@ -9,6 +9,7 @@ from benchdragon.kernels import drive, pacing, step_bounds
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
+from tests.kernels import rooms
 
 HANDLES = 4
 STEPS = 12
@@ -52,10 +53,20 @@ def most_of(hull: FloatArray, limits: FloatArray, square: float, rate: float) ->
 
 
 def paced(hulls: FloatArray, limits: FloatArray, square: float, length: float) -> FloatArray:
-    most, table = np.empty(STEPS), np.empty((STEPS, pacing.NODES, 2))
-    pacing.tabulate(hulls, limits, square, most, table)
-    squares = np.empty(STEPS + 1)
-    pacing.fastest_pace(table, most, np.full(STEPS, length), squares)
+    table, (starts, squares) = np.empty((STEPS, pacing.NODES, 2)), np.empty((2, STEPS + 1))
+    most = np.array([pacing.tabulate(hulls[n], limits, square, table[n]) for n in range(STEPS)])
+    pacing.fastest_pace(table, most, np.full(STEPS, length), starts, np.empty(STEPS), squares)
+    at = np.linspace(0.0, length * STEPS, STEPS + 1)
+    times, speeds = np.empty((2, STEPS + 1))
+    count = pacing.find_pace(table, most, at, times, speeds)
+    if count < 0:
+        assert squares[-1 - count] == 0.0 < squares[: -1 - count].min(initial=1.0)
+        return squares
+    times, speeds = times[:count], speeds[:count]
+    walked = np.append(0.0, np.cumsum(0.5 * (speeds[1:] + speeds[:-1]) * np.diff(times)))
+    assert walked[-1] == pytest.approx(at[-1])
+    np.testing.assert_allclose(np.interp(at, walked, speeds**2), squares, rtol=1e-9)
+    assert not ((speeds[1:-1] == speeds[2:]) & (speeds[1:-1] == speeds[:-2])).any()
     return squares
 
 
@@ -110,13 +121,13 @@ def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
     dragon = Dragon.of_sizes(np.array([1.8, 1.1, 1.4]), 0.2, 0.0, 0.0)
     route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(0.5), Arc(2.0, -1.5), Line(9.0)])
     at = np.linspace(7.0, 16.0, 121)
-    places = empty_placements(len(dragon) + 1, len(at))
-    assert step_bounds.place_chain(route.rows, dragon.links, at, 0, len(at), places)
-    hulls = np.zeros((30, len(dragon) + 1, pacing.HULL_COLUMNS))
-    hulls[..., pacing.GROWTH_LOW], hulls[..., pacing.GROWTH_HIGH] = np.inf, -np.inf
-    slots = np.arange(120)
-    even, scratch = np.array([1.0, 1.0, 0.0]), drive.scratch_for(len(dragon) + 1)
-    pacing.widen(route.rows, dragon.links, places, slots, slots // 4, even, scratch, hulls)
+    places = empty_placements(len(dragon) + 1, 5)
+    hulls = np.empty((30, len(dragon) + 1, pacing.HULL_COLUMNS))
+    even, scratch = np.array([1.0, 1.0, 0.0]), rooms.scratch_for(len(dragon) + 1)
+    for n, hull in enumerate(hulls):
+        ends = at[4 * n : 4 * n + 5].copy()
+        assert step_bounds.place_chain(route.rows, dragon.links, ends, 0, 5, places)
+        pacing.find_hull(route.rows, dragon.links, places, 4, even, scratch, hull)
     one = Placement(dragon, route, np.linspace(7.0, 16.0, 3000, endpoint=False))
     found = hulls[np.arange(3000) // 100]
     growth = one.ratio_rate / one.speed_ratio

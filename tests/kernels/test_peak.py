@@ -13,6 +13,7 @@ from benchdragon.kernels import drive, peak
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.status import Ended
 from benchdragon.model.placement import Placement
+from tests.kernels import rooms
 from tests.kernels.quantities import QUANTITIES, size_of
 
 DRAGON = Dragon.of_sizes(np.array([1.6, 1.1, 1.1, 1.1]), 0.2, 0.0, 0.0)
@@ -43,8 +44,8 @@ def drives() -> peak.Drives:
 def cut(route: Route) -> cells.Cells:
     """The cells of a route that the dragon walks through."""
     kinds = cells.Kinds(LINKS[:, np.newaxis].copy(), np.tile([FIRST - 6.0, LAST], (len(LINKS), 1)))
-    made, done = cells.empty_cells(300, len(LINKS)), np.zeros(2, dtype=np.int64)
-    reached, shop = np.array([FIRST - 6.0, 0.4]), cells.workshop_for(len(LINKS), seams_of(route.rows))
+    made, done = rooms.empty_cells(300, len(LINKS)), np.zeros(2, dtype=np.int64)
+    reached, shop = np.array([FIRST - 6.0, 0.4]), rooms.workshop_for(len(LINKS), seams_of(route.rows))
     cuts = cells.Cuts(LAST, 0.4, 0.05, 1e-2)
     assert cells.cut_cells(route.rows, kinds, shop, cuts, made, reached, done, 300) == Ended.DONE
     return cells.Cells(*(table[: done[cells.CELLS] + 1].copy() for table in made))
@@ -52,7 +53,7 @@ def cut(route: Route) -> cells.Cells:
 
 def waiting(drives: peak.Drives, by_cells: int, room: int) -> tuple[peak.Heap, list[int]]:
     """A heap in which all stretches wait."""
-    heap, count = peak.empty_heap(room), len(drives.ways)
+    heap, count = rooms.empty_heap(room), len(drives.ways)
     heap.parts[:count] = [(math.inf, *way) for way in drives.ways]
     heap.marks[:count] = [(n, len(DRAGON), by_cells) for n in range(count)]
     return heap, [count, 0, 0, 0]
@@ -75,12 +76,12 @@ def seek(
     The first stretches, as many as `by_chains`, are looked at by chains at once.
     """
     driven = driven or drives()
-    made = cut(route) if by_cells else cells.empty_cells(0, 1)
+    made = cut(route) if by_cells else rooms.empty_cells(0, 1)
     heap, counted = waiting(driven, by_cells, room)
     heap.marks[:by_chains, peak.BY_CELLS] = 0
     notes, counts = np.array([-1.0, 0.0, 0.0, 0.0, 0.0]), np.array(counted)
     aim = peak.Aim(quantity, tolerance, limit, 0.9, 0.11)
-    batch, chains = peak.empty_batch(), peak.chains_for(len(DRAGON) + 1, seams_of(route.rows))
+    batch, chains = rooms.empty_batch(), rooms.chains_for(len(DRAGON) + 1, seams_of(route.rows))
     ends: list[Ended] = []
     while not ends or ends[-1] in (Ended.MORE, Ended.ROOM):
         ends.append(
@@ -205,7 +206,7 @@ def test_a_head_that_stands_asks_for_nothing() -> None:
 
 def test_of_parts_that_wait_the_greatest_bound_comes_first_then_the_first_on_the_way() -> None:
     rng = np.random.default_rng(4)
-    heap, batch, counts = peak.empty_heap(40), peak.empty_batch(), np.zeros(4, dtype=np.int64)
+    heap, batch, counts = rooms.empty_heap(40), rooms.empty_batch(), np.zeros(4, dtype=np.int64)
     bounds, starts = rng.integers(0, 6, 40).astype(float), rng.permutation(40).astype(float)
     for n in range(40):
         peak.push(heap, counts, bounds[n], starts[n], starts[n] + 1.0, n, 2, n % 2)
@@ -222,7 +223,7 @@ def test_of_parts_that_wait_the_greatest_bound_comes_first_then_the_first_on_the
 
 
 def test_a_long_way_is_cut_and_goes_on_waiting_whole() -> None:
-    heap, batch, counts = peak.empty_heap(40), peak.empty_batch(), np.zeros(4, dtype=np.int64)
+    heap, batch, counts = rooms.empty_heap(40), rooms.empty_batch(), np.zeros(4, dtype=np.int64)
     peak.push(heap, counts, 3.0, 1.0, 101.0, 5, 2, 1)
     peak.take(heap, counts, batch, 0)
     peak.divide(heap, counts, batch, 0.5)
@@ -238,8 +239,8 @@ def test_a_long_way_is_cut_and_goes_on_waiting_whole() -> None:
 def test_what_rounding_may_add_is_bounded_too() -> None:
     aim, heap, batch = (
         peak.Aim(drive.SPEEDS, 1e-3, math.inf, 0.9, 0.11),
-        peak.empty_heap(4),
-        peak.empty_batch(),
+        rooms.empty_heap(4),
+        rooms.empty_batch(),
     )
     batch.parts[0], batch.marks[0], batch.at[:2] = (math.inf, 0.0, 1.0), (0, 1, 0), (0.0, 1.0)
     notes, counts = np.array([1.0, 0.0, 0.0, 1.0, 1.0]), np.zeros(peak.COUNTS, dtype=np.int64)
@@ -254,10 +255,10 @@ def test_what_rounding_may_add_is_bounded_too() -> None:
 
 
 def test_steps_are_told_how_near_jumps_rounding_may_hide_sides() -> None:
-    chains, batch = peak.chains_for(len(DRAGON) + 1, seams_of(ROUTE.rows)), peak.empty_batch()
+    chains, batch = rooms.chains_for(len(DRAGON) + 1, seams_of(ROUTE.rows)), rooms.empty_batch()
     batch.at[:3], batch.slots[0] = (10.0, 10.05, 10.1), (0, 2)
     batch.parts[0], batch.marks[0] = (math.inf, 10.0, 10.1), (0, len(DRAGON), 0)
-    aim, heap = peak.Aim(drive.ALONG, 1e-3, math.inf, 0.9, 0.11), peak.empty_heap(9)
+    aim, heap = peak.Aim(drive.ALONG, 1e-3, math.inf, 0.9, 0.11), rooms.empty_heap(9)
     notes, counts = np.array([-1.0, 0.0, 0.0, 0.0, 0.0]), np.zeros(peak.COUNTS, dtype=np.int64)
     assert peak.place_batch(ROUTE.rows, DRAGON.links, batch.at, 3, chains, drive.ALONG)
     peak.look_by_chains(ROUTE.rows, DRAGON.links, aim, drives(), heap, batch, 0, chains, notes, counts)

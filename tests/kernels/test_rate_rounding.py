@@ -15,7 +15,6 @@ from benchdragon.kernels.chain import empty_placements, rates
 from benchdragon.kernels.curve import curvature
 from benchdragon.kernels.rate_rounding import (
     bend_errors,
-    errors_for,
     rate_errors,
     turn_error,
     weigh_values,
@@ -27,6 +26,7 @@ pytest.importorskip("flint")
 from flint import arb
 
 from tests.exact_places import Motion, exact_motion, motion_by_differences
+from tests.kernels import rooms
 from tests.kernels.test_rounding import HAIRPINS, KINDS, Draw, hairpin, spiral_in, towards_peak
 
 # The head's speed, its square and its acceleration, where these count.
@@ -41,7 +41,7 @@ class Weighed:
         self.rows, links, handles = walk.route.rows, walk.dragon.links, len(walk.dragon) + 1
         self.places, self.errors = (
             empty_placements(handles, 1),
-            errors_for(handles, 1, seams_of(self.rows)),
+            rooms.errors_for(handles, 1, seams_of(self.rows)),
         )
         self.change, self.turn = np.zeros((2, handles, 1))
         assert place_chain(self.rows, links, np.array([s]), 0, 1, self.places)

@@ -20,10 +20,10 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis import speed
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.figures.walk import bench_corners
 from benchdragon.kernels.curve import FloatArray
+from tests.analysis.test_speed import with_room
 from tests.rounding import closing_rate, pair_off
 
 SEEDS = range(40)
@@ -160,7 +160,7 @@ def test_windows_are_where_sampling_sees_overlaps(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_no_sample_is_above_the_greatest_speed(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(speed, "coarse_bound_pays", lambda _walk, _way: True)
+    with_room(monkeypatch, CELL_COST=0.0)
     walk, start, end, _margin = random_walk(seed)
     found = greatest_speed(walk, start, end, tolerance=1e-4)
     assert found.value * (1.0 - 1e-11) <= found.lower <= found.value <= found.upper

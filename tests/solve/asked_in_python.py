@@ -2,11 +2,12 @@
 
 import pytest
 
-from benchdragon.kernels import contact_question, question, size_question
+from benchdragon.kernels import contact_question, peak_question, question, size_question
 
 ENTRIES = {
     question: ["close_question"],
     contact_question: ["open_contact", "seek_contact", "read_contact", "step_contact"],
+    peak_question: ["open_peak", "read_peak", "step_peak"],
     size_question: ["open_size", "seek_size", "read_size", "step_size"],
 }
 

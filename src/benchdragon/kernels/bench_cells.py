@@ -10,12 +10,9 @@ value cannot be (design/coarse_bound.py).
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
 from benchdragon.kernels.chain import (
     Placements,
-    empty_placements,
     place_head,
     place_next,
     rates_in_slot,
@@ -28,8 +25,8 @@ from benchdragon.kernels.drive import (
     TURNING,
     most_of_handle,
 )
-from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.rate_rounding import Errors, bend_errors, errors_for, rate_errors
+from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.rate_rounding import Errors, bend_errors, rate_errors
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.route import IntArray
@@ -37,7 +34,6 @@ from benchdragon.kernels.status import Ended, Status
 from benchdragon.kernels.step_bounds import (
     GROWTH_HIGH,
     GROWTH_LOW,
-    HANDLE_COLUMNS,
     ROUNDED_UP,
     SLOWEST,
     SPEED,
@@ -109,28 +105,6 @@ class Cuts(NamedTuple):
     longest: float
     shortest: float
     loss: float
-
-
-def empty_cells(count: int, kinds: int) -> Cells:
-    """Room for so many cells."""
-    rows = count + 1
-    borders, bends, fastest, off = np.empty((4, rows))
-    return Cells(borders, bends, fastest, off, np.empty((rows, kinds, CELL_COLUMNS)))
-
-
-def workshop_for(kinds: int, seams: FloatArray) -> Workshop:
-    """A workshop for so many links, on a route with these seams."""
-    slots = 2 * (kinds + 1)
-    change, turn = np.zeros((2, 2, slots))
-    return Workshop(
-        empty_placements(2, slots),
-        np.empty((2, HANDLE_COLUMNS)),
-        np.empty(slots),
-        np.zeros(kinds, dtype=np.int64),
-        change,
-        turn,
-        errors_for(2, slots, seams),
-    )
 
 
 @kernel
@@ -263,7 +237,7 @@ def hold(rows: FloatArray, kinds: Kinds, shop: Workshop, s: float, longest: floa
         shop.held[g] = 1 if wanted else 0
 
 
-@entry
+@kernel
 def cut_cells(
     rows: Table,
     kinds: Kinds,

@@ -12,8 +12,6 @@ bounded side by side, each side with its own curvatures.
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import S_START, U_END, U_START, FloatArray, curvature, stretch
@@ -23,7 +21,6 @@ from benchdragon.kernels.step_bounds import (
     FRONT_LOW,
     GROWTH_HIGH,
     GROWTH_LOW,
-    HANDLE_COLUMNS,
     LEFT,
     REAR_HIGH,
     REAR_LOW,
@@ -48,6 +45,7 @@ TURNING = 1
 ACROSS = 2
 TOTAL = 3
 ALONG = 4
+QUANTITIES = 5
 
 # Columns of a drive, one row a step of the head.
 FROM = 0  # square of the head's speed at the step's start, m^2/s^2
@@ -150,19 +148,6 @@ class Scratch(NamedTuple):
     sides: Table  # and one row of scratch
     most: Vector  # of `bound_step`, (handles,)
     beside: Vector  # how near a jump, m, rounding may hide a handle's side: at the step's ends, (2,)
-
-
-def scratch_for(handles: int) -> Scratch:
-    """Scratch for a chain of so many handles."""
-    return Scratch(
-        np.empty((handles, HANDLE_COLUMNS)),
-        np.empty((handles, 2)),
-        np.empty((handles, 2)),
-        np.empty(MOST_JUMPS, dtype=np.int64),
-        np.empty((MOST_JUMPS + 1, 4)),
-        np.empty(handles),
-        np.zeros(2),
-    )
 
 
 @kernel

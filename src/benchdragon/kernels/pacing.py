@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from benchdragon.kernels import step_bounds
-from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
+from benchdragon.kernels.arrays import Stack, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import (
@@ -43,34 +43,49 @@ NODES = 65
 HALVINGS = 52
 
 
-@entry
+@kernel
 def widen(
-    rows: Table,
-    links: Vector,
+    rows: FloatArray,
+    links: FloatArray,
     places: Placements,
-    slots: IntVector,
-    which: IntVector,
-    even: Vector,
+    a: int,
+    even: FloatArray,
     scratch: Scratch,
-    hulls: Stack,
+    hull: FloatArray,
 ) -> None:
-    """Widen hulls[which[n]], (handles, HULL_COLUMNS), by the step from slots[n] to the next.
+    """Widen a hull, (handles, HULL_COLUMNS), by the step from slot a to the next.
 
     `even` is the drive of a steady head at 1 m/s, see drive.py.
     """
-    handles, table = links.shape[0] + 1, scratch.table
-    for n in range(slots.shape[0]):
-        a, b, hull = slots[n], slots[n] + 1, hulls[which[n]]
-        bound_step(rows, links, places, a, b, even, ALONG, scratch)
-        for i in range(handles):
-            bent = step_bounds.magnitude(table[i, step_bounds.RIGHT], table[i, step_bounds.LEFT])
-            hull[i, FAST] = max(hull[i, FAST], step_bounds.ROUNDED_UP * table[i, step_bounds.SPEED])
-            hull[i, TURNING_RATE] = max(
-                hull[i, TURNING_RATE], step_bounds.ROUNDED_UP * table[i, step_bounds.TURNING_RATE]
-            )
-            hull[i, GROWTH_LOW] = min(hull[i, GROWTH_LOW], table[i, step_bounds.GROWTH_LOW])
-            hull[i, GROWTH_HIGH] = max(hull[i, GROWTH_HIGH], table[i, step_bounds.GROWTH_HIGH])
-            hull[i, BEND] = max(hull[i, BEND], bent)
+    table = scratch.table
+    bound_step(rows, links, places, a, a + 1, even, ALONG, scratch)
+    for i in range(hull.shape[0]):
+        bent = step_bounds.magnitude(table[i, step_bounds.RIGHT], table[i, step_bounds.LEFT])
+        hull[i, FAST] = max(hull[i, FAST], step_bounds.ROUNDED_UP * table[i, step_bounds.SPEED])
+        hull[i, TURNING_RATE] = max(
+            hull[i, TURNING_RATE], step_bounds.ROUNDED_UP * table[i, step_bounds.TURNING_RATE]
+        )
+        hull[i, GROWTH_LOW] = min(hull[i, GROWTH_LOW], table[i, step_bounds.GROWTH_LOW])
+        hull[i, GROWTH_HIGH] = max(hull[i, GROWTH_HIGH], table[i, step_bounds.GROWTH_HIGH])
+        hull[i, BEND] = max(hull[i, BEND], bent)
+
+
+@kernel
+def find_hull(
+    rows: FloatArray,
+    links: FloatArray,
+    places: Placements,
+    parts: int,
+    even: FloatArray,
+    scratch: Scratch,
+    hull: FloatArray,
+) -> None:
+    """Fill a hull with what holds from the first slot to the last of so many parts of a step."""
+    for i in range(hull.shape[0]):
+        hull[i, FAST] = hull[i, TURNING_RATE] = hull[i, BEND] = 0.0
+        hull[i, GROWTH_LOW], hull[i, GROWTH_HIGH] = math.inf, -math.inf
+    for k in range(parts):
+        widen(rows, links, places, k, even, scratch, hull)
 
 
 @kernel
@@ -89,31 +104,29 @@ def allowed(hull: FloatArray, limits: FloatArray, square: float) -> tuple[float,
     return (low, high) if low <= high else (1.0, -1.0)
 
 
-@entry
-def tabulate(hulls: Stack, limits: Vector, square: float, most: Vector, table: Stack) -> None:
-    """Fill most[n] with the greatest square of speed allowed in step n, not above `square`.
+@kernel
+def tabulate(hull: FloatArray, limits: FloatArray, square: float, table: FloatArray) -> float:
+    """The greatest square of speed allowed in the step of a hull, not above `square`.
 
-    And table, (steps, NODES, 2), with the accelerations allowed from 0 to there. Between two nodes
-    straight lines stay inside of what is allowed, as that is convex.
+    Fills table, (NODES, 2), with the accelerations allowed from 0 to there. Between two nodes straight
+    lines stay inside of what is allowed, as that is convex.
     """
-    for n in range(hulls.shape[0]):
-        low, high = 0.0, square
-        least, greatest = allowed(hulls[n], limits, square)
+    low, high = 0.0, square
+    least, greatest = allowed(hull, limits, square)
+    if least <= greatest:
+        low = square
+    for _ in range(HALVINGS):
+        if low == square:
+            break
+        middle = 0.5 * (low + high)
+        least, greatest = allowed(hull, limits, middle)
         if least <= greatest:
-            low = square
-        for _ in range(HALVINGS):
-            if low == square:
-                break
-            middle = 0.5 * (low + high)
-            least, greatest = allowed(hulls[n], limits, middle)
-            if least <= greatest:
-                low = middle
-            else:
-                high = middle
-        most[n] = low
-        for k in range(NODES):
-            at = low * k / (NODES - 1)
-            table[n, k, 0], table[n, k, 1] = allowed(hulls[n], limits, min(at, low))
+            low = middle
+        else:
+            high = middle
+    for k in range(NODES):
+        table[k, 0], table[k, 1] = allowed(hull, limits, min(low * k / (NODES - 1), low))
+    return low
 
 
 @kernel
@@ -191,17 +204,49 @@ def controllable(
                 top = middle
 
 
-@entry
-@allocates
-def fastest_pace(table: Stack, most: Vector, lengths: Vector, squares: Vector) -> None:
+@kernel
+def fastest_pace(
+    table: FloatArray,
+    most: FloatArray,
+    lengths: FloatArray,
+    starts: FloatArray,
+    ends: FloatArray,
+    squares: FloatArray,
+) -> None:
     """Fill squares, (steps + 1,), with the squares of the head's speed at the ends of the steps.
 
     What is passable is convex: of a way on from a greater square a share is one from a smaller.
     """
-    starts, ends = np.empty(len(squares)), np.empty(len(lengths))
     controllable(table, most, lengths, starts, ends)
     squares[0] = starts[0]
     for n in range(len(lengths)):
         known = ends[n] * squares[n] / starts[n] if starts[n] > 0.0 else 0.0
         end = min(starts[n + 1], most[n])
         squares[n + 1] = fastest_end(table, n, most[n], squares[n], known, end, lengths[n])
+
+
+@entry
+@allocates
+def find_pace(table: Stack, most: Vector, at: Vector, times: Vector, speeds: Vector) -> int:
+    """Fill times, s, and speeds, m/s, (steps + 1,), with the knots of the fastest pace; how many.
+
+    The head comes to at[0] at time 0; knots inside a stretch of one speed are left out. -1 - n if no
+    speed was found for the start of step n.
+    """
+    steps = len(most)
+    lengths = at[1:] - at[:-1]
+    squares = np.empty(steps + 1)
+    fastest_pace(table, most, lengths, np.empty(steps + 1), np.empty(steps), squares)
+    for n in range(steps + 1):
+        if squares[n] == 0.0:
+            return -1 - n
+        speeds[n] = math.sqrt(squares[n])
+    time, before, count = 0.0, speeds[0], 1
+    times[0] = 0.0
+    for n in range(steps):
+        now = speeds[n + 1]
+        time += 2.0 * lengths[n] / (now + before)
+        if n + 1 == steps or not before == now == speeds[n + 2]:
+            times[count], speeds[count], count = time, now, count + 1
+        before = now
+    return count

@@ -9,15 +9,12 @@ part. The search is over when no bound is above what is seen by more than is ask
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.bench_cells import Cells, bound_by_cells
-from benchdragon.kernels.chain import Placements, empty_placements, rates_in_slot
+from benchdragon.kernels.chain import Placements, rates_in_slot
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import (
     ACROSS,
-    DRIVE_COLUMNS,
     FROM,
     RATE,
     SPEEDS,
@@ -26,10 +23,9 @@ from benchdragon.kernels.drive import (
     Scratch,
     bound_step,
     greatest_in_slot,
-    scratch_for,
 )
-from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.rate_rounding import Errors, bend_errors, errors_for, rate_errors, weigh_values
+from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.rate_rounding import Errors, bend_errors, rate_errors, weigh_values
 from benchdragon.kernels.rounding import mark_lanes, ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended
@@ -115,29 +111,6 @@ class Chains(NamedTuple):
     turn: Table
     scratch: Scratch
     errors: Errors
-
-
-def empty_heap(room: int) -> Heap:
-    """Room for so many parts."""
-    return Heap(np.empty((room, PART_COLUMNS)), np.empty((room, PART_COLUMNS), dtype=np.int64))
-
-
-def empty_batch() -> Batch:
-    """Room for a batch."""
-    return Batch(
-        np.empty((SLOTS, PART_COLUMNS)),
-        np.empty((SLOTS, PART_COLUMNS), dtype=np.int64),
-        np.empty((SLOTS, 2), dtype=np.int64),
-        np.empty(SLOTS),
-        np.empty(DRIVE_COLUMNS),
-    )
-
-
-def chains_for(handles: int, seams: FloatArray) -> Chains:
-    """Room for a batch's chains of so many handles, on a route with these seams."""
-    change, turn = np.zeros((2, handles, SLOTS))
-    errors = errors_for(handles, SLOTS, seams)
-    return Chains(empty_placements(handles, SLOTS), change, turn, scratch_for(handles), errors)
 
 
 @kernel
@@ -418,7 +391,7 @@ def look_by_chains(
         keep(aim, heap, batch, n, t, scratch.most, chains.errors.sought, notes, counts)
 
 
-@entry
+@kernel
 def seek_peak(
     rows: Table,
     links: Vector,

@@ -11,8 +11,6 @@ Errors below are bounds to first order; what is left out is smaller by 1e-9 or m
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import (
@@ -47,14 +45,6 @@ class Errors(NamedTuple):
     sought: Table  # of what is sought, at the handle or at a bench's rear one; see `weigh_values`
     sided: Vector  # whether it is sure on which side of jumps of the curvature all stand, (slots,)
     most: Vector  # the greatest of `along`, m, (slots,)
-
-
-def errors_for(handles: int, slots: int, seams: FloatArray) -> Errors:
-    """Room for so many handles in so many slots, on a route with these seams."""
-    lanes, along = np.zeros((2, handles))
-    ratio, change, turn, bend, sought = np.zeros((5, handles, slots))
-    sided, most = np.ones(slots), np.zeros(slots)
-    return Errors(seams, lanes, along, ratio, change, turn, bend, sought, sided, most)
 
 
 @kernel

@@ -11,25 +11,24 @@ from benchdragon.analysis.proof import assumed
 from benchdragon.analysis.speed import (
     QUANTITIES,
     RATE_TOLERANCE,
-    STEP,
     TOLERANCE,
-    Peak,
-    Quantity,
+    PeakQuestion,
+    failure_within,
     given_limits,
-    greatest_of,
-    hulls,
+    sought,
     witness_of,
 )
 from benchdragon.analysis.speed_proof import SpeedClaim, head_speeds, prove_speed
 from benchdragon.errors import InputError, UnsureError, of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels import pacing
+from benchdragon.kernels import peak_question as kernel
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.answer import Answer, Status
+from benchdragon.model.answer import Answer
 from benchdragon.model.profile import MOST_SPEED, SpeedProfile
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
-from benchdragon.progress import Progress, part, silent
+from benchdragon.progress import Progress, silent
 
 # A pace stays below what is allowed by this share, far above rounding.
 PRUDENCE = 1e-9
@@ -39,8 +38,9 @@ MOST_KNOTS = 5000
 FINER = 8
 # Digits of a start, s, behind the point: what rounding leaves behind them is none of the plan's.
 DIGITS = 12
-# Rounding of a speed that was seen, relative: some 1e-14 after 200 benches, room for ten times as much.
-ROUNDING = 1e-13
+# Handles bounded between two tellings of progress.
+AT_ONCE = 1_000_000
+EVEN = SpeedProfile.constant(1.0)
 
 
 @dataclass(frozen=True)
@@ -122,58 +122,24 @@ def greatest_head_speed(
     limits = _limits_of(plan)
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()
-    found = _Bracket()
-    for n, (name, allowed) in enumerate(limits.items()):
-        quantity = QUANTITIES[name]
-        width = tolerance if name == "speed" else max(tolerance, RATE_TOLERANCE)
-        told = part(progress, n / len(limits), (n + 1) / len(limits), _(quantity.text))
-        limit = allowed / found.lower**quantity.power  # who keeps to this allows more than those before
-        peak = greatest_of(walk, quantity, first, last, tolerance=width, limit=limit, progress=told)
-        found.evaluations += peak.evaluations
-        if peak.upper > limit:
-            found.narrow(quantity, allowed, peak)
-        if found.lower == 0.0:
-            break
-    return found.answer(walk, began)
-
-
-@dataclass
-class _Bracket:
-    """The greatest head speed, m/s, as far as limits were looked at, and the one that decides."""
-
-    lower: float = MOST_SPEED
-    upper: float = math.inf
-    evaluations: int = 0
-    decisive: tuple[Quantity, float, Peak] | None = None
-
-    def narrow(self, quantity: Quantity, allowed: float, peak: Peak) -> None:
-        """Take in a limit that is exceeded at the lower end: its peak with the head at 1 m/s."""
-        self.lower = _head_speed(quantity, allowed, peak.upper)
-        most = _head_speed(quantity, allowed, peak.least / (1.0 + ROUNDING))
-        if most < self.upper or self.decisive is None:
-            self.upper, self.decisive = most, (quantity, allowed, peak)
-
-    def answer(self, walk: Walk, began: float) -> Answer:
-        """The answer, sought since `began`."""
-        if self.decisive is None:  # what is limited hardly occurs
-            return Answer(MOST_SPEED, MOST_SPEED, self.upper, "m/s", "unlimited")
-        quantity, allowed, peak = self.decisive
-        status: Status = "found" if self.lower > 0.0 else "undecided"
-        value = self.lower if status == "found" else math.nan
-        return Answer(
-            value, self.lower, self.upper, "m/s", status, witness_of(walk, quantity, peak),
-            (_assumed(quantity, allowed),), self.evaluations, clock.perf_counter() - began,
-        )  # fmt: skip
-
-
-def _head_speed(quantity: Quantity, allowed: float, peak: float) -> float:
-    return float((allowed / peak) ** (1.0 / quantity.power)) if peak > 0.0 else math.inf
-
-
-def _assumed(quantity: Quantity, allowed: float) -> str:
-    return _("what decides: {quantity}, at most {value} {unit}").format(
-        quantity=_(quantity.text), value=f"{allowed:.6g}", unit=quantity.unit
+    asked = [
+        (QUANTITIES[name], tolerance if name == "speed" else max(tolerance, RATE_TOLERANCE), allowed)
+        for name, allowed in limits.items()
+    ]
+    found = sought(walk, EVEN.stretches(first, last), asked, progress, MOST_SPEED)
+    if found.decides is None:  # what is limited hardly occurs
+        return Answer(MOST_SPEED, MOST_SPEED, math.inf, "m/s", "unlimited")
+    text = _("what decides: {quantity}, at most {value} {unit}").format(
+        quantity=_(found.decides.text),
+        value=f"{limits[found.decides.name]:.6g}",
+        unit=found.decides.unit,
     )
+    value = found.lower if found.lower > 0.0 else math.nan
+    return Answer(
+        value, found.lower, found.upper, "m/s", "found" if found.lower > 0.0 else "undecided",
+        witness_of(walk, found.decides, found.peak), (text,), found.peak.evaluations,
+        clock.perf_counter() - began,
+    )  # fmt: skip
 
 
 @budget.question()
@@ -201,42 +167,45 @@ def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
     if not first < last:
         raise InputError(_("the walk has no length: set walk.start and walk.end apart"))
     even = min(steady.lower, plan.walk.speed)
-    at, speeds = _fastest(plan, walk, first, last)
-    times = np.concatenate([[0.0], np.cumsum(2.0 * np.diff(at) / (speeds[1:] + speeds[:-1]))])
+    times, speeds = _fastest(plan, walk, first, last, progress)
     if times[-1] >= (last - first) / even:
         times, speeds = np.array([0.0, (last - first) / even]), np.array([even, even])
-    profile = _profile(times, speeds)
+    profile = SpeedProfile(tuple(times), tuple(speeds))
     zero = profile.time(walk.start - first)  # at time 0 the head stands at walk.start
     profile = SpeedProfile(tuple(t - zero for t in profile.times), profile.speeds)
     seconds = float(times[-1])
     return Pace(profile, steady, seconds, (last - first) / even - seconds)
 
 
-def _fastest(plan: Plan, walk: Walk, first: float, last: float) -> tuple[FloatArray, FloatArray]:
-    """Head positions, m, and the greatest speeds there, m/s, between which limits are kept too."""
-    way, link = last - first, float(walk.dragon.links.min())
-    steps = max(1, math.ceil(min(way / (STEP * link), MOST_KNOTS - 1)))
-    at, bounds = hulls(walk, first, last, steps, FINER)
+def _fastest(
+    plan: Plan, walk: Walk, first: float, last: float, progress: Progress
+) -> tuple[FloatArray, FloatArray]:
+    """Times, s, and the greatest speeds then, m/s, between which limits are kept too."""
+    link, handles = float(walk.dragon.links.min()), len(walk.dragon) + 1
+    steps = max(1, math.ceil(min((last - first) / (kernel.STEP * link), MOST_KNOTS - 1)))
+    budget.expect(kernel.BOUNDED * steps * FINER * handles)
     given = {**_limits_of(plan), "head": plan.limits.head_acceleration}
     limits = (1.0 - PRUDENCE) * np.array([given.get(name, math.inf) for name in (*QUANTITIES, "head")])
     most, table = np.empty(steps), np.empty((steps, pacing.NODES, 2))
-    pacing.tabulate(bounds, limits, plan.walk.speed**2, most, table)
-    squares = np.empty(steps + 1)
-    pacing.fastest_pace(table, most, np.diff(at), squares)
-    if not squares.all():
+    at = np.linspace(first, last, steps * FINER + 1)
+    per = max(1, AT_ONCE // (handles * FINER))
+    with PeakQuestion(walk, EVEN.stretches(first, last)) as question:
+        for n in range(0, steps, per):
+            end = min(n + per, steps)
+            budget.spend(kernel.BOUNDED * (end - n) * FINER * handles)
+            square = plan.walk.speed**2
+            if question.bound(at, n, end, square, limits, most, table) == kernel.FALLEN:
+                raise failure_within(walk, first, last)
+            progress(end / steps, _("other limits"))
+    times, speeds = np.empty((2, steps + 1))
+    count = pacing.find_pace(table, most, at[::FINER].copy(), times, speeds)
+    if count < 0:
         raise UnsureError(
             _("no speed of the head was found that keeps the limits at {s} m of the route").format(
-                s=f"{at[int(np.argmin(squares))]:.6g}"
+                s=f"{at[(-1 - count) * FINER]:.6g}"
             )
         )
-    return at, np.sqrt(squares)
-
-
-def _profile(times: FloatArray, speeds: FloatArray) -> SpeedProfile:
-    """The profile through these knots, without those inside a stretch of one speed."""
-    same = speeds[1:] == speeds[:-1]
-    inner = np.append(False, same) & np.append(same, False)
-    return SpeedProfile(tuple(times[~inner]), tuple(speeds[~inner]))
+    return times[:count], speeds[:count]
 
 
 def with_pace(plan: Plan, pace: Pace) -> Plan:

@@ -1,8 +1,6 @@
-// Lists of numbers as NumPy makes them, and arrays of kernels grown and cut.
+// Lists of numbers as NumPy makes them, and arrays of kernels cut.
 
 import { Numbers } from "../engine.js";
-
-/** @typedef {import("./arena.js").Arena} Arena */
 
 /** So many numbers from low to high in even steps: `numpy.linspace`. @param {number} low @param {number} high @param {number} count */
 export function evenly(low, high, count) {
@@ -13,15 +11,6 @@ export function evenly(low, high, count) {
 /** The least of a list of numbers. @param {Float64Array} values */
 export function least(values) {
   return values.reduce((a, b) => Math.min(a, b), Infinity);
-}
-
-/** A table twice as long that begins with the same, in whose place it stands. @param {Arena} arena @param {Numbers} table */
-export function grown(arena, table) {
-  const [rows, ...rest] = table.shape;
-  const made = arena.array(table.code, 2 * rows, ...rest);
-  /** @type {Float64Array} */ (made.view).set(/** @type {Float64Array} */ (table.view));
-  arena.drop(table);
-  return made;
 }
 
 /** The first rows of a table; they are freed with it. @param {Numbers} table @param {number} count */

@@ -11,49 +11,25 @@ import { DRIVE } from "./constants.js";
  * @typedef {{ name: QuantityName, kind: number, power: number, unit: string, text: () => string }} Quantity
  */
 
-/** In the order in which limits are told. @type {Record<QuantityName, Quantity>} */
-export const QUANTITIES = {
-  speed: {
-    name: "speed",
-    kind: DRIVE.SPEEDS,
-    power: 1,
-    unit: "m/s",
-    text: () => _("speed of a handle"),
-  },
-  turning_rate: {
-    name: "turning_rate",
-    kind: DRIVE.TURNING,
-    power: 1,
-    unit: "rad/s",
-    text: () => _("turning rate of a bench"),
-  },
-  lateral_acceleration: {
-    name: "lateral_acceleration",
-    kind: DRIVE.ACROSS,
-    power: 2,
-    unit: "m/s^2",
-    text: () => _("lateral acceleration of a handle"),
-  },
-  total_acceleration: {
-    name: "total_acceleration",
-    kind: DRIVE.TOTAL,
-    power: 2,
-    unit: "m/s^2",
-    text: () => _("total acceleration of a handle"),
-  },
-  acceleration: {
-    name: "acceleration",
-    kind: DRIVE.ALONG,
-    power: 2,
-    unit: "m/s^2",
-    text: () => _("acceleration of a handle along the route"),
-  },
-};
+/** @type {Array<[QuantityName, number, number, string, () => string]>} */
+const TOLD = [
+  ["speed", DRIVE.SPEEDS, 1, "m/s", () => _("speed of a handle")],
+  ["turning_rate", DRIVE.TURNING, 1, "rad/s", () => _("turning rate of a bench")],
+  ["lateral_acceleration", DRIVE.ACROSS, 2, "m/s^2", () => _("lateral acceleration of a handle")],
+  ["total_acceleration", DRIVE.TOTAL, 2, "m/s^2", () => _("total acceleration of a handle")],
+  ["acceleration", DRIVE.ALONG, 2, "m/s^2", () => _("acceleration of a handle along the route")],
+];
+
+/** In the order in which limits are told, and of their numbers. */
+export const QUANTITIES = /** @type {Record<QuantityName, Quantity>} */ (
+  Object.fromEntries(
+    TOLD.map(([name, kind, power, unit, text]) => [name, { name, kind, power, unit, text }]),
+  )
+);
 
 /**
  * The plan's limits on what benches do, by the name of the quantity, in SI units.
  * @param {Record<QuantityName, number | null>} limits those of the plan
- * @returns {Partial<Record<QuantityName, number>>}
  */
 export function givenLimits(limits) {
   /** @type {Partial<Record<QuantityName, number>>} */

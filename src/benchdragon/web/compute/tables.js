@@ -33,16 +33,6 @@ export function beginnings() {
   ]);
 }
 
-/** A whole number of a list. @param {Numbers} list @param {number} n */
-export function wholeAt(list, n) {
-  return Number(list.view[n]);
-}
-
-/** Set a whole number of a list. @param {Numbers} list @param {number} n @param {number} value */
-export function setWhole(list, n, value) {
-  /** @type {BigInt64Array} */ (list.view)[n] = BigInt(value);
-}
-
 /** Let all of a list of whole numbers be one. @param {Numbers} list @param {bigint} value */
 export function fillWhole(list, value) {
   /** @type {BigInt64Array} */ (list.view).fill(value);

@@ -1,0 +1,167 @@
+"""What a question about greatest values knows, and where that lies in the engine's own memory."""
+
+from typing import NamedTuple
+
+from benchdragon.kernels import memory
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.bench_cells import CELL_COLUMNS, Cells, Kinds, Workshop
+from benchdragon.kernels.curve import COLUMNS
+from benchdragon.kernels.drive import DRIVE_COLUMNS, MOST_JUMPS, QUANTITIES
+from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.pacing import HULL_COLUMNS
+from benchdragon.kernels.peak import COUNTS, NOTES, PART_COLUMNS, SLOTS, Batch, Chains, Drives, Heap
+from benchdragon.kernels.rounding import SEAM_COLUMNS
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.step_bounds import HANDLE_COLUMNS
+
+# What hosts say of a question, a row of floats.
+EXTENT = 0  # of the dragon, m
+HEAD = 1  # m/s: up to which a head speed is sought; 0 if none is
+MOST_CELLS = 2  # times links, that are made at a time: the way is searched in windows of so many
+FIRST_OPEN = 3  # parts of the way that there is room for at first
+MOST_OPEN = 4  # handles times parts that may wait; more are left, and the bracket stays wider
+BUDGET = 5  # handles placed, or cells made, between two looks at the clock
+CELL_COST = 6  # of a cell, in handles bounded
+COARSE_STEP = 7  # that cells bound, as a share of the shortest link
+MOST_LOSS = 8  # of the coarse bound from the head to the tail, as a share
+ALIKE = 9  # by what share of rounding speeds may differ that are the same
+NUMBERS = 10
+# What is told of it behind what all questions tell, a row of floats: of the greatest value, or of that
+# of the limit that decides.
+VALUE = 2
+LEAST = 3
+MOST = 4
+AT = 5  # the head's position, m
+HANDLE = 6  # or bench, from 0
+X = 7  # its place, m
+Y = 8
+STRETCH = 9  # of the drive
+PLACED = 10  # chains, in all
+LOWER = 11  # the greatest head speed that is sure, m/s, and one that exceeds a limit
+HIGHER = 12
+DECIDES = 13  # the quantity whose limit that is; -1 if none
+QUANTITY = 14  # that is sought now
+SHARE = 15  # of all that is done
+GIVEN_UP = 16  # 1 if that took more work than it may: the bracket is left open
+LOW = 17  # the window, m
+HIGH = 18
+# And what hosts need not know: the limit of the quantity at hand, what may be spent, what a cell may
+# lose, parts that may wait, the bracket's gap at first and by what share it was closed; from where to
+# where the way at hand leads, m.
+LIMIT, LEFT, LOSS, MOST_ROWS, GAP, CLOSED_BY, BEGIN, END = range(19, 27)
+FIGURES = 27
+# Where a question stands, a row of whole numbers: what is next, the first stretch behind the way at
+# hand, its window and windows, chains placed for quantities before, how many of them there are in all,
+# and were sought.
+PHASE, NEXT, WINDOW, WINDOWS, BEFORE, ALL, SOUGHT = range(7)
+STATE = 7
+# The memory of the block that parts that wait, cells, and all that keeps its size lie in.
+HEAP_MEMORY, CELL_MEMORY, OWN_MEMORY = 0, 1, 2
+
+
+class Asked(NamedTuple):
+    """A question about the greatest of quantities."""
+
+    rows: Table
+    links: Vector
+    group: IntVector  # the kind of each bench
+    kinds: Kinds
+    drives: Drives
+    batch: Batch
+    chains: Chains
+    shop: Workshop
+    hull: Table  # of pacing
+    tolerances: Vector  # of each quantity, 0 if it is not asked for
+    limits: Vector
+    numbers: Vector
+    notes: Vector  # of peak
+    counts: IntVector
+    state: IntVector
+    figures: Vector
+    reached: Vector  # of bench_cells
+    cut: IntVector
+    heap: Heap
+    cells: Cells
+
+
+HEAP_SLOT, CELLS_SLOT = memory.slot_of(Asked, "heap"), memory.slot_of(Asked, "cells")
+END_SLOT, BASE = memory.HEADER + memory.slot_count(Asked), 8 * memory.HEADER
+
+
+def errors(handles: int, slots: int) -> tuple[tuple[int, int], ...]:
+    """The lengths of `Errors`."""
+    tables = ((handles, slots),) * 5
+    return (ROWS, SEAM_COLUMNS), (handles, 0), (handles, 0), *tables, (slots, 0), (slots, 0)
+
+
+def placements(handles: int, slots: int) -> tuple[tuple[int, int], ...]:
+    """The lengths of `Placements`."""
+    return *(((handles, slots),) * 7), (2, slots)
+
+
+# The lengths of the arrays that keep theirs, 0 for the second of a row; these stand for what they name.
+ROWS, BENCHES, HANDLES, KINDS, STRETCHES, BORDERS = -1, -2, -3, -4, -5, -6
+LENGTHS = (
+    (ROWS, COLUMNS), (BENCHES, 0), (BENCHES, 0), (KINDS, 1), (KINDS, 2),
+    (STRETCHES, 2), (STRETCHES, 2), (STRETCHES, 0),
+    (SLOTS, PART_COLUMNS), (SLOTS, PART_COLUMNS), (SLOTS, 2), (SLOTS, 0), (DRIVE_COLUMNS, 0),
+    *placements(HANDLES, SLOTS), (HANDLES, SLOTS), (HANDLES, SLOTS),
+    (HANDLES, HANDLE_COLUMNS), (HANDLES, 2), (HANDLES, 2), (MOST_JUMPS, 0), (MOST_JUMPS + 1, 4),
+    (HANDLES, 0), (2, 0), *errors(HANDLES, SLOTS),
+    *placements(2, BORDERS), (2, HANDLE_COLUMNS), (BORDERS, 0), (KINDS, 0), (2, BORDERS), (2, BORDERS),
+    *errors(2, BORDERS),
+    (HANDLES, HULL_COLUMNS), (QUANTITIES, 0), (QUANTITIES, 0), (NUMBERS, 0), (NOTES, 0), (COUNTS, 0),
+    (STATE, 0), (FIGURES, 0), (2, 0), (2, 0),
+)  # fmt: skip
+
+
+@kernel
+def lay_all(slots: IntArray, address: int, rows: int, benches: int, kinds: int, stretches: int) -> int:
+    """Lay from an address on all that keeps its size; the bytes that takes."""
+    named = (0, rows, benches, benches + 1, kinds, stretches, 2 * (kinds + 1))
+    memory.lay_from(slots, memory.HEADER, address)
+    for length, width in LENGTHS:
+        count = named[-length] if length < 0 else length
+        if width == 0:
+            memory.lay_row(slots, count)
+        else:
+            memory.lay_table(slots, count, named[-width] if width < 0 else width)
+    return slots[memory.ADDRESS] - address
+
+
+@kernel
+def lay_heap(block: int, address: int, rows: int) -> None:
+    """Lay room for so many parts that wait."""
+    slots = memory.integers_at(block, END_SLOT)
+    slots[memory.OWNED + HEAP_MEMORY] = address
+    memory.lay_from(slots, HEAP_SLOT, address)
+    memory.lay_table(slots, rows, PART_COLUMNS)
+    memory.lay_table(slots, rows, PART_COLUMNS)
+
+
+@kernel
+def lay_cells(block: int, address: int, rows: int, kinds: int) -> None:
+    """Lay room for cells with so many borders."""
+    slots = memory.integers_at(block, END_SLOT)
+    slots[memory.OWNED + CELL_MEMORY] = address
+    memory.lay_from(slots, CELLS_SLOT, address)
+    for _row in range(4):
+        memory.lay_row(slots, rows)
+    memory.lay_table(slots, rows, kinds)
+    slots[slots[memory.SLOT]] = CELL_COLUMNS
+
+
+@kernel
+def doubled(before: int, rows: int, count: int, width: int, last: int) -> int:
+    """The address of so many tables of `width` columns and one of `last`, of twice as many rows.
+
+    They begin with those at `before`, which is given back; 0 if there is no memory.
+    """
+    address = memory.allocate(16 * rows * (count * width + last))
+    if address != 0:
+        old = memory.integers_at(before, rows * (count * width + last))
+        new = memory.integers_at(address, 2 * rows * (count * width + last))
+        for n in range(old.shape[0]):
+            new[n + rows * width * min(n // (rows * width), count)] = old[n]
+        memory.release(before)
+    return address
