@@ -4,7 +4,7 @@ Where a bench stands is told by the route position of its own front handle alone
 do: handle i + 1 is the first place behind handle i that is one link away. So an obstacle may be
 searched along the route, once for each size of bench, in stretches that begin where a bench stands at
 the start and end where the one of its size before it stood: what lies beyond, that one came to sooner
-(analysis/obstacle_search.py). Only the touch that is found is then told of the head, by marching the
+(kernels/beside_search.py). Only the touch that is found is then told of the head, by marching the
 chain.
 
 Its rival places the whole dragon at each instant, asks each bench for its distance, and halves the step
@@ -22,7 +22,6 @@ import numpy as np
 
 from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.obstacle_search import ObstacleSearch
-from benchdragon.analysis.obstacles import touching
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.standing import distances_to
 from benchdragon.model.obstacle import Obstacle
@@ -67,8 +66,8 @@ def main() -> None:
         well = Obstacle.circle("well", (x - aside * np.sin(heading), y + aside * np.cos(heading)), 0.01)
         end = walk.time_at(s + 3.0)
         began = time.process_time()
-        search = ObstacleSearch(walk, well, 0.0, end)
-        found = touching(search)
+        with ObstacleSearch(walk, well, 0.0, end) as search:
+            found = search.touches()
         spent = time.process_time() - began
         told = f"{found[-1].value:.9f}" if found else "none"
         print(f"{benches:7d} | along the route  | {told:>15s} | {search.evaluations:14d} | {spent:.4f}")

@@ -20,12 +20,12 @@ import numpy as np
 import benchdragon
 
 KERNELS = (
-    "band", "beginning", "bench_cells", "box", "cells", "contact_memory", "course", "curve",
-    "doubts", "drive", "every_pair", "family", "grid", "low_points", "meetings", "near_cells",
-    "nearness", "own_room", "pacing", "peak", "peak_memory", "peak_question", "perturbed",
-    "question", "regions", "rounding", "route", "route_parts", "search", "size_bracket",
-    "size_memory", "size_question", "size_search", "spiral", "standing", "status", "step_bounds",
-    "turn_families", "walk_search",
+    "band", "beginning", "bench_cells", "beside", "beside_search", "box", "cells",
+    "contact_memory", "course", "curve", "doubts", "drive", "every_pair", "family", "grid",
+    "low_points", "meetings", "near_cells", "nearness", "obstacle", "own_room", "pacing", "peak",
+    "peak_memory", "peak_question", "perturbed", "question", "regions", "rounding", "route",
+    "route_parts", "search", "size_bracket", "size_memory", "size_question", "size_search",
+    "spiral", "standing", "status", "step_bounds", "turn_families", "walk_search",
 )  # fmt: skip
 # Modules with twins in the page: add those whose numbers you need.
 TWINS = (

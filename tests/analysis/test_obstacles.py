@@ -24,9 +24,15 @@ from benchdragon import (
 from benchdragon.analysis import obstacle_search
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.obstacles import first_touch, least_distance, obstacle_answers, touching
+from benchdragon.kernels import beside, beside_search
+from benchdragon.kernels.beside import Beside
+from benchdragon.kernels.beside_told import head_between
+from benchdragon.kernels.memory import group_at, recall
+from benchdragon.kernels.obstacle_question import BASE
 from benchdragon.model.obstacle import MOST_CORNERS, Obstacle
 from benchdragon.plans.schema import read_plan
 from tests.analysis.straights import EAST, FIVE, ONE, east, kerb, wall
+from tests.solve.asked_in_python import in_python
 
 TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text("utf-8"))
 # Five benches of mixed sizes: 1.5 m from handle to handle, widths of 0.5, 0.7, 0.9 m.
@@ -147,17 +153,13 @@ def test_the_soonest_of_several_touches_is_told() -> None:
     sure(first_touch(east(dragon), both, 0.0, 60.0), 3.25, 2)
 
 
+@pytest.mark.parametrize(("widths", "time", "bench"), [((0.5, 0.9), 3.25, 2), ((0.9, 0.5), 1.75, 1)])
 def test_the_soonest_touch_is_told_in_whatever_order_they_are_found(
-    monkeypatch: pytest.MonkeyPatch,
+    widths: tuple[float, float], time: float, bench: int
 ) -> None:
     pegs = Obstacle.line("pegs", [(20.25, 0.2), (20.25, 0.5), (12.0, 0.5), (12.0, 0.4)])
-    dragon = Dragon.of_sizes([2.0, 2.0], [0.5, 0.9], 0.25, 0.25)
-    search = ObstacleSearch(east(dragon), pegs, 0.0, 60.0)
-    touches = search.touches()
-    assert len(touches) == 2
-    for order in (touches, touches[::-1]):
-        monkeypatch.setattr(search, "touches", lambda order=order: order)
-        sure(touching(search)[-1], 3.25, 2)
+    dragon = Dragon.of_sizes([2.0, 2.0], widths, 0.25, 0.25)
+    sure(touching(east(dragon), pegs, 0.0, 60.0)[-1], time, bench)
 
 
 def test_a_coarse_least_distance_is_told_as_such() -> None:
@@ -207,7 +209,7 @@ def test_a_touch_behind_a_graze_is_found() -> None:
 
 def test_grazes_apart_from_a_touch_are_told_before_it() -> None:
     apart = Obstacle.line("pegs", [(20.0, 0.25), (20.0, 1.0), (33.0, 1.0), (33.0, 0.2)])
-    found = touching(ObstacleSearch(east(), apart, 0.0, 40.0))
+    found = touching(east(), apart, 0.0, 40.0)
     assert [answer.status for answer in found] == ["undecided", "found"]
     assert found[0].lower <= 9.75 <= found[0].upper <= 12.0
     sure(found[1], 22.75, 1)
@@ -219,22 +221,35 @@ def test_grazes_apart_from_a_touch_are_told_before_it() -> None:
 
 def test_no_more_grazes_are_passed_over_than_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     apart = Obstacle.line("pegs", [(20.0, 0.25), (20.0, 1.0), (33.0, 1.0), (33.0, 0.2)])
-    monkeypatch.setattr(obstacle_search, "MOST_GRAZES", 1)
+    in_python(monkeypatch)
+    monkeypatch.setattr(beside_search, "MOST_GRAZES", 1)
     with pytest.raises(UnsureError, match="benches come within rounding of pegs too often"):
-        touching(ObstacleSearch(east(), apart, 0.0, 40.0))
+        touching(east(), apart, 0.0, 40.0)
+
+
+def test_grazes_beyond_what_there_is_room_for_are_all_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    apart = Obstacle.line("pegs", [(20.0, 0.25), (20.0, 1.0), (33.0, 1.0), (33.0, 0.2)])
+    roomy = touching(east(), apart, 0.0, 40.0)
+    in_python(monkeypatch)
+    monkeypatch.setattr(beside, "FIRST_ROWS", 1)
+    told = [touching(east(), apart, 0.0, 40.0), roomy]
+    ends = [[(one.status, one.lower, one.upper) for one in each] for each in told]
+    assert ends[0] == ends[1]
+    assert len(roomy) == 2
 
 
 def test_what_takes_too_many_evaluations_is_undecided_and_hides_no_other_bench(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(obstacle_search, "MOST_EVALUATIONS", 1)
-    found = touching(ObstacleSearch(east(MIXED), wall(30.0, 0.3), 0.0, 60.0))
+    found = touching(east(MIXED), wall(30.0, 0.3), 0.0, 60.0)
     assert found
     assert all(answer.status == "undecided" for answer in found)
     assert found[0].lower <= 21.25
     house = Obstacle.polygon("house", [(14.0, 0.2), (60.0, 0.2), (60.0, 1.0), (14.0, 1.0)])
-    told = ObstacleSearch(east(FIVE, 13.9), house, 0.0, 1.0).touches()
-    assert all(10.0 - 1.5 * touch.bench <= touch.lower <= touch.upper <= 15.0 for touch in told)
+    told = touching(east(FIVE, 13.9), house, 0.0, 1.0)
+    assert all(0.0 <= touch.lower <= touch.upper <= 1.0 for touch in told)
+    assert {touch.witness.benches for touch in told if touch.witness} >= {(1,)}
 
 
 def test_a_circle_about_the_centre_of_a_bend_is_kept_at_one_distance() -> None:
@@ -360,31 +375,25 @@ def test_benches_far_longer_than_a_stretch_of_route_sweep_all_that_is_beside_the
 
 
 def test_the_size_of_each_bench_is_searched_along_its_own_stretch() -> None:
-    search = ObstacleSearch(east(MIXED), wall(30.0), 0.0, 4.0)
-    spans = {k: (benches.tolist(), along.tolist()) for k, benches, along in search.stretches()}
-    assert sorted(tuple(benches) for benches, _along in spans.values()) == [(0, 2), (1, 3), (4,)]
-    by_bench = {
-        bench: span
-        for benches, along in spans.values()
-        for bench, span in zip(benches, along, strict=True)
-    }
+    with ObstacleSearch(east(MIXED), wall(30.0), 0.0, 4.0) as search:
+        ways = search.ways().tolist()
     # A bench stops where the one of its size before it stood: benches 1 and 3 start 3 m apart.
-    assert by_bench[0] == [10.0, 14.0]
-    assert by_bench[2] == [7.0, 10.0]
-    assert by_bench[3] == [5.5, 8.5]
-    assert by_bench[4] == [4.0, 8.0]
+    assert ways == [[0, 2, 7.0, 14.0, 7.0], [1, 2, 5.5, 12.5, 7.0], [4, 1, 4.0, 8.0, 4.0]]
 
 
-def test_heads_enclose_the_handle_they_are_asked_for() -> None:
+def test_heads_enclose_the_handle_they_are_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    in_python(monkeypatch)
     route = Route.joined([Line(12.0), Arc(3.0, 2.0), Clothoid(3.0, 1.0 / 3.0, 0.0), Line(20.0)])
-    search = ObstacleSearch(Walk(MIXED, route, start=14.0), wall(90.0), 0.0, 12.0)
-    for bench in range(5):
-        low, high = (search.placed.s[t, bench] for t in (0, 1))
-        for s in np.linspace(low, high, 7)[1:-1].tolist():
-            before, after = search.head_at(bench, s, s)
-            at = search.walk.placement([before, after]).s[:, bench]
-            assert at[0] <= s <= at[1]
-            assert after - before <= 1e-11
+    walk = Walk(MIXED, route, start=14.0)
+    with ObstacleSearch(walk, wall(90.0), 0.0, 12.0) as search:
+        known = group_at(Beside, recall(search._handle) + BASE)
+        for bench in range(5):
+            first, last = known.s[bench].tolist()
+            for s in np.linspace(first, last, 7)[1:-1].tolist():
+                before, after = head_between(known, bench, s, s)
+                at = walk.placement([before, after]).s[:, bench]
+                assert at[0] <= s <= at[1]
+                assert after - before <= 1e-11
 
 
 def test_of_a_bench_outside_the_venue_the_corner_that_is_farthest_out_is_told() -> None:

@@ -37,7 +37,14 @@ CODES = {dtype: code for code, dtype in DTYPES.items()}
 # (tests/solve/test_size_question.py, tests/analysis/test_peak_question.py), not call by call.
 WHOLE = tuple(
     f"benchdragon.kernels.{name}."
-    for name in ("memory", "question", "size_question", "contact_question", "peak_question")
+    for name in (
+        "memory",
+        "question",
+        "size_question",
+        "contact_question",
+        "peak_question",
+        "obstacle_question",
+    )
 )
 # Of each entry so many calls are kept, of which none takes more bytes than this.
 CALLS, BYTES = 12, 4_000_000
@@ -46,7 +53,6 @@ CALLS, BYTES = 12, 4_000_000
 # depends on the last digits, and of equals any may be seen first.
 ANSWERS = {
     "bd_walk_search_search_walk": {"note": [search.LOWER, search.NEAREST]},
-    "bd_standing_search_spans": {"note": [search.LOWER, search.NEAREST]},
     "bd_standing_look_along": {"note": [search.NEAREST]},
     "bd_low_points_low_point": {},
 }

@@ -41,6 +41,10 @@ def room_for(standing: Standing) -> steps.Search:
     return steps.room(2, count, count)
 
 
+# Of each span that was searched: how that ended, and between which positions, m.
+ENDING, LOWER, UPPER = range(3)
+
+
 def spans_searched(
     route: Route, boxes: FloatArray, goal: int, spans: list[tuple[float, float]], most: int = 1000,
     tolerance: float = 1e-13, near: float = math.inf, margin: float = 0.0,
@@ -48,12 +52,14 @@ def spans_searched(
     """How a search ended, its note, and what is told of each span."""
     standing, note = kernel.scratch_for(boxes), np.zeros(steps.NOTES)
     note[steps.NEAREST], note[steps.FLOOR], note[steps.PAIR] = near, math.inf, -1.0
-    found = np.full((len(spans), kernel.SPAN_COLUMNS), math.nan)
-    ending = kernel.search_spans(
-        bench_on(route), standing, room_for(standing), goal, np.array(spans), margin, tolerance, 1e-13,
-        most, note, found,
-    )  # fmt: skip
-    return ending, note, found
+    found, search = np.full((len(spans), 3), math.nan), room_for(standing)
+    limits = steps.Limits(margin, tolerance, 1e-13, most)
+    for n, span in enumerate(spans):
+        ending = kernel.search_span(bench_on(route), standing, search, goal, *span, limits, note)
+        found[n] = ending, note[steps.LOWER], note[steps.UPPER]
+        if ending == ASTRAY:
+            break
+    return int(np.nanmax(found[:, ENDING])), note, found
 
 
 def box_at(route: Route, s: float) -> FloatArray:
@@ -150,22 +156,22 @@ def test_a_wall_is_met_in_the_span_that_leads_to_it() -> None:
     spans = [(2.0, 3.0), (6.0, 12.0), (30.0, 31.0)]
     ending, _note, found = spans_searched(EAST, wall(10.1), FIRST_TOUCH, spans)
     assert ending == FOUND
-    assert found[:, kernel.ENDING].tolist() == [CLEAR, FOUND, CLEAR]
-    lower, upper = found[1, [kernel.SPAN_LOWER, kernel.SPAN_UPPER]].tolist()
+    assert found[:, ENDING].tolist() == [CLEAR, FOUND, CLEAR]
+    lower, upper = found[1, [LOWER, UPPER]].tolist()
     assert lower <= 9.85 <= upper <= lower + 1e-12
     near = spans_searched(EAST, wall(10.1), FIRST_TOUCH, spans, margin=0.6)[2]
-    assert near[1, kernel.SPAN_LOWER] <= 9.25 <= near[1, kernel.SPAN_UPPER]
+    assert near[1, LOWER] <= 9.25 <= near[1, UPPER]
 
 
 def test_what_is_far_off_counts_within_a_wide_margin() -> None:
     ending, _note, found = spans_searched(EAST, wall(60.0), FIRST_TOUCH, [(5.0, 12.0)], margin=50.0)
     assert ending == FOUND
-    assert found[0, kernel.SPAN_LOWER] <= 9.75 <= found[0, kernel.SPAN_UPPER]
+    assert found[0, LOWER] <= 9.75 <= found[0, UPPER]
 
 
 def test_spans_are_searched_to_their_very_ends() -> None:
     ending, _note, found = spans_searched(EAST, wall(10.25), FIRST_TOUCH, [(5.0, 10.0 + 1e-9)])
-    assert (ending, found[0, kernel.ENDING]) == (FOUND, FOUND)
+    assert (ending, found[0, ENDING]) == (FOUND, FOUND)
     ending, _note, _found = spans_searched(EAST, wall(10.25), FIRST_TOUCH, [(5.0, 10.0 - 1e-9)])
     assert ending == CLEAR
 
@@ -173,8 +179,8 @@ def test_spans_are_searched_to_their_very_ends() -> None:
 def test_a_touch_within_rounding_is_a_graze() -> None:
     kerb = Obstacle.line("kerb", [(-50.0, 0.25), (50.0, 0.25)]).boxes
     ending, _note, found = spans_searched(EAST, kerb, FIRST_TOUCH, [(5.0, 7.0)])
-    assert (ending, found[0, kernel.ENDING]) == (GRAZE, GRAZE)
-    assert found[0, kernel.SPAN_LOWER] == 5.0
+    assert (ending, found[0, ENDING]) == (GRAZE, GRAZE)
+    assert found[0, LOWER] == 5.0
     kerb = Obstacle.line("kerb", [(-50.0, 0.25 + 4e-13), (50.0, 0.25 + 4e-13)]).boxes
     assert spans_searched(EAST, kerb, FIRST_TOUCH, [(5.0, 7.0)])[0] == CLEAR
 
@@ -185,17 +191,15 @@ def test_grazes_end_the_span() -> None:
     _ending, _note, found = spans_searched(
         EAST, np.vstack([kerb, wall(14.0)]), FIRST_TOUCH, [(3.0, 20.0)]
     )
-    assert found[0, kernel.ENDING] == GRAZE
-    assert found[0, kernel.SPAN_LOWER] <= 5.75
-    assert found[0, kernel.SPAN_UPPER] < 13.0
+    assert found[0, ENDING] == GRAZE
+    assert found[0, LOWER] <= 5.75
+    assert found[0, UPPER] < 13.0
 
 
-def test_a_span_that_takes_too_long_leaves_no_other_unsearched() -> None:
-    spans = [(5.0, 12.0), (5.0, 12.0), (20.0, 21.0)]
-    ending, _note, found = spans_searched(EAST, wall(10.1), FIRST_TOUCH, spans, most=1)
+def test_a_span_that_takes_too_long_is_told_as_stuck_where_it_is() -> None:
+    ending, _note, found = spans_searched(EAST, wall(10.1), FIRST_TOUCH, [(5.0, 12.0)], most=1)
     assert ending == STUCK
-    assert found[:, kernel.ENDING].tolist() == [STUCK, STUCK, CLEAR]
-    assert found[0, kernel.SPAN_LOWER] <= 9.85 <= found[0, kernel.SPAN_UPPER]
+    assert found[0, LOWER] <= 9.85 <= found[0, UPPER]
 
 
 @pytest.mark.parametrize("goal", [FIRST_TOUCH, LEAST])
@@ -203,11 +207,11 @@ def test_a_bench_that_cannot_follow_is_astray(goal: int) -> None:
     spans = [(6.0, 12.0), (18.0, 25.0), (30.0, 31.0)]
     ending, _note, found = spans_searched(HAIRPIN, wall(60.0), goal, spans)
     assert ending == ASTRAY
-    assert found[:2, kernel.ENDING].tolist() == [CLEAR, ASTRAY]
-    assert math.isnan(found[2, kernel.ENDING])
-    assert 20.0 < found[1, kernel.SPAN_LOWER] < 22.0
+    assert found[:2, ENDING].tolist() == [CLEAR, ASTRAY]
+    assert math.isnan(found[2, ENDING])
+    assert 20.0 < found[1, LOWER] < 22.0
     # Not one of a billionth of a metre, where all is well.
-    assert found[1, kernel.SPAN_UPPER] - found[1, kernel.SPAN_LOWER] < 3e-9
+    assert found[1, UPPER] - found[1, LOWER] < 3e-9
 
 
 def test_the_least_distance_of_all_spans_together_is_bracketed() -> None:
@@ -216,7 +220,7 @@ def test_the_least_distance_of_all_spans_together_is_bracketed() -> None:
     spans = [(8.0, 10.0), (10.5, 11.5), (30.0, 31.0)]
     ending, note, found = spans_searched(EAST, boxes, LEAST, spans, tolerance=1e-6)
     assert ending == CLEAR
-    assert (found[:, kernel.ENDING] == CLEAR).all()
+    assert (found[:, ENDING] == CLEAR).all()
     assert note[steps.NEAREST] == pytest.approx(0.15, abs=1e-12)
     assert note[steps.PAIR] == 2
     assert 10.75 <= note[steps.UPPER] <= 12.75

@@ -2,9 +2,23 @@
 
 import pytest
 
-from benchdragon.kernels import contact_question, peak_question, question, size_question
+from benchdragon.kernels import (
+    contact_question,
+    obstacle_question,
+    peak_question,
+    question,
+    size_question,
+)
 
 ENTRIES = {
+    obstacle_question: [
+        "open_obstacle",
+        "seek_obstacle",
+        "step_obstacle",
+        "read_obstacle",
+        "read_found",
+        "read_ways",
+    ],
     question: ["close_question"],
     contact_question: ["open_contact", "seek_contact", "read_contact", "step_contact"],
     peak_question: ["open_peak", "read_peak", "step_peak"],

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 
 from benchdragon import budget
 from benchdragon.analysis.contact import MOST_GRAZES, contact_windows
-from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.obstacles import ObstacleAnswers, touching
 from benchdragon.errors import MissingExtraError, UnsureError, in_order, of_kind
 from benchdragon.i18n import N_, _
@@ -131,7 +130,7 @@ def prove_obstacle(
     """
     require_flint()
     obstacle = answers.obstacle
-    found = touching(ObstacleSearch(walk, obstacle, start, end))
+    found = touching(walk, obstacle, start, end)
     contact = Question(walk, None, obstacle, plan).proved((start, end), found, silent, claims)
     return replace(answers, contact=contact)
 

@@ -2,8 +2,6 @@
 
 import math
 
-import numpy as np
-
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.findings import named
 from benchdragon.analysis.obstacle_distance import nearest_points
@@ -37,27 +35,21 @@ def _search_lines(report: Report) -> list[str]:
     """Which stretches of the route were searched for which benches, and why nothing is missed."""
     contact = report.first_contact
     end = report.end if contact is None or contact.witness is None else contact.upper
-    search = ObstacleSearch(report.walk, report.obstacles[0].obstacle, report.start, end)
+    with ObstacleSearch(report.walk, report.obstacles[0].obstacle, report.start, end) as search:
+        ways = search.ways().tolist()
     text = _(
         "Where a bench stands is told by the route position s of its front handle alone. All benches "
         "of one size take the same positions one after another, so each size is searched once, along "
         "the route and not over time."
     )
     lines = [text]
-    for _kind, benches, spans in search.stretches():
-        if not len(benches):
-            continue
-        text = _(
-            "Size of bench {first} (benches: {count}): s from {low} m to {high} m; positions "
-            "searched, without those taken twice: {way} m."
-        )
-        way = float(np.sum(spans[:, 1] - spans[:, 0]))
-        lines.append(
-            text.format(
-                first=int(benches[0]) + 1, count=len(benches), low=number(float(spans[:, 0].min())),
-                high=number(float(spans[:, 1].max())), way=number(way),
-            )
-        )  # fmt: skip
+    text = _(
+        "Size of bench {first} (benches: {count}): s from {low} m to {high} m; positions "
+        "searched, without those taken twice: {way} m."
+    )
+    for first, count, low, high, way in ways:
+        said = {"low": number(low), "high": number(high), "way": number(way)}
+        lines.append(text.format(first=int(first) + 1, count=int(count), **said))
     text = _(
         "To the search an obstacle is its sides, or a circle's centre: boxes that do not move. In one "
         "step of s a point of the bench moves at most D. If it is d from a side before and d' after "

@@ -25,7 +25,7 @@ Group = TypeVar("Group", bound=tuple[Any, ...])
 
 # Of a block's header: the slot and the address that the next array is laid at, how many slots there
 # are, and from OWNED on the addresses of the memory that is released with the block.
-SLOT, ADDRESS, SLOTS, OWNED, HEADER = 0, 1, 2, 3, 8
+SLOT, ADDRESS, SLOTS, OWNED, HEADER = 0, 1, 2, 3, 10
 
 _taken: dict[int, IntArray] = {}
 _handles: dict[int, int] = {}
@@ -197,3 +197,10 @@ def copy_table(target: npt.NDArray[Any], source: npt.NDArray[Any]) -> None:
     for i in range(source.shape[0]):
         for n in range(source.shape[1]):
             target[i, n] = source[i, n]
+
+
+@kernel
+def clear(numbers: FloatArray) -> None:
+    """Let all of a row be 0."""
+    for n in range(numbers.shape[0]):
+        numbers[n] = 0.0

@@ -43,6 +43,12 @@ def foot(boxes: Table, j: int, x: float, y: float) -> tuple[float, float, int]:
     return boxes[j, CX] + a * ux - b * uy, boxes[j, CY] + a * uy + b * ux, feature
 
 
+@kernel
+def corner_feature(which: int) -> int:
+    """The feature that a corner of box.ALONG is."""
+    return CORNERS + 2 * (1 if which in (1, 2) else 0) + which // 2
+
+
 @entry
 def nearness(boxes: Table, i: int, j: int, row: Vector) -> None:
     """Fill a row with how near boxes i and j are."""

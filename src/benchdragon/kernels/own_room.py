@@ -165,24 +165,30 @@ def lay_block(slots: IntArray, slot: int, address: int, benches: int, places: in
 
 
 @kernel
+def lay_search(slots: IntArray, handles: int, members: int, pairs: int) -> None:
+    """Lay what steps are searched in: see `search.room`."""
+    lay_row(slots, DEPTH)
+    lay_placements(slots, handles, DEPTH)
+    lay_table(slots, handles, HANDLE_COLUMNS)
+    lay_table(slots, members, BENCH_COLUMNS)
+    lay_table(slots, DEPTH * members, BOX_COLUMNS)
+    lay_row(slots, DEPTH * members)
+    lay_row(slots, handles)
+    lay_row(slots, handles)
+    lay_table(slots, DEPTH, pairs)
+    lay_row(slots, DEPTH)
+
+
+@kernel
 def lay_step(slots: IntArray, slot: int, address: int, sizes: IntVector, benches: int) -> int:
-    """Lay the pairs of a step and what it is searched in; the bytes that takes: see `search.room`."""
+    """Lay the pairs of a step and what it is searched in; the bytes that takes."""
     pairs, members = sizes[OF_PAIRS], sizes[OF_MEMBERS]
     lay_from(slots, slot + MEETING, address)
     for _row in range(4):
         lay_row(slots, pairs)
     lay_row(slots, benches)
     lay_row(slots, benches)
-    lay_row(slots, DEPTH)
-    lay_placements(slots, benches + 1, DEPTH)
-    lay_table(slots, benches + 1, HANDLE_COLUMNS)
-    lay_table(slots, members, BENCH_COLUMNS)
-    lay_table(slots, DEPTH * members, BOX_COLUMNS)
-    lay_row(slots, DEPTH * members)
-    lay_row(slots, benches + 1)
-    lay_row(slots, benches + 1)
-    lay_table(slots, DEPTH, pairs)
-    lay_row(slots, DEPTH)
+    lay_search(slots, benches + 1, members, pairs)
     return slots[ADDRESS] - address
 
 

@@ -292,8 +292,8 @@ def bench_error(
     return reach(off, rear, sizes, i) + 4.0 * HALF_UNIT * around
 
 
-@entry
-def still_error(boxes: Table, n: int) -> float:
+@kernel
+def still_error(boxes: FloatArray, n: int) -> float:
     """How far any point of box n, which stands still, may be off, m: by rounding of its corners."""
     around = boxes[n, HALF_LENGTH] + boxes[n, HALF_WIDTH] + abs(boxes[n, CX]) + abs(boxes[n, CY])
     return 4.0 * HALF_UNIT * around

@@ -6,13 +6,14 @@ from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.course import TALLY, Room, Walk
-from benchdragon.kernels.curve import COLUMNS, FloatArray
+from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.family import Family
 from benchdragon.kernels.memory import (
     ADDRESS,
     HEADER,
     OWNED,
+    clear,
     copy_row,
     copy_table,
     drop,
@@ -200,10 +201,3 @@ def fill(sought: Sought, family: Family, walk: Walk, limits: Vector, beginnings:
     clear(sought.note)
     for n in range(TALLY):
         sought.room.course.tally[n] = 0
-
-
-@kernel
-def clear(numbers: FloatArray) -> None:
-    """Let all of a row be 0."""
-    for n in range(numbers.shape[0]):
-        numbers[n] = 0.0

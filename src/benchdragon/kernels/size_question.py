@@ -19,6 +19,7 @@ from benchdragon.kernels.low_points import MOST_SAMPLED, SHRINKS, low_pair, low_
 from benchdragon.kernels.memory import (
     HEADER,
     OWNED,
+    clear,
     copy_row,
     copy_table,
     group_at,
@@ -98,7 +99,6 @@ from benchdragon.kernels.size_memory import (
     WALK_SLOT,
     WIDTH,
     Sought,
-    clear,
     fill,
     lay_all,
     make_route,

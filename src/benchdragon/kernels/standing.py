@@ -30,8 +30,6 @@ from benchdragon.kernels.regions import EDGE, walks_on
 from benchdragon.kernels.search import (
     CLEAR,
     EVALUATIONS,
-    FALLEN,
-    FOUND,
     GRAZE,
     LEAST,
     LOWER,
@@ -52,11 +50,6 @@ from benchdragon.kernels.walk_search import ASTRAY, WIDTH_ROUNDINGS
 # Stretches of route, m, of which what is far off is passed over at once: longer ones are passed over
 # less often, shorter ones are more.
 STRETCH = 4.0
-# Columns of what is told of each span of route positions.
-ENDING = 0
-SPAN_LOWER = 1  # LOWER and UPPER of the search's note
-SPAN_UPPER = 2
-SPAN_COLUMNS = 3
 
 
 class Bench(NamedTuple):
@@ -173,36 +166,6 @@ def search_span(
             return ending
         worst = max(worst, ending)
         at, step = ahead, min(2.0 * step, STRETCH)
-    return worst
-
-
-@entry
-def search_spans(
-    bench: Bench,
-    standing: Standing,
-    search: Search,
-    goal: int,
-    spans: Table,
-    margin: float,
-    slack: float,
-    width: float,
-    most: int,
-    note: Vector,
-    found: Table,
-) -> int:
-    """Search each of `spans` of route positions of the front handle, m, (spans, 2), for `goal`.
-
-    Fills found, (spans, SPAN_COLUMNS), and gives how it ended: FIRST_TOUCH is sought in each span by
-    itself, LEAST in all of them together, in `note`, up to one that ends FOUND; either up to one in
-    which the bench goes ASTRAY or is FALLEN. Spans beyond are not filled in.
-    """
-    limits, worst = Limits(margin, slack, width, most), CLEAR
-    for t in range(spans.shape[0]):
-        ending = search_span(bench, standing, search, goal, spans[t, 0], spans[t, 1], limits, note)
-        found[t, ENDING], found[t, SPAN_LOWER], found[t, SPAN_UPPER] = ending, note[LOWER], note[UPPER]
-        worst = max(worst, ending)
-        if ending in (ASTRAY, FALLEN) or (goal == LEAST and ending == FOUND):
-            return ending
     return worst
 
 

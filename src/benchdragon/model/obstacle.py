@@ -15,12 +15,21 @@ import numpy.typing as npt
 
 from benchdragon.errors import InputError, brief, finite, not_negative
 from benchdragon.i18n import _
-from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, UX, UY
+from benchdragon.kernels import obstacle as kernel
+from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import Point, checked_size
 
 Kind = Literal["circle", "rectangle", "polygon", "line", "venue"]
+# What kinds are to the kernels.
+SORTS = {
+    "circle": kernel.CIRCLE,
+    "rectangle": kernel.BODY,
+    "polygon": kernel.BODY,
+    "line": kernel.LINE,
+    "venue": kernel.VENUE,
+}
 # Corners of one outline: each is looked at for each stretch of the route.
 MOST_CORNERS = 5_000
 # Sides shorter than this, m, are slips of the pen.
@@ -115,51 +124,31 @@ class Obstacle:
         """
         return cls(name, "venue", closed_outline(name, points), 0.0, margin)
 
+    @property
+    def sort(self) -> int:
+        """What its kind is to the kernels."""
+        return SORTS[self.kind]
+
     @cached_property
     def boxes(self) -> FloatArray:
         """Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py."""
-        corners = self.outline
-        if self.kind == "circle":
-            out = np.zeros((1, BOX_COLUMNS))
-            out[0, [CX, CY, UX]] = *corners[0], 1.0
-        else:
-            starts = corners[:-1] if self.kind == "line" else corners
-            ends = corners[1:] if self.kind == "line" else np.roll(corners, -1, axis=0)
-            sides = ends - starts
-            lengths = np.hypot(*sides.T)
-            out = np.zeros((len(starts), BOX_COLUMNS))
-            out[:, [CX, CY]] = 0.5 * (starts + ends)
-            out[:, [UX, UY]] = sides / lengths[:, np.newaxis]
-            out[:, HALF_LENGTH] = 0.5 * lengths
+        out = np.empty((kernel.sides(self.sort, len(self.outline)), BOX_COLUMNS))
+        kernel.fill_boxes(self.sort, self.outline, out)
         out.flags.writeable = False
         return out
 
     def forbids(self, points: FloatArray) -> npt.NDArray[np.bool_]:
         """Which of points, m, (P, 2), lie where none may: inside it, or outside the venue; (P,)."""
-        if self.kind == "line":
-            return np.zeros(len(points), dtype=np.bool_)
-        if self.kind == "circle":
-            return np.asarray(np.hypot(*(points - self.outline[0]).T) <= self.radius)
-        inside = _inside(self.outline, points)
-        return ~inside if self.kind == "venue" else inside
+        out = np.empty(len(points), dtype=np.int64)
+        points = np.ascontiguousarray(points)
+        kernel.forbidden(self.sort, self.outline, self.radius, points, out)
+        return out.astype(np.bool_)
 
     def moved(self, turned: float, by: Point) -> "Obstacle":
         """The same turned about the origin by an angle, rad, and then moved, m."""
         c, s = math.cos(turned), math.sin(turned)
         outline = self.outline @ np.array([[c, s], [-s, c]]) + np.asarray(by)
         return Obstacle(self.name, self.kind, outline, self.radius, self.margin)
-
-
-def _inside(outline: FloatArray, points: FloatArray) -> npt.NDArray[np.bool_]:
-    """Whether points lie inside a polygon: a ray to the right then crosses an odd number of sides."""
-    (x, y), odd = points.T, np.zeros(len(points), dtype=np.bool_)
-    for (ax, ay), (bx, by) in zip(outline, np.roll(outline, -1, axis=0), strict=True):
-        spans = (ay > y) != (by > y)
-        if spans.any():
-            odd[spans] ^= (x[spans] - ax) * abs(by - ay) < (bx - ax) * (y[spans] - ay) * np.sign(
-                by - ay
-            )
-    return odd
 
 
 def rectangle_outline(name: str, centre: Point, size: tuple[float, float], angle: float) -> FloatArray:

@@ -12,7 +12,6 @@ from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH
 from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.nearby import origin_of
 from benchdragon.analysis.obstacle_search import ObstacleSearch
-from benchdragon.analysis.obstacles import touching
 from benchdragon.analysis.tables import beginnings
 from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.i18n import _
@@ -153,8 +152,8 @@ class SizeQuestion(EngineQuestion):
         try:
             walk, start, end = self._plans.walk(size)
             for obstacle in self._obstacles:
-                beside = ObstacleSearch(walk, obstacle, start, end)
-                found = touching(beside)
+                with ObstacleSearch(walk, obstacle, start, end) as beside:
+                    found = beside.touches()
                 self._marched += beside.evaluations
                 if found:
                     self.blocked = size, found[-1]

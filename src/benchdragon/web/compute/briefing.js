@@ -3,7 +3,7 @@
 
 import { Ground } from "../made/ground.js";
 import { _, both } from "../words.js";
-import { withArenaAsync } from "./arena.js";
+import { copied, rowOf, withArenaAsync } from "./arena.js";
 import { benchWalks } from "./bench_walks.js";
 import { check } from "./check.js";
 import { cueName } from "./cues.js";
@@ -11,7 +11,6 @@ import { BOX } from "./constants.js";
 import { InputError } from "./errors.js";
 import { named, shownName } from "./findings.js";
 import { Marks } from "./marks.js";
-import { nearestBoxes } from "./obstacle_distance.js";
 import { evenly } from "./lists.js";
 import { part } from "./stages.js";
 import { sentence } from "./verdict_text.js";
@@ -147,14 +146,13 @@ function landmarksOf(arena, obstacles, benches, ground) {
   const boxes = benches.map(({ box }) => box);
   const table = arena.table(boxes, BOX.BOX_COLUMNS);
   for (const obstacle of obstacles) {
-    const sides = obstacle.boxRows();
-    const found = nearestBoxes(arena, table, obstacle.boxes(arena));
+    const found = obstacle.nearest(arena, table);
     const name = both(() => named(obstacle));
     best.forEach((one, k) => {
       const apart = Math.max(found.apart[k] - obstacle.radius, 0);
       if (!(apart < one.apart)) return;
       const venue = obstacle.kind === "venue";
-      const edge = venue ? edgeOf(boxes[k], sides[found.which[k]], ground) : null;
+      const edge = venue ? edgeOf(boxes[k], copied(rowOf(found.boxes, found.which[k])), ground) : null;
       best[k] = { apart, name, edge };
     });
   }

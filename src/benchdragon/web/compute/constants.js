@@ -21,6 +21,75 @@ export const BENCH_CELLS = {
   RUN: 1,
 };
 
+export const BESIDE = {
+  SORT: 0,
+  RADIUS: 1,
+  MARGIN: 2,
+  HEAD_FIRST: 3,
+  HEAD_LAST: 4,
+  LEAST_OFF: 5,
+  WIDTH: 6,
+  MOST: 7,
+  MOST_LEAST: 8,
+  ASKED: 9,
+  MADE: 2,
+  ABOUT: 3,
+  SOUND: 4,
+  CLOSED_IN: 5,
+  COUNT: 6,
+  GOAL: 7,
+  NARROW: 8,
+  BEGINS: 9,
+  SOUGHT_OFF: 10,
+  APART: 11,
+  APART_BENCH: 12,
+  APART_OFF: 13,
+  NEAR: 14,
+  NEAR_BENCH: 15,
+  NEAR_AT: 16,
+  SIZE: 17,
+  REPEATS: 18,
+  BENCH: 19,
+  AHEAD: 20,
+  SPANS: 21,
+  SPAN: 22,
+  FROM: 23,
+  TO: 24,
+  GRAZES: 25,
+  TOLD_ROWS: 26,
+  SOONEST: 27,
+  FIGURES: 28,
+  VALUE: 0,
+  LOW_END: 1,
+  HIGH_END: 2,
+  WHO: 3,
+  HEAD: 4,
+  SURE: 5,
+  AT_X: 6,
+  AT_Y: 7,
+  GAP: 8,
+  FEATURE: 9,
+  FOUND_COLUMNS: 10,
+  WAY_BENCH: 0,
+  WAY_COUNT: 1,
+  WAY_LOW: 2,
+  WAY_HIGH: 3,
+  WAY_LENGTH: 4,
+  WAYS: 5,
+  BESIDE_MEMORY: 4,
+  FOUND_MEMORY: 5,
+  FIRST_ROWS: 64,
+  AFTER_FOUND: 3,
+};
+
+export const BESIDE_SEARCH = {
+  ALL_TOLD: 0,
+  TOO_OFTEN: 30,
+  TOO_FAR_OFF: 31,
+  BESIDE: 16,
+  MOST_GRAZES: 1000,
+};
+
 export const BOX = {
   CX: 0,
   CY: 1,
@@ -125,12 +194,12 @@ export const CONTACT_MEMORY = {
   FIGURES: 26,
   OWN_MEMORY: 3,
   FEWEST: 4,
-  WALK_SLOT: 8,
-  ROOM_SLOT: 30,
-  SIZES_SLOT: 194,
-  KINDS_SLOT: 22,
-  END_SLOT: 246,
-  BASE: 64,
+  WALK_SLOT: 10,
+  ROOM_SLOT: 32,
+  SIZES_SLOT: 196,
+  KINDS_SLOT: 24,
+  END_SLOT: 248,
+  BASE: 80,
 };
 
 export const COURSE = {
@@ -289,6 +358,13 @@ export const NEARNESS = {
   CORNERS: 4,
 };
 
+export const OBSTACLE = {
+  CIRCLE: 0,
+  BODY: 1,
+  LINE: 2,
+  VENUE: 3,
+};
+
 export const OWN_ROOM = {
   A_CELL: 0,
   AT_FIRST: 1,
@@ -413,10 +489,10 @@ export const PEAK_MEMORY = {
   HEAP_MEMORY: 0,
   CELL_MEMORY: 1,
   OWN_MEMORY: 2,
-  HEAP_SLOT: 200,
-  CELLS_SLOT: 206,
-  END_SLOT: 218,
-  BASE: 64,
+  HEAP_SLOT: 202,
+  CELLS_SLOT: 208,
+  END_SLOT: 220,
+  BASE: 80,
   ROWS: -1,
   BENCHES: -2,
   HANDLES: -3,
@@ -603,12 +679,12 @@ export const SIZE_MEMORY = {
   FEWEST: 4,
   ROWS_MEMORY: 0,
   OWN_MEMORY: 3,
-  WALK_SLOT: 8,
-  SEAMS_SLOT: 27,
-  ROOM_SLOT: 30,
-  FAMILY_SLOT: 194,
-  END_SLOT: 286,
-  BASE: 64,
+  WALK_SLOT: 10,
+  SEAMS_SLOT: 29,
+  ROOM_SLOT: 32,
+  FAMILY_SLOT: 196,
+  END_SLOT: 288,
+  BASE: 80,
 };
 
 export const SIZE_QUESTION = {
@@ -673,10 +749,6 @@ export const SPIRAL = {
 
 export const STANDING = {
   STRETCH: 4,
-  ENDING: 0,
-  SPAN_LOWER: 1,
-  SPAN_UPPER: 2,
-  SPAN_COLUMNS: 3,
 };
 
 export const Status = {
@@ -846,13 +918,8 @@ export const ANALYSIS_NOT_LOOKED_AT = {
 };
 
 export const ANALYSIS_OBSTACLE_SEARCH = {
-  SPANS: 2000,
-  BENCH: 16,
   SAMPLES: 65,
-  MOST_GRAZES: 1000,
   NARROW: 1e-6,
-  COUNTED: 24,
-  MOST_STEPS: 100,
 };
 
 export const ANALYSIS_ROOM = {

@@ -24,7 +24,16 @@ import { emptyGrid } from "./tables.js";
 
 export const CORNERS = ["front left", "rear left", "rear right", "front right"];
 // What of a bench may meet: see kernels/nearness.py.
-const FEATURES = ["front", "rear", "left", "right", CORNERS[0], CORNERS[3], CORNERS[1], CORNERS[2]];
+export const FEATURES = [
+  "front",
+  "rear",
+  "left",
+  "right",
+  CORNERS[0],
+  CORNERS[3],
+  CORNERS[1],
+  CORNERS[2],
+];
 
 /**
  * The rectangles of all benches of placement number `index`, (N, BOX_COLUMNS) of kernels/box.py.

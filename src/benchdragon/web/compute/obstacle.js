@@ -1,10 +1,12 @@
 // What stands on the square: twin of model/obstacle.py and plans/square.py.
 
 import { _ } from "../words.js";
+import { doubles, wholes } from "./arena.js";
 import { checkedSize, radians } from "./curves.js";
-import { BOX, CURVE, MODEL_OBSTACLE } from "./constants.js";
+import { BOX, CURVE, MODEL_OBSTACLE, OBSTACLE } from "./constants.js";
 import { Fault, Faults, InputError, KeyedError, finite, notNegative } from "./errors.js";
 
+/** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {[number, number]} Point */
 /** @typedef {"circle" | "rectangle" | "polygon" | "line" | "venue"} ObstacleKind */
@@ -26,34 +28,48 @@ export class Obstacle {
     this.margin = notNegative("margin", margin, "m");
   }
 
+  /** What its kind is to the kernels. */
+  get sort() {
+    const { CIRCLE, BODY, LINE, VENUE } = OBSTACLE;
+    return { circle: CIRCLE, rectangle: BODY, polygon: BODY, line: LINE, venue: VENUE }[this.kind];
+  }
+
+  /** Its corners, counted from an origin, m, (P, 2). @param {Arena} arena @param {Point} [origin] */
+  corners(arena, [fromX, fromY] = [0, 0]) {
+    return arena.table(
+      this.outline.map(([x, y]) => [x - fromX, y - fromY]),
+      2,
+    );
+  }
+
   /** Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py. @param {Arena} arena */
   boxes(arena) {
-    return arena.table(this.boxRows(), BOX.BOX_COLUMNS);
-  }
-
-  /** The rows of `boxes`. */
-  boxRows() {
-    if (this.kind === "circle") {
-      const [[x, y]] = this.outline;
-      return [boxRow(x, y, 1, 0, 0)];
-    }
     const count = this.outline.length - (this.kind === "line" ? 1 : 0);
-    return this.outline.slice(0, count).map(([x, y], i) => {
-      const [toX, toY] = this.outline[(i + 1) % this.outline.length];
-      const [dx, dy] = [toX - x, toY - y];
-      const length = Math.hypot(dx, dy);
-      return boxRow(0.5 * (x + toX), 0.5 * (y + toY), dx / length, dy / length, 0.5 * length);
-    });
+    const made = arena.array("d", count, BOX.BOX_COLUMNS);
+    arena.engine.call("bd_obstacle_fill_boxes", this.sort, this.corners(arena), made);
+    return made;
   }
 
-  /** Whether a point, m, lies where none may: inside it, or outside the venue. @param {Point} point */
-  forbids([x, y]) {
-    if (this.kind === "line") return false;
-    if (this.kind === "circle") {
-      const [[cx, cy]] = this.outline;
-      return Math.hypot(x - cx, y - cy) <= this.radius;
-    }
-    return isInside(this.outline, [x, y]) !== (this.kind === "venue");
+  /** Which of points, m, the first two columns, lie where none may: inside it, or outside the venue. @param {Arena} arena @param {Numbers} points */
+  forbids(arena, points) {
+    const out = arena.array("q", points.shape[0]);
+    const corners = this.corners(arena);
+    arena.engine.call("bd_obstacle_forbidden", this.sort, corners, this.radius, points, out);
+    return wholes(out).map((flag) => flag === 1);
+  }
+
+  /**
+   * How far each box of benches is from the nearest of its own, m; which box. A radius lies within, and
+   * whether a bench stands where none may is not asked.
+   * @param {Arena} arena
+   * @param {Numbers} table boxes of benches, (N, BOX_COLUMNS) of kernels/box.py
+   */
+  nearest(arena, table) {
+    const [count] = table.shape;
+    const [out, which] = [arena.array("d", count), arena.array("q", count)];
+    const [boxes, near] = [this.boxes(arena), arena.array("d", 2, BOX.BOX_COLUMNS)];
+    arena.engine.call("bd_standing_distances_to", table, boxes, near, out, which);
+    return { apart: doubles(out).slice(), which: wholes(which), boxes };
   }
 
   /** The same turned about the origin by an angle, rad, and then moved, m. @param {number} turned @param {Point} by */
@@ -64,28 +80,6 @@ export class Obstacle {
     );
     return new Obstacle(this.name, this.kind, outline, this.radius, this.margin);
   }
-}
-
-/** @param {number} x @param {number} y @param {number} ux @param {number} uy @param {number} half */
-function boxRow(x, y, ux, uy, half) {
-  const row = new Float64Array(BOX.BOX_COLUMNS);
-  row[BOX.CX] = x;
-  row[BOX.CY] = y;
-  row[BOX.UX] = ux;
-  row[BOX.UY] = uy;
-  row[BOX.HALF_LENGTH] = half;
-  return row;
-}
-
-/** Whether a point lies inside a polygon: a ray to the right then crosses an odd number of sides. @param {Point[]} outline @param {Point} point */
-function isInside(outline, [x, y]) {
-  let odd = false;
-  outline.forEach(([ax, ay], i) => {
-    const [bx, by] = outline[(i + 1) % outline.length];
-    if (ay > y === by > y) return;
-    if ((x - ax) * Math.abs(by - ay) < (bx - ax) * (y - ay) * Math.sign(by - ay)) odd = !odd;
-  });
-  return odd;
 }
 
 /**

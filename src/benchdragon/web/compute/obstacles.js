@@ -1,17 +1,38 @@
-// Benches and the square: when one first touches an obstacle, and the least distance kept to each. Twin of
-// analysis/obstacles.py.
+// Benches and the square: when one first touches an obstacle, and the least distance kept to each. The
+// engine's question of kernels/obstacle_question.py, asked by the page. Twin of analysis/obstacles.py and
+// analysis/obstacle_search.py.
 
-import { answered } from "./answer.js";
-import { doubles, withArena, withArenaAsync } from "./arena.js";
-import { SEARCH } from "./constants.js";
-import { TOLERANCES, refined, upperEnd } from "./contact.js";
+import { _ } from "../words.js";
+import { answered, now } from "./answer.js";
+import { doubles, withArena } from "./arena.js";
+import {
+  ANALYSIS_CONTACT_SEARCH,
+  ANALYSIS_OBSTACLE_SEARCH,
+  BESIDE,
+  BESIDE_SEARCH,
+  QUESTION,
+  SEARCH,
+  WALK_SEARCH,
+} from "./constants.js";
+import { TOLERANCES, refined } from "./contact.js";
+import { assumedWithin, inOrder } from "./contact_search.js";
+import { FEATURES } from "./distance.js";
+import { EngineQuestion } from "./engine_question.js";
+import { UnsureError } from "./errors.js";
+import { HeadTimes } from "./head_times.js";
+import { evenly } from "./lists.js";
+import { checkedOff, originOf, seenFrom } from "./nearby.js";
+import { general } from "./number_format.js";
 import { Obstacle } from "./obstacle.js";
-import { ObstacleSearch } from "./obstacle_search.js";
+import { returns } from "./rounds.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {import("./answer.js").Witness} Witness */
+/** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
+/** Of what was found, by columns of kernels/beside.py. @typedef {ArrayLike<number>} Found */
 
 /**
  * What was found about an obstacle, or the venue's edge, over a span of a walk.
@@ -24,65 +45,157 @@ import { silent } from "./tick.js";
  *   speaks of the margin
  */
 
-/** The head positions between which a bench (row, from 0) comes to touch, m. @typedef {{ lower: number, upper: number, bench: number }} Come */
+const { SAMPLES, NARROW } = ANALYSIS_OBSTACLE_SEARCH;
+const { MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SLACK, WIDTH } = ANALYSIS_CONTACT_SEARCH;
 
-/**
- * The least distance seen from the obstacle's boxes, m: by a bench of size k with its handle at s; or,
- * where k is -1, by bench number s as the dragon stands at the start.
- * @typedef {{ distance: number, k: number, s: number }} Nearest
- */
-
-/**
- * When a bench first comes nearer to the obstacle than it may: empty if none does.
- *
- * The last is sure; those before it are grazes that rounding leaves open, "undecided". All is clear up to
- * the lower end of the first.
- * @param {ObstacleSearch} search
- * @returns {Promise<Answer[]>}
- */
-export async function touching(search) {
-  const { apart, bench } = search.atStart;
-  const [head, last] = search.heads;
-  const off = search.offAtStart;
-  if (apart <= search.reach - off) {
-    search.noteOff(off);
-    return [search.answer(head, head, "found", bench)];
-  }
-  if (apart <= search.reach + off && head === last)
-    return [search.answer(head, head, "undecided", bench)];
-  const { grazes, sure } = await comes(search);
-  const clear = sure.reduce((least, { lower }) => Math.min(least, lower), Infinity);
-  const before = grazes.filter(({ lower }) => lower < clear);
-  before.sort((a, b) => a.lower - b.lower || a.upper - b.upper || a.bench - b.bench);
-  const answers = before.map((one) => search.answer(one.lower, one.upper, "undecided", one.bench));
-  if (sure.length) {
-    const soonest = sure.reduce((first, one) => (one.upper < first.upper ? one : first));
-    answers.push(search.answer(clear, soonest.upper, "found", soonest.bench));
-  }
-  return answers;
+/** The parts of a walk's route that lead back to where it was, as the engine takes them. @param {Arena} arena @param {Walk} walk */
+export function repeatsOf(arena, { dragon, route }) {
+  const view = doubles(dragon.sizes);
+  const reaches = dragon.link.map((_link, i) => Math.hypot(view[i], view[dragon.benches + i]));
+  const known = returns(arena.engine, route.rows, Math.max(...reaches));
+  const rows = known.map(({ low, high, period, missed }) => [low, high, period, missed]);
+  return arena.table(rows, 4);
 }
 
-/** Where the head is when benches graze and surely touch. @param {ObstacleSearch} search */
-async function comes(search) {
-  /** @type {Come[]} */
-  const grazes = [];
-  /** @type {Come[]} */
-  const sure = [];
-  for (const touch of await search.touches()) {
-    const soonest = sure.reduce((least, { upper }) => Math.min(least, upper), Infinity);
-    if (soonest < Infinity && touch.lower > frontOf(search, soonest, touch.bench) + search.off)
-      continue;
-    const [lower, upper] = search.headAt(touch.bench, touch.lower, touch.upper);
-    (touch.sure ? sure : grazes).push({ lower, upper, bench: touch.bench });
+/** A search of a walk from one time to another, s, for what comes near one obstacle. */
+export class ObstacleSearch extends EngineQuestion {
+  /**
+   * @param {Walk} walk
+   * @param {Obstacle} obstacle
+   * @param {number} start @param {number} end s; the dragon must be able to stand at both
+   * @param {Progress} progress is told that it goes on
+   */
+  constructor(walk, obstacle, start, end, progress) {
+    inOrder(start, end);
+    const began = now();
+    /** Head positions, m. @type {[number, number]} */
+    const heads = [walk.headPosition(start), walk.headPosition(end)];
+    const origin = withArena(walk.engine, (arena) => originOf(walk.placement(arena, heads)));
+    super(
+      walk.engine,
+      "bd_obstacle_question_*_obstacle",
+      (arena, open) => {
+        const near = seenFrom(arena, walk, origin);
+        const told = {
+          [BESIDE.SORT]: obstacle.sort,
+          [BESIDE.RADIUS]: obstacle.radius,
+          [BESIDE.MARGIN]: obstacle.margin,
+          [BESIDE.HEAD_FIRST]: heads[0],
+          [BESIDE.HEAD_LAST]: heads[1],
+          [BESIDE.LEAST_OFF]: SLACK,
+          [BESIDE.WIDTH]: WIDTH,
+          [BESIDE.MOST]: MOST_EVALUATIONS,
+          [BESIDE.MOST_LEAST]: MOST_LEAST_EVALUATIONS,
+        };
+        const { links, sizes } = walk.dragon;
+        const outline = obstacle.corners(arena, origin);
+        const asked = arena.vector(Object.values(told)); // in the order of their columns
+        return open(near.route.rows, links, sizes, outline, repeatsOf(arena, near), asked);
+      },
+      [[BESIDE.FIGURES]],
+    );
+    this.walk = walk;
+    this.obstacle = obstacle;
+    this.heads = heads;
+    this.origin = origin;
+    this.times = new HeadTimes(walk, heads[0], start, end);
+    this.progress = progress;
+    this.began = began;
+    this.evaluations = 0;
   }
-  return { grazes, sure };
-}
 
-/** Route position, m, of a bench's front handle with the head at one. @param {ObstacleSearch} search @param {number} head @param {number} bench */
-function frontOf({ walk }, head, bench) {
-  return withArena(walk.engine, (arena) => {
-    return doubles(walk.placement(arena, [head], { throws: false }).s)[bench];
-  });
+  /** When a bench first surely comes nearer than it may, or a graze if none does; null if neither. */
+  async touch() {
+    const row = await this.#found(SEARCH.FIRST_TOUCH, 0);
+    if (row === null) return null;
+    const sure = row[BESIDE.SURE] ? "found" : "undecided";
+    const [value, early, late, status] = this.times.told(
+      row[BESIDE.LOW_END],
+      row[BESIDE.HIGH_END],
+      sure,
+    );
+    const grazed = status === "found" && late - early > NARROW; // then it surely touches at the end
+    return answered(grazed ? late : value, early, late, "s", { status, ...this.#told(row) });
+  }
+
+  /** The least distance, m, in a bracket as wide as the first of `tolerances`, m, that can be. @param {number[]} tolerances */
+  async leastDistance(tolerances) {
+    for (const [n, tolerance] of tolerances.entries()) {
+      const row = await refined(n, () => this.#found(SEARCH.LEAST, tolerance));
+      if (row && this.numbers(0)[BESIDE.CLOSED_IN]) return this.#distance(row);
+    }
+    return this.#distance(/** @type {Found} */ (await this.#found(SEARCH.LEAST, Infinity)));
+  }
+
+  /** The last row of what is sought: see kernels/beside.py. @param {number} goal @param {number} narrow m @returns {Promise<Found | null>} */
+  async #found(goal, narrow) {
+    this.call("seek", this.handle, goal, narrow);
+    let ending = await this.step();
+    for (; ending === QUESTION.MORE; ending = await this.step()) this.progress(0, "");
+    if (ending === WALK_SEARCH.ASTRAY) throw this.#stopped();
+    if (ending === BESIDE_SEARCH.TOO_OFTEN) {
+      const values = { name: this.obstacle.name };
+      throw new UnsureError(
+        _("benches come within rounding of {name} too often to be followed on", values),
+      );
+    }
+    const figures = this.numbers(0);
+    this.evaluations = figures[BESIDE.MADE];
+    if (ending === BESIDE_SEARCH.TOO_FAR_OFF) checkedOff(figures[BESIDE.ABOUT]);
+    const count = figures[BESIDE.COUNT];
+    if (!count) return null;
+    return withArena(this.engine, (arena) => {
+      const row = arena.array("d", 1, BESIDE.FOUND_COLUMNS);
+      this.engine.call("bd_obstacle_question_read_found", this.handle, count - 1, row);
+      return doubles(row).slice();
+    });
+  }
+
+  /** Why a bench could not be followed past the end of what its search had shown. */
+  #stopped() {
+    const error = this.walk.firstFailure(evenly(...this.heads, SAMPLES));
+    const values = { s: general(this.numbers(0)[BESIDE.SOUND]) };
+    return (
+      error ??
+      new UnsureError(
+        _("past s = {s} m it could not be shown that every bench follows without a leap", values),
+      )
+    );
+  }
+
+  /** @param {Found} row */
+  #distance(row) {
+    const ends = [BESIDE.VALUE, BESIDE.LOW_END, BESIDE.HIGH_END].map((column) => row[column]);
+    return answered(ends[0], ends[1], ends[2], "m", this.#told(row));
+  }
+
+  /** What an answer rests on, what it took, and how a bench then stands to the obstacle. @param {Found} row */
+  #told(row) {
+    const assumptions = assumedWithin(this.numbers(0)[BESIDE.ABOUT]);
+    const [witness, seconds] = [this.#witness(row), now() - this.began];
+    return { witness, assumptions, evaluations: this.evaluations, seconds };
+  }
+
+  /**
+   * How a bench stands to the obstacle. Where it stands wholly inside of one the gap is minus the distance;
+   * of a bench outside of the venue the point is the corner that is farthest out, the gap minus how far.
+   * @param {Found} row
+   * @returns {Witness}
+   */
+  #witness(row) {
+    const [s, gap, bench] = [row[BESIDE.HEAD], row[BESIDE.GAP], row[BESIDE.WHO] + 1];
+    if (Number.isNaN(gap)) throw this.#stopped();
+    return {
+      time: this.times.at(s),
+      s,
+      benches: [bench],
+      point: [row[BESIDE.AT_X] + this.origin[0], row[BESIDE.AT_Y] + this.origin[1]],
+      gap,
+      features: [[bench, FEATURES[row[BESIDE.FEATURE]]]],
+      handle: null,
+      obstacle: this.obstacle.name,
+    };
+  }
 }
 
 /**
@@ -95,69 +208,20 @@ function frontOf({ walk }, head, bench) {
  * @param {{ tolerances: number[], progress: Progress }} options
  */
 export function leastDistance(walk, obstacle, start, end, { tolerances, progress }) {
-  return searched(walk, obstacle, start, end, progress, async (search) => {
-    const { apart, bench } = search.atStart;
-    /** @type {Nearest} */
-    let best = { distance: apart, k: -1, s: bench };
-    const stretches = apart <= obstacle.radius ? [] : search.stretches;
-    for (const { k, spans } of stretches) {
-      const note = search.note({ [SEARCH.NEAREST]: best.distance });
-      search.look(k, spans, note);
-      best = nearer(best, k, doubles(note));
-    }
-    let floor = best.distance;
-    for (const [n, tolerance] of tolerances.entries()) {
-      const found = await refined(n, () => lowered(search, stretches, best, tolerance));
-      if (found !== null) [best, floor] = [found.best, found.floor];
-      if (found?.closed || (found && best.distance <= obstacle.radius))
-        return distanceAnswer(search, best, floor);
-    }
-    const last = await lowered(search, stretches, best, Infinity);
-    return distanceAnswer(search, last.best, last.floor);
-  });
-}
-
-/** @param {Nearest} best @param {number} k @param {Float64Array} note @returns {Nearest} */
-function nearer(best, k, note) {
-  const distance = note[SEARCH.NEAREST];
-  return distance < best.distance ? { distance, k, s: note[SEARCH.UPPER] } : best;
+  const search = new ObstacleSearch(walk, obstacle, start, end, progress);
+  return search.leastDistance(tolerances).finally(() => search.free());
 }
 
 /**
- * `best`, or what is lower; what nothing is nearer than, m; and whether that was established.
- * @param {ObstacleSearch} search
- * @param {import("./obstacle_search.js").Stretch[]} stretches
- * @param {Nearest} best
- * @param {number} tolerance
+ * When a bench first comes nearer to an obstacle than it may, from start to end, s; null if none does.
+ * @param {Walk} walk
+ * @param {Obstacle} obstacle
+ * @param {number} start @param {number} end
+ * @param {Progress} progress
  */
-async function lowered(search, stretches, best, tolerance) {
-  let [floor, closed] = [Infinity, true];
-  for (const { k, spans } of stretches) {
-    const known = { [SEARCH.NEAREST]: best.distance, [SEARCH.FLOOR]: Infinity, [SEARCH.PAIR]: -1 };
-    const note = search.note(known);
-    const told = await search.run(k, SEARCH.LEAST, spans, tolerance, note);
-    closed &&= told.every(([ending]) => ending === SEARCH.CLEAR);
-    best = nearer(best, k, doubles(note));
-    floor = Math.min(floor, doubles(note)[SEARCH.FLOOR]);
-  }
-  return { best, floor: Math.min(floor, best.distance - tolerance), closed };
-}
-
-/** @param {ObstacleSearch} search @param {Nearest} best @param {number} floor */
-function distanceAnswer(search, best, floor) {
-  search.noteOff(search.offAtStart);
-  const { off } = search;
-  const { radius } = search.obstacle;
-  let [bench, [head]] = [best.s, search.heads];
-  if (best.k >= 0) {
-    bench = search.benchAt(best.k, best.s);
-    [, head] = search.headAt(bench, best.s, best.s);
-  }
-  const gap = best.distance - radius;
-  const lower = Math.max(Math.min(floor, best.distance) - radius - off, 0);
-  const witness = search.witness(head, bench);
-  const upper = upperEnd(gap, off);
-  return answered(Math.max(gap, 0), lower, upper, "m", { witness, ...search.told() });
+export function touched(walk, obstacle, start, end, progress) {
+  const search = new ObstacleSearch(walk, obstacle, start, end, progress);
+  return search.touch().finally(() => search.free());
 }
 
 /**
@@ -178,31 +242,15 @@ export async function obstacleAnswers(
 ) {
   const distance = await leastDistance(walk, obstacle, start, end, { tolerances, progress });
   if (distance.lower > obstacle.margin) return { obstacle, contact: null, distance, touch: null };
-  const answers = await searched(walk, obstacle, start, end, progress, touching);
-  const contact = answers[answers.length - 1] ?? null;
+  const contact = await touched(walk, obstacle, start, end, progress);
   const near = contact?.witness ?? null;
   if (distance.value > 0 || near === null || near.gap <= 0)
     return { obstacle, contact, distance, touch: null };
-  const bare = await searched(walk, withMargin(obstacle, 0), start, end, progress, touching);
-  return { obstacle, contact, distance, touch: bare[bare.length - 1] ?? null };
+  const bare = withMargin(obstacle, 0);
+  return { obstacle, contact, distance, touch: await touched(walk, bare, start, end, progress) };
 }
 
 /** The same obstacle from which benches keep another distance, m. @param {Obstacle} obstacle @param {number} margin */
 export function withMargin({ name, kind, outline, radius }, margin) {
   return new Obstacle(name, kind, outline, radius, margin);
-}
-
-/**
- * What `use` makes of a search.
- * @template T
- * @param {Walk} walk
- * @param {Obstacle} obstacle
- * @param {number} start @param {number} end s
- * @param {Progress} progress
- * @param {(search: ObstacleSearch) => Promise<T>} use
- */
-function searched(walk, obstacle, start, end, progress, use) {
-  return withArenaAsync(walk.engine, (arena) =>
-    use(new ObstacleSearch(arena, walk, obstacle, start, end, progress)),
-  );
 }

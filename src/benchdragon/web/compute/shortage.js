@@ -5,7 +5,6 @@ import { doubles, withArena } from "./arena.js";
 import { ANALYSIS_SHORTAGE, BOX } from "./constants.js";
 import { boxes } from "./distance.js";
 import { linspace, rounded } from "./numbers.js";
-import { nearestBoxes } from "./obstacle_distance.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
@@ -109,13 +108,9 @@ function pairsApart(arena, table) {
 
 /** How far boxes are from an obstacle, m. @param {Arena} arena @param {import("../engine.js").Numbers} table @param {Obstacle} obstacle */
 function apartFrom(arena, table, obstacle) {
-  const { apart } = nearestBoxes(arena, table, obstacle.boxes(arena));
-  const view = doubles(table);
-  return apart.map((distance, t) => {
-    const at = t * BOX.BOX_COLUMNS;
-    const forbidden = obstacle.forbids([view[at + BOX.CX], view[at + BOX.CY]]);
-    return forbidden ? -Infinity : distance - obstacle.radius;
-  });
+  const { apart } = obstacle.nearest(arena, table);
+  const forbidden = obstacle.forbids(arena, table);
+  return apart.map((distance, t) => (forbidden[t] ? -Infinity : distance - obstacle.radius));
 }
 
 /** Which of the keys asked for lacks at the one time that is seen. @param {Seen} seen @param {number} margin @param {Wanted} asked @returns {Key} */

@@ -2,7 +2,7 @@
 // solve/size_question.py.
 
 import { _ } from "../words.js";
-import { withArena, withArenaAsync } from "./arena.js";
+import { withArena } from "./arena.js";
 import { memory } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
@@ -17,8 +17,7 @@ import { EngineQuestion } from "./engine_question.js";
 import { InputError, PlanError, UnsureError, WalkError } from "./errors.js";
 import { originOf } from "./nearby.js";
 import { general } from "./number_format.js";
-import { ObstacleSearch } from "./obstacle_search.js";
-import { touching } from "./obstacles.js";
+import { ObstacleSearch } from "./obstacles.js";
 import { TOLERANCE, kernelFamily } from "./size_family.js";
 import { beginnings, inColumns } from "./tables.js";
 import { silent } from "./tick.js";
@@ -173,14 +172,11 @@ export class SizeQuestion extends EngineQuestion {
     try {
       const { walk, start, end } = this.plans.walk(size);
       for (const obstacle of this.obstacles) {
-        const found = await withArenaAsync(this.engine, async (arena) => {
-          const search = new ObstacleSearch(arena, walk, obstacle, start, end, silent);
-          const touches = await touching(search);
-          this.marched += search.evaluations;
-          return touches;
-        });
-        if (!found.length) continue;
-        this.blocked = { size, touch: found[found.length - 1] };
+        const search = new ObstacleSearch(walk, obstacle, start, end, silent);
+        const touch = await search.touch().finally(() => search.free());
+        this.marched += search.evaluations;
+        if (touch === null) continue;
+        this.blocked = { size, touch };
         return true;
       }
     } catch (error) {

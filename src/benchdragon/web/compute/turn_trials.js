@@ -4,7 +4,7 @@
 import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
 import { hold, spend } from "./budget.js";
-import { CURVE, SEARCH, SOLVE_TURN, SOLVE_TURN_TRIALS } from "./constants.js";
+import { BOX, CURVE, SEARCH, SOLVE_TURN, SOLVE_TURN_TRIALS } from "./constants.js";
 import { radians } from "./curves.js";
 import { greatest } from "./dragon.js";
 import { InputError, finite, positive } from "./errors.js";
@@ -12,7 +12,6 @@ import { evenly } from "./lists.js";
 import { seamsOf } from "./nearby.js";
 import { linkLength } from "./numbers.js";
 import { Obstacle } from "./obstacle.js";
-import { standingScratch } from "./obstacle_search.js";
 import { builtDragon } from "./plan.js";
 import { discOf } from "./plan_routes.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
@@ -71,6 +70,14 @@ export function wholeGoal(goal) {
   for (const [name, value] of Object.entries({ longest, longest_way }))
     if (Number.isFinite(value)) positive(name, value, "m");
   return { objective, least_radius, longest, longest_way };
+}
+
+/** Boxes that stand, with scratch for as many: `standing.scratch_for`. @param {Arena} arena @param {Numbers} boxes */
+function standingScratch(arena, boxes) {
+  const [count] = boxes.shape;
+  const [first, second, number] = [0, 1, 2].map(() => arena.array("q", count));
+  const near = arena.array("d", Math.max(count, 2), BOX.BOX_COLUMNS);
+  return { boxes, near, number, first, second, members: arena.whole([0]) };
 }
 
 /** Judges turns of a plan's family by sampling. */
@@ -209,11 +216,10 @@ export class TurnEvaluator {
     spend(JUDGED * count * this.standing.reduce((sum, { boxes }) => sum + boxes.shape[0], 0));
     const out = arena.array("d", at.length, 4);
     this.engine.call("bd_route_evaluate", rows, arena.vector(at), out);
-    const places = doubles(out).slice();
     const spans = arena.table(at.filter((_s, n) => n % 2 === 0).map((s, n) => [s, at[2 * n + 1]]), 2); // prettier-ignore
     let least = Infinity;
     for (const [n, obstacle] of this.obstacles.entries()) {
-      if (at.some((_s, t) => obstacle.forbids([places[4 * t], places[4 * t + 1]]))) return -1;
+      if (obstacle.forbids(arena, out).some(Boolean)) return -1;
       for (const sizes of differentSizes(this.few)) {
         const link = arena.vector([linkLength(sizes[0], sizes[2], sizes[3])]);
         const seams = seamsOf(arena, rows);

@@ -1,0 +1,270 @@
+"""The search of a walk for benches that come near one obstacle, in a block of the engine's memory.
+
+Where a bench stands is told by the route position of its own front handle, whatever the others do. So
+each size of bench is searched once, along the stretches of route that its benches walk: a bench that
+follows another of its size comes to nothing new beyond where that one stood at the start
+(kernels/standing.py). What is found there is then told of the head.
+"""
+
+from typing import NamedTuple
+
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.box import (
+    BOX_COLUMNS,
+)
+from benchdragon.kernels.chain import Placements
+from benchdragon.kernels.curve import COLUMNS
+from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.kinds import same_size
+from benchdragon.kernels.memory import (
+    ADDRESS,
+    HEADER,
+    OWNED,
+    SLOTS,
+    allocate,
+    clear,
+    copy_row,
+    copy_table,
+    drop,
+    group_at,
+    integers_at,
+    lay_from,
+    lay_row,
+    lay_table,
+    release,
+    take,
+)
+from benchdragon.kernels.nearness import NEARNESS
+from benchdragon.kernels.obstacle import fill_boxes, sides
+from benchdragon.kernels.own_room import WIDER, lay_placements, lay_search
+from benchdragon.kernels.question import TOLD
+from benchdragon.kernels.rounding import (
+    SEAM_COLUMNS,
+    find_seams,
+)
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import (
+    NOTES,
+    Search,
+)
+from benchdragon.kernels.spans import (
+    BEGUN,
+    HIGH,
+    LOW,
+    PERIOD,
+    REPEAT,
+)
+from benchdragon.kernels.standing import (
+    Bench,
+    Standing,
+)
+
+# What hosts say of an obstacle and of the walk, a row of floats.
+SORT = 0  # of what kind: see kernels/obstacle.py
+RADIUS = 1  # of a circle, m
+MARGIN = 2  # distance that benches must keep, m
+HEAD_FIRST = 3  # head positions, m, at which the walk begins and ends
+HEAD_LAST = 4
+LEAST_OFF = 5  # what computed distances count as off by at least, m
+WIDTH = 6  # parts of a step narrower than this, m, are not halved
+MOST = 7  # benches placed in one stretch of a search for touches
+MOST_LEAST = 8  # and for the least distance
+ASKED = 9
+# What is told, a row of floats that begins as kernels/question.py says.
+MADE = TOLD  # benches placed in searches
+ABOUT = 3  # what distances that mattered may be off by, m
+SOUND = 4  # past where a bench may not follow, m
+CLOSED_IN = 5  # 1 if the least distance is bracketed as was wanted
+COUNT = 6  # rows of what was found
+# From here on what a search keeps to itself: what it is after, how narrowly, m, and 1 as it begins.
+GOAL, NARROW, BEGINS = 7, 8, 9
+SOUGHT_OFF = 10  # what distances count as off by at least, m
+APART, APART_BENCH, APART_OFF = 11, 12, 13  # at the start
+NEAR, NEAR_BENCH, NEAR_AT = 14, 15, 16  # the least distance seen; NEAR_AT is NaN if at the start
+# The size at hand, by its first bench; the bench, and where the one before it stood at the start, m;
+# its spans, which of them comes next, and the rest of that at hand; how often it was grazed.
+SIZE, REPEATS, BENCH, AHEAD, SPANS, SPAN, FROM, TO, GRAZES = range(17, 26)
+TOLD_ROWS, SOONEST, FIGURES = (
+    26,
+    27,
+    28,
+)  # rows that are told of the head; where it is at a sure touch, m
+# What was found, a row each: of touches head positions between which one comes, of the least distance
+# its bracket, m; the bench (from 0), with the head at HEAD; and there the point that is nearest or
+# farthest out, how far from what stands still, m, and which feature it is (kernels/nearness.py).
+VALUE, LOW_END, HIGH_END, WHO, HEAD, SURE, AT_X, AT_Y, GAP, FEATURE, FOUND_COLUMNS = range(11)
+# How each size is walked: its first bench, how many, and from where to where and how much of it, m.
+WAY_BENCH, WAY_COUNT, WAY_LOW, WAY_HIGH, WAY_LENGTH, WAYS = range(6)
+# Memories of the block: of a search, and of what it finds, with so many rows at first.
+BESIDE_MEMORY, FOUND_MEMORY, FIRST_ROWS = 4, 5, 64
+
+
+class Beside(NamedTuple):
+    """A search beside one obstacle; what stands from `at` to `box` is scratch."""
+
+    found: Table  # (.., FOUND_COLUMNS)
+    bench: Bench  # of the size at hand, on the rows of the route
+    standing: Standing
+    search: Search
+    links: Vector
+    sizes: Table
+    alike: IntVector  # the first bench of the size of each
+    outline: Table
+    repeats: Table  # (.., spans.REPEAT)
+    begun: Table  # those that the size at hand has anything of
+    skips: Table
+    spans: Table  # of the bench at hand
+    placed: Placements  # at the start and at the end
+    s: Table  # route positions there, m, (handles, 2)
+    ways: Table  # (benches, WAYS)
+    at: Vector
+    chain: Placements
+    lanes: Vector
+    errors: Vector
+    off: Vector
+    nearest: Vector
+    which: IntVector
+    box: Table  # (2, BOX_COLUMNS)
+    asked: Vector
+    figures: Vector
+    note: Vector
+
+
+# Where what comes after `found` begins, in slots from the first.
+AFTER_FOUND = 3
+
+
+@kernel
+def lay_beside(
+    slots: IntArray,
+    slot: int,
+    address: int,
+    rows: int,
+    benches: int,
+    corners: int,
+    boxes: int,
+    known: int,
+) -> int:
+    """Lay a search from a slot and an address on, but for what is found; the bytes that takes."""
+    near = max(boxes, 2)
+    lay_from(slots, slot + AFTER_FOUND, address)
+    lay_table(slots, rows, COLUMNS)
+    lay_row(slots, 1)
+    lay_table(slots, 4, 1)
+    lay_table(slots, rows, SEAM_COLUMNS)
+    lay_table(slots, boxes, BOX_COLUMNS)
+    lay_table(slots, near, BOX_COLUMNS)
+    for _list in range(3):
+        lay_row(slots, boxes)
+    lay_row(slots, 1)
+    lay_search(slots, 2, boxes + 1, boxes + 1)
+    lay_row(slots, benches)
+    lay_table(slots, 4, benches)
+    lay_row(slots, benches)
+    lay_table(slots, corners, 2)
+    lay_table(slots, known, REPEAT)
+    lay_table(slots, known, BEGUN)
+    lay_table(slots, known, 2)
+    lay_table(slots, known + 1, 2)
+    lay_placements(slots, benches + 1, 2)
+    lay_table(slots, benches + 1, 2)
+    lay_table(slots, benches, WAYS)
+    lay_row(slots, 2)
+    lay_placements(slots, benches + 1, 1)
+    lay_row(slots, benches)
+    lay_row(slots, benches + 1)
+    lay_row(slots, benches)
+    lay_row(slots, NEARNESS)
+    lay_row(slots, 1)
+    lay_table(slots, 2, BOX_COLUMNS)
+    lay_row(slots, ASKED)
+    lay_row(slots, FIGURES)
+    lay_row(slots, NOTES)
+    return slots[ADDRESS] - address
+
+
+@kernel
+def make_beside(
+    block: int, slot: int, rows: int, benches: int, corners: int, boxes: int, known: int
+) -> bool:
+    """Make room for a search at a slot of a block, where there may be one before; whether there is."""
+    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
+    drop(slots, BESIDE_MEMORY)
+    if slots[OWNED + FOUND_MEMORY] == 0:
+        if not take(slots, FOUND_MEMORY, 8 * FIRST_ROWS * FOUND_COLUMNS):
+            return False
+        lay_from(slots, slot, slots[OWNED + FOUND_MEMORY])
+        lay_table(slots, FIRST_ROWS, FOUND_COLUMNS)
+    size = lay_beside(slots, slot, 0, rows, benches, corners, boxes, known)
+    if not take(slots, BESIDE_MEMORY, size):
+        return False
+    lay_beside(slots, slot, slots[OWNED + BESIDE_MEMORY], rows, benches, corners, boxes, known)
+    return True
+
+
+@kernel
+def widen_found(block: int, slot: int) -> bool:
+    """Make room for more rows of what is found; whether there is memory."""
+    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
+    before, rows = slots[OWNED + FOUND_MEMORY], slots[slot + 1]
+    known, count = integers_at(before, rows * FOUND_COLUMNS), WIDER * rows
+    address = allocate(8 * count * FOUND_COLUMNS)
+    if address == 0:
+        return False
+    copy_row(integers_at(address, rows * FOUND_COLUMNS), known)
+    release(before)
+    slots[OWNED + FOUND_MEMORY] = address
+    lay_from(slots, slot, address)
+    lay_table(slots, count, FOUND_COLUMNS)
+    return True
+
+
+@kernel
+def begin_beside(
+    block: int, slot: int, rows: Table, links: Vector, sizes: Table, outline: Table, repeats: Table,
+    asked: Vector,
+) -> bool:  # fmt: skip
+    """Begin a search at a slot of a block for a walk and an obstacle; whether there is memory."""
+    boxes = sides(int(asked[SORT]), outline.shape[0])
+    benches, known = links.shape[0], repeats.shape[0]
+    if not make_beside(block, slot, rows.shape[0], benches, outline.shape[0], boxes, known):
+        return False
+    fill_beside(group_at(Beside, block + 8 * slot), rows, links, sizes, outline, repeats, asked)
+    return True
+
+
+@kernel
+def fill_beside(
+    beside: Beside, rows: Table, links: Vector, sizes: Table, outline: Table, repeats: Table,
+    asked: Vector,
+) -> None:  # fmt: skip
+    """Copy what is asked, and make the rest from it."""
+    copy_table(beside.bench.rows, rows)
+    copy_row(beside.links, links)
+    copy_table(beside.sizes, sizes)
+    copy_table(beside.outline, outline)
+    copy_row(beside.asked, asked)
+    clear(beside.figures)
+    beside.standing.members[0] = 0
+    for i in range(links.shape[0]):
+        beside.ways[i, WAY_COUNT] = 0.0
+    fill_boxes(int(asked[SORT]), outline, beside.standing.boxes)
+    find_seams(rows, beside.bench.seams)
+    sort_repeats(repeats, beside.repeats)
+    for i in range(links.shape[0]):
+        k = beside.alike[i - 1] if i and same_size(sizes, i, sizes, beside.alike[i - 1]) else 0
+        while k < i and not same_size(sizes, i, sizes, k):
+            k += 1
+        beside.alike[i] = k
+    beside.figures[SOUGHT_OFF] = asked[LEAST_OFF]
+
+
+@kernel
+def sort_repeats(repeats: Table, out: Table) -> None:
+    """Copy repeats, those first that leave out most."""
+    for n in range(repeats.shape[0]):
+        m, way = n, repeats[n, LOW] - repeats[n, HIGH] + repeats[n, PERIOD]
+        while m > 0 and out[m - 1, LOW] - out[m - 1, HIGH] + out[m - 1, PERIOD] > way:
+            copy_row(out[m], out[m - 1])
+            m -= 1
+        copy_row(out[m], repeats[n])

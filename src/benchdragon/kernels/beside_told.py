@@ -1,0 +1,159 @@
+"""What a search beside an obstacle found, told of the head, and how the bench then stands."""
+
+import math
+
+from benchdragon.kernels import beside as of
+from benchdragon.kernels.beside import Beside
+from benchdragon.kernels.box import (
+    CX,
+    CY,
+    corner,
+    place_box,
+)
+from benchdragon.kernels.chain import march
+from benchdragon.kernels.curve import KIND, S_START, SPIRAL, U_END, U_START, P, length_at
+from benchdragon.kernels.doubts import UNIT
+from benchdragon.kernels.drift import head_drift
+from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.memory import copy_row
+from benchdragon.kernels.nearness import (
+    CORNER,
+    DISTANCE,
+    FEATURE,
+    GAP,
+    OWNER,
+    POINTS,
+    corner_feature,
+    nearness,
+)
+from benchdragon.kernels.obstacle import VENUE, forbids
+from benchdragon.kernels.question import SPENT
+from benchdragon.kernels.rounding import HALF_UNIT, handle_errors, mark_lanes
+from benchdragon.kernels.standing import centre_distance, distances_to
+from benchdragon.kernels.status import Status
+from benchdragon.kernels.step_bounds import place_chain
+
+# Roundings of a route position, of the lengths that it is counted by.
+COUNTED = 24.0
+# Newton steps for the head position at which a handle comes to a place; about five are needed.
+MOST_STEPS = 100
+
+
+@kernel
+def put(beside: Beside, n: int, low: float, high: float, bench: float, sure: bool) -> None:
+    """Fill row n of what is found."""
+    row = beside.found[n]
+    row[of.LOW_END], row[of.HIGH_END], row[of.HEAD], row[of.WHO] = low, high, high, bench
+    row[of.SURE] = 1.0 if sure else 0.0
+
+
+@kernel
+def last_handle(beside: Beside, bench: int, head: float) -> tuple[float, float]:
+    """Where the front handle of a bench is with the head at a place, m, and its speed over the head's.
+
+    NaN where it cannot stand.
+    """
+    rows, chain = beside.bench.rows, beside.chain
+    beside.at[0] = head
+    beside.figures[SPENT] += bench + 1.0
+    march(rows, beside.links[:bench], beside.at, 0, 1, chain)
+    if chain.failed[0, 0] != Status.OK:
+        return math.nan, math.nan
+    j = chain.row[bench, 0]
+    return rows[j, S_START] + length_at(rows, j, chain.u[bench, 0]), chain.ratio[bench, 0]
+
+
+@kernel
+def head_between(beside: Beside, bench: int, lower: float, upper: float) -> tuple[float, float]:
+    """Head positions, m, between which a bench's front handle surely goes from lower to upper."""
+    low, high = beside.asked[of.HEAD_FIRST], beside.asked[of.HEAD_LAST]
+    if bench == 0:
+        return max(lower, low), min(upper, high)
+    for _pass in range(2):  # by what errors are at the ends, then by what they are there
+        off, off_after = handle_off(beside, bench, low), handle_off(beside, bench, high)
+        low, _at = head_bracket(beside, bench, lower - off)
+        _at, high = head_bracket(beside, bench, upper + off_after)
+    return low, high
+
+
+@kernel
+def handle_off(beside: Beside, bench: int, head: float) -> float:
+    """What a bench's front handle may be off by along the route, m, as positions tell it.
+
+    The head's own place, the way of errors through the chain, and the lengths that positions are
+    counted by.
+    """
+    rows, chain, links, moved = beside.bench.rows, beside.chain, beside.links[:bench], 0.0
+    drift, doubt = head_drift(rows, head)
+    counted = 0.0
+    for j in range(rows.shape[0]):
+        if rows[j, KIND] == SPIRAL:
+            outmost = math.hypot(1.0, max(abs(rows[j, U_START]), abs(rows[j, U_END])))
+            counted += rows[j, P] * outmost * outmost
+    counted += abs(head)
+    beside.at[0] = head
+    beside.figures[SPENT] += bench + 1.0
+    if place_chain(rows, links, beside.at, 0, 1, chain):
+        mark_lanes(rows, links, chain, 0, 1, beside.lanes)
+        handle_errors(rows, links, beside.bench.seams, chain, beside.lanes, 0, beside.errors)
+        moved = beside.errors[bench]
+    off = beside.figures[of.SOUGHT_OFF] + moved + abs(drift) + doubt
+    return off + COUNTED * HALF_UNIT * counted
+
+
+@kernel
+def head_bracket(beside: Beside, bench: int, s: float) -> tuple[float, float]:
+    """Head positions, m, between which the front handle of a bench comes to s."""
+    low, high = beside.asked[of.HEAD_FIRST], beside.asked[of.HEAD_LAST]
+    guess, fine = 0.5 * (low + high), 4.0 * UNIT * max(abs(low), abs(high), 1.0)
+    for step in range(MOST_STEPS):
+        if high - low <= 2.0 * fine:
+            break
+        if not low < guess < high:
+            guess = 0.5 * (low + high)
+        at, ratio = last_handle(beside, bench, guess)
+        ahead = at - s
+        if ahead >= 0.0:
+            high = guess
+        else:
+            low = guess
+        side = 0.0 if step % 4 == 3 else -fine if ahead >= 0.0 else fine
+        guess = guess - ahead / ratio + side if step % 8 < 7 else 0.5 * (low + high)
+    return low, high
+
+
+@kernel
+def show(beside: Beside, n: int) -> None:
+    """Tell of row n how its bench stands to the obstacle; NaN where it cannot stand.
+
+    Where it stands wholly inside of one the gap is minus the distance. Of a bench outside of the
+    venue the point is the corner that is farthest out, and the gap minus how far.
+    """
+    row, asked, box, boxes = beside.found[n], beside.asked, beside.box, beside.standing.boxes
+    sort, bench, outline = int(asked[of.SORT]), int(beside.found[n, of.WHO]), beside.outline
+    at, _ratio = last_handle(beside, bench + 1, row[of.HEAD])
+    row[of.GAP] = math.nan
+    if math.isnan(at):
+        return
+    place_box(beside.sizes, bench, bench, beside.chain.x, beside.chain.y, 0, box, 0)
+    distances_to(box[:1], boxes, beside.standing.near, beside.nearest, beside.which)
+    copy_row(box[1], boxes[beside.which[0]])
+    near = beside.nearest
+    nearness(box, 0, 1, near)
+    x, y, apart = near[POINTS], near[POINTS + 1], near[DISTANCE]
+    own = near[OWNER] == 0.0
+    feature = corner_feature(int(near[CORNER])) if own else int(near[FEATURE])
+    gap = (near[GAP] if apart <= 0.0 else apart) - asked[of.RADIUS]
+    if gap > 0.0 and forbids(sort, outline, asked[of.RADIUS], box[0, CX], box[0, CY]):
+        gap = -gap
+    farthest = math.inf
+    for k in range(4 if sort == VENUE else 0):
+        corner_x, corner_y = corner(box, 0, k)
+        if forbids(sort, outline, 0.0, corner_x, corner_y):
+            beyond = math.inf
+            for m in range(boxes.shape[0]):
+                beyond = min(beyond, centre_distance(boxes, m, corner_x, corner_y))
+            if -beyond < farthest:
+                farthest, gap, x, y = -beyond, -beyond, corner_x, corner_y
+                feature = corner_feature(k)
+    row[of.AT_X], row[of.AT_Y], row[of.GAP], row[of.FEATURE] = x, y, gap, feature

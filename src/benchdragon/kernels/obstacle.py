@@ -1,0 +1,58 @@
+"""What stands still: its sides as boxes without width, and where no bench may be."""
+
+import math
+
+from benchdragon.kernels.arrays import IntVector, Table
+from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH, UX, UY
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.entries import entry, kernel
+
+# Kinds: a circle about its outline's one point, what has an inside, a line, the edge of a venue.
+CIRCLE, BODY, LINE, VENUE = range(4)
+
+
+@entry
+def fill_boxes(kind: int, outline: Table, out: Table) -> None:
+    """Fill out with the sides, or the centre, as boxes without width, (.., BOX_COLUMNS)."""
+    corners = outline.shape[0]
+    for n in range(out.shape[0]):
+        m = (n + 1) % corners
+        dx, dy = outline[m, 0] - outline[n, 0], outline[m, 1] - outline[n, 1]
+        length = math.hypot(dx, dy)
+        out[n, CX] = 0.5 * (outline[n, 0] + outline[m, 0])
+        out[n, CY] = 0.5 * (outline[n, 1] + outline[m, 1])
+        out[n, UX], out[n, UY] = 1.0, 0.0
+        if kind != CIRCLE:
+            out[n, UX], out[n, UY] = dx / length, dy / length
+        out[n, HALF_LENGTH], out[n, HALF_WIDTH] = 0.5 * length, 0.0
+
+
+@kernel
+def sides(kind: int, corners: int) -> int:
+    """How many boxes an outline of so many corners has."""
+    return corners - 1 if kind == LINE else corners
+
+
+@kernel
+def forbids(kind: int, outline: FloatArray, radius: float, x: float, y: float) -> bool:
+    """Whether a point, m, lies where none may: inside it, or outside the venue.
+
+    Inside a polygon a ray to the right crosses an odd number of sides.
+    """
+    if kind == CIRCLE:
+        return math.hypot(x - outline[0, 0], y - outline[0, 1]) <= radius
+    corners, odd = outline.shape[0], False
+    for n in range(corners if kind != LINE else 0):
+        ax, ay = outline[n, 0], outline[n, 1]
+        bx, by = outline[(n + 1) % corners, 0], outline[(n + 1) % corners, 1]
+        if (ay > y) != (by > y):
+            beyond = (x - ax) * abs(by - ay) < (bx - ax) * (y - ay) * (1.0 if by > ay else -1.0)
+            odd = odd != beyond
+    return odd != (kind == VENUE)
+
+
+@entry
+def forbidden(kind: int, outline: Table, radius: float, points: Table, out: IntVector) -> None:
+    """Fill out with 1 for each of points, m, (P, 2), that lies where none may, else 0."""
+    for n in range(points.shape[0]):
+        out[n] = 1 if forbids(kind, outline, radius, points[n, 0], points[n, 1]) else 0

@@ -1,0 +1,83 @@
+"""Which of a bench's way is new, on a route of which parts repeat: see analysis/rounds.py."""
+
+import math
+
+from benchdragon.kernels.arrays import Vector
+from benchdragon.kernels.chain import Placements
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.low_points import head_where_tail
+
+# What is searched beyond a whole round, m: more than rounding moves where one ends.
+SPARE = 1e-6
+# What is left out is at least so many times as long as the benches: a search that begins anew costs.
+WORTH = 2.0
+# What one bench beside something that stands still may be off by of itself, m: roundings of its place,
+# a thousandfold where it is all but folded.
+PLACED = 1e-10
+# A repeat: the route from LOW to HIGH, m, is what it was PERIOD before, but for MISSED, m.
+LOW, HIGH, PERIOD, MISSED, REPEAT = range(5)
+BEGINS, BEGUN = 4, 5  # of one that is begun: from where on the head stands where all benches do
+
+
+@kernel
+def begin_repeats(
+    rows: FloatArray,
+    link: Vector,
+    repeats: FloatArray,
+    at: Vector,
+    places: Placements,
+    begun: FloatArray,
+) -> int:
+    """Fill begun with the repeats that a bench of this link, (1,), has anything of; how many.
+
+    Those come first that leave out most; what is left out for one before is left out once.
+    """
+    count, length = 0, link[0]
+    for n in range(repeats.shape[0]):
+        low, high, period = repeats[n, LOW], repeats[n, HIGH], repeats[n, PERIOD]
+        wanted = high - low - period > WORTH * length
+        for m in range(count):
+            soonest = begun[m, BEGINS] + begun[m, PERIOD]
+            wanted = wanted and not (soonest <= low + length + period and high <= begun[m, HIGH])
+        if wanted:
+            for k in range(REPEAT):
+                begun[count, k] = repeats[n, k]
+            begun[count, BEGINS] = low
+            if not math.isinf(low):
+                begun[count, BEGINS] = head_where_tail(rows, link, low + SPARE, at, places)
+            count += 1
+    return count
+
+
+@kernel
+def new_spans(
+    begun: FloatArray, count: int, length: float, first: float, last: float, skips: FloatArray,
+    spans: FloatArray,
+) -> tuple[int, float]:  # fmt: skip
+    """Fill spans with those of a way from first to last, m, that repeat nothing before them there.
+
+    How many, and what places may be off by from those some rounds before, m. `skips` is scratch.
+    """
+    skipped, missed = 0, 0.0
+    for n in range(count):
+        start = max(begun[n, BEGINS], first) + begun[n, PERIOD] + SPARE
+        end = min(begun[n, HIGH], last)
+        if end - start > WORTH * length:
+            m = skipped
+            while m > 0 and skips[m - 1, 0] > start:
+                skips[m, 0], skips[m, 1] = skips[m - 1, 0], skips[m - 1, 1]
+                m -= 1
+            skips[m, 0], skips[m, 1] = start, end
+            skipped, missed = skipped + 1, missed + begun[n, MISSED]
+    found, at = 0, first
+    for m in range(skipped):
+        start, end = skips[m, 0], skips[m, 1]
+        if start > at:
+            spans[found, 0], spans[found, 1] = at, start
+            found += 1
+        at = max(at, end if end >= last else end - SPARE)
+    if at < last or found == 0:
+        spans[found, 0], spans[found, 1] = at, last
+        found += 1
+    return found, missed
