@@ -1,8 +1,9 @@
 """Write constants of the Python modules as JavaScript, for their twins in the pages (web/compute).
 
-Takes of each module named below every number, short list of numbers and `IntEnum` that stands there in
-capitals or as a class, not those it imports: `CURVE.KIND` is `KIND` of kernels/curve.py,
-`MODEL_WALK.MOST_PLACES` that of model/walk.py. The same modules give the same bytes.
+Takes of each module that a script names where it imports constants every number, short list of
+numbers and `IntEnum` that stands there in capitals or as a class, not those it imports: `CURVE.KIND` is
+`KIND` of kernels/curve.py, `MODEL_WALK.MOST_PLACES` that of model/walk.py. The same modules give the
+same bytes.
 
 Run it as `make types`.
 """
@@ -19,34 +20,10 @@ import numpy as np
 
 import benchdragon
 
-KERNELS = (
-    "band", "beginning", "bench_cells", "beside", "beside_search", "box", "cells",
-    "contact_memory", "course", "curve", "doubts", "drive", "every_pair", "family", "grid",
-    "low_points", "meetings", "near_cells", "nearness", "obstacle", "own_room", "pacing", "peak",
-    "peak_memory", "peak_question", "perturbed", "question", "regions", "rounding", "route",
-    "route_parts", "search", "size_bracket", "size_memory", "size_question", "size_search",
-    "spiral", "standing", "status", "step_bounds", "turn_families", "walk_search",
-)  # fmt: skip
-# Modules with twins in the page: add those whose numbers you need.
-TWINS = (
-    "analysis.bench_nearness", "analysis.bench_walks", "analysis.bends", "analysis.check",
-    "analysis.contact", "analysis.contact_search", "analysis.crossings",
-    "analysis.distance", "analysis.left_open", "analysis.marks",
-    "analysis.nearby", "analysis.not_looked_at", "analysis.obstacle_search",
-    "analysis.room", "analysis.rounds", "analysis.shortage", "analysis.speed", "analysis.tables",
-    "analysis.unfinished", "budget", "errors",
-    "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
-    "model.formations", "model.holds", "model.obstacle", "model.placement", "model.profile",
-    "model.walk", "number_format",
-    "plans.cues", "plans.drawn", "plans.routes", "plans.source", "plans.square", "plans.tables",
-    "plans.toml",
-    "player.following", "player.frames", "player.scene", "rosters.extent", "rosters.grid",
-    "sheets.briefing", "solve.dance_bound", "solve.head_speed",
-    "solve.minima", "solve.random_dance", "solve.size", "solve.size_family", "solve.size_question",
-    "solve.tolerance", "solve.turn", "solve.turn_trials", "surveys.clothoids", "surveys.corners",
-    "surveys.fitting", "surveys.lines",
-)  # fmt: skip
-FILE = Path(benchdragon.__file__).with_name("web") / "compute" / "constants.js"
+PACKAGE = Path(benchdragon.__file__).parent
+FILE = PACKAGE / "web" / "compute" / "constants.js"
+# Holds the enumerations.
+STATUS = "kernels.status"
 # Longer lists are tables of the kernels' own.
 SHORT = 10
 HEADER = (
@@ -98,22 +75,41 @@ def object_text(name: str, fields: dict[str, str]) -> str:
     return f"export const {name} = {{\n{lines}}};\n"
 
 
-def declared(name: str) -> list[str]:
-    """What is exported of one module, named without the package."""
+def called(name: str) -> str:
+    """What a module, named without the package, is called in pages."""
+    return name.removeprefix("kernels.").replace(".", "_").upper()
+
+
+def imported() -> set[str]:
+    """What scripts import of the constants."""
+    asked = re.compile(r'import \{([^}]*)\} from "[./a-z]*/constants\.js"')
+    found = (asked.findall(path.read_text("utf-8")) for path in FILE.parents[1].rglob("*.js"))
+    return set(re.findall(r"\w+", " ".join(names for some in found for names in some)))
+
+
+def modules() -> list[str]:
+    """All modules, named without the package, the kernels first."""
+    paths = (path.relative_to(PACKAGE).with_suffix("") for path in PACKAGE.rglob("*.py"))
+    names = (".".join(path.parts) for path in paths if path.name != "__init__")
+    return sorted(names, key=lambda name: (not name.startswith("kernels."), name))
+
+
+def declared(name: str, asked: set[str]) -> list[str]:
+    """What is exported of one module, named without the package, of what is asked for."""
+    if name != STATUS and called(name) not in asked:
+        return []
     module = importlib.import_module(f"benchdragon.{name}")
     found = {key: literal(getattr(module, key)) for key in own_names(module)}
-    fields = {key: value for key, value in found.items() if value is not None}
-    called = name.removeprefix("kernels.").replace(".", "_").upper()
-    tables = {called: fields} if fields else {}
+    tables = {called(name): {key: value for key, value in found.items() if value is not None}}
     for one in enums(module):
         tables[one.__name__] = {member.name: str(member.value) for member in one}
-    return [object_text(*each) for each in tables.items()]
+    return [object_text(*each) for each in tables.items() if each[0] in asked]
 
 
 def constants() -> str:
     """The whole file."""
-    names = [f"kernels.{name}" for name in KERNELS] + list(TWINS)
-    return "\n".join([HEADER, *(text for name in names for text in declared(name))])
+    asked = imported()
+    return "\n".join([HEADER, *(text for name in modules() for text in declared(name, asked))])
 
 
 if __name__ == "__main__":

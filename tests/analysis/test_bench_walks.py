@@ -7,23 +7,15 @@ import numpy as np
 import pytest
 from shapely import Polygon
 
-from benchdragon.analysis.bench_nearness import STRAIGHT, beside
-from benchdragon.analysis.bench_walks import (
-    SHORTEST,
-    STEP,
-    STILL,
-    BenchWalk,
-    Piece,
-    _followed,
-    bench_walks,
-)
+from benchdragon.analysis.bench_walks import STEP, STILL, BenchWalk, bench_walks, beside
 from benchdragon.analysis.distance import boxes
+from benchdragon.kernels.bench_nearness import STRAIGHT
+from benchdragon.kernels.bench_walks import SHORTEST
 from benchdragon.kernels.box import CX, CY, UX, UY, corner
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import Line, Route
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import checked
-from tests.counting import lines_run
 
 # A line, a bend to the left, an S of clothoids that changes its side within a part, and a stop.
 PLAN = checked(
@@ -259,7 +251,7 @@ def test_slices_of_time_change_nothing(
 def test_the_bracket_holds_when_looked_at_seldom(monkeypatch: pytest.MonkeyPatch) -> None:
     """Every 6 s a bench is looked at: in between others come nearer, and the bracket still holds."""
     monkeypatch.setattr("benchdragon.analysis.bench_walks.STEP", 6.0)
-    monkeypatch.setattr("benchdragon.analysis.bench_nearness.REACH", 30.0)
+    monkeypatch.setattr("benchdragon.analysis.bench_walks.REACH", 30.0)
     walk = PLAN.build()
     motion = walk.motion(np.arange(0.0, 52.0, 0.25))
     shapes = [outlines(walk, float(t)) for t in motion.times]
@@ -268,22 +260,6 @@ def test_the_bracket_holds_when_looked_at_seldom(monkeypatch: pytest.MonkeyPatch
         seen = min(shape[k].distance(shape[j]) for shape in shapes for j in of_another_coil(walk, k))
         assert bench.tightest is not None
         assert bench.tightest.lower <= seen + 1e-9
-
-
-def test_a_short_stretch_is_joined_to_the_longer_neighbour() -> None:
-    pieces: list[Piece] = [(0.0, 0.0, 1.0, 0, 1), (2.0, 2.0, 1.0, 1, 1), (2.5, 2.5, 1.0, 2, 1)]
-    assert _followed(pieces, 9.0) == [pieces[0], (2.0, 2.0, 1.0, 2, 1)]
-    assert _followed(pieces, 3.9) == [pieces[0], pieces[2]]
-    assert _followed(pieces[:2], 2.5) == pieces[:1]
-    assert _followed(pieces[1:2], 2.1) == pieces[1:2]
-
-
-def test_joining_short_stretches_is_work_in_proportion_to_them() -> None:
-    def work(count: int) -> int:
-        pieces: list[Piece] = [(0.3 * n, 0.3 * n, 1.0, n % 2, n % 3) for n in range(count)]
-        return lines_run(lambda: _followed(pieces, 0.3 * count))
-
-    assert work(800) < 5 * work(200)
 
 
 def test_thresholds_that_are_met_just_when_speeds_are_looked_at_are_told_then() -> None:

@@ -10,7 +10,6 @@ import pytest
 from benchdragon.analysis import marks as marks_module
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import (
-    CLOSE,
     LENGTH_STEP,
     MOST_MARKS,
     Marks,
@@ -21,6 +20,7 @@ from benchdragon.analysis.marks import (
 )
 from benchdragon.errors import InputError
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.marks import CLOSE
 from benchdragon.model.curves import Arc, Line, Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import checked, read_plan

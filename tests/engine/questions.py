@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 
 import benchdragon.proofs.exact  # noqa: F401 - else imported by a proof, once entries are wrapped
-from benchdragon.analysis.bench_nearness import side_of
+from benchdragon.analysis.bench_walks import bench_walks
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.distance import (
-    boxes,
     low_point,
     nearest_each,
     pair_distances,
     tightest_pairs,
 )
+from benchdragon.analysis.marks import Trail
 from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import QUANTITIES, greatest_at, greatest_speed
 from benchdragon.analysis.swept import swept_area
@@ -30,6 +30,7 @@ from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.traversal import first_overlap
 from benchdragon.plans.schema import read_plan
+from benchdragon.player.scene import Span, plain_dance
 from benchdragon.solve.head_speed import slowed
 from benchdragon.solve.tolerance import CASES, Draw, random_dance
 from tests.solve.asked_in_python import in_python
@@ -62,6 +63,9 @@ def questions() -> None:
     few = read_plan("spiral-in", ["dragon.benches=12"])
     turn = read_plan("turn", ["walk.speed=1.5", "dragon.benches=12", "walk.start=-20", "walk.end=20"])
     check(few)
+    bench_walks(few, few.build(), (0.0, 2.0))
+    plain_dance(few.build(), Span(0.0, 4.0))
+    Trail.of(few.build(), 0.0, 4.0).marked(1.0)
     well = '[{kind="circle", centre=[8, 3], radius=0.5}, {kind="line", points=[[0, 2], [1, 2]]}]'
     check(read_plan("spiral-in", ["dragon.benches=12", "venue.rectangle=[30, 30]", f"obstacle={well}"]))
     assert swept_area(few.build(), 0.0, 20.0, error=0.1).widest.width.value > 0.3
@@ -83,7 +87,6 @@ def questions() -> None:
     motion = walk.motion([0.0, 60.0])
     pair_distances(motion, 0, 4)
     tightest_pairs(motion)
-    side_of(boxes(motion, 0), 0, (0.0, 0.0))
     motion.acceleration.sum()
     nearest_each(motion)
     assert first_overlap(walk, np.array([0.0, 9.0])) is None

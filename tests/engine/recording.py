@@ -25,7 +25,7 @@ from benchdragon.hosts import built
 from benchdragon.hosts.arguments import DTYPES
 from benchdragon.hosts.serving import PLAIN, VARIABLE
 from benchdragon.hosts.signature import Parameter, signature
-from benchdragon.kernels import entries, search
+from benchdragon.kernels import bench_nearness, entries, search
 from tests.engine.questions import questions, wrap
 
 PACKAGE = Path(wasm.__file__).parents[1]
@@ -51,9 +51,12 @@ CALLS, BYTES = 12, 4_000_000
 
 # Of searches only what they answer is compared, by parameter: the rest of their arrays is scratch that
 # depends on the last digits, and of equals any may be seen first.
-ANSWERS = {
+ANSWERS: dict[str, dict[str, Any]] = {
     "bd_walk_search_search_walk": {"note": [search.LOWER, search.NEAREST]},
     "bd_standing_look_along": {"note": [search.NEAREST]},
+    "bd_bench_nearness_find_tightest": {
+        "out": slice(bench_nearness.UPPER, None, bench_nearness.TIGHTEST_COLUMNS)
+    },
     "bd_low_points_low_point": {},
 }
 # Where a distance is least is known to half its digits only: of these only the other results count.

@@ -7,8 +7,7 @@ from functools import partial
 
 import pytest
 
-from benchdragon.analysis.bench_nearness import Tightest
-from benchdragon.analysis.bench_walks import PACES, BenchWalk, Stretch, bench_walks
+from benchdragon.analysis.bench_walks import PACES, BenchWalk, Stretch, Tightest, bench_walks
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.explain.bench_basis import bench_text

@@ -14,7 +14,7 @@ import zxingcpp
 from fpdf import FPDF
 from pypdf import PdfReader
 
-from benchdragon.analysis.bench_nearness import Tightest
+from benchdragon.analysis.bench_walks import Tightest
 from benchdragon.analysis.check import clearance_text, sentence
 from benchdragon.errors import InputError
 from benchdragon.explain.bench_basis import bench_text

@@ -1,36 +1,40 @@
 """What each bench does in a dance: where it starts, how it turns and how fast, what comes nearest."""
 
-import heapq
 import math
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Literal
 
 import numpy as np
 
 from benchdragon import budget
-from benchdragon.analysis.bench_nearness import Side, Tightest, TightestSearch, beside
-from benchdragon.analysis.bends import Bends, Turning
-from benchdragon.analysis.crossings import Crossings, crossings
+from benchdragon.analysis.bends import Bends, Turning, turning_of
 from benchdragon.analysis.distance import boxes
 from benchdragon.errors import InputError, brief, in_order, of_kind
 from benchdragon.i18n import _
+from benchdragon.kernels import bench_nearness as nearness
+from benchdragon.kernels import bench_walks as kernel
+from benchdragon.kernels.bench_nearness import REACH
+from benchdragon.kernels.box import BOX_COLUMNS
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.spiral import LANES
+from benchdragon.model.placement import Placement
 from benchdragon.model.walk import SLICE_PLACES, Motion, Walk
 from benchdragon.plans.schema import Plan
 
 Pace = Literal["wait", "walk", "hurry", "run"]
 PACES: tuple[Pace, ...] = ("wait", "walk", "hurry", "run")
+Side = Literal["left", "right", "front", "rear"]
+# In the order of kernels/bench_nearness.py.
+SIDES: tuple[Side, ...] = ("left", "right", "front", "rear")
 
 # A handle slower than this, m/s, waits.
 STILL = 0.05
-# Stretches shorter than this, s, nobody can follow: each is joined to the longer of its neighbours.
-SHORTEST = 1.0
-# Times at which all benches are looked at, s apart; farther where benches times times exceed the most
-# that are kept (8 bytes each).
+# Times at which all benches are looked at, s apart; farther where benches times times exceed the most.
 STEP = 0.125
-MOST_KEPT = 20_000_000
+MOST_LOOKED = 20_000_000
 
 __all__ = ["BenchWalk", "Pace", "Side", "Stretch", "Tightest", "Turning", "bench_walks"]
 
@@ -56,6 +60,27 @@ class Stretch:
     way: float
     angle: float
     speeds: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Tightest:
+    """When a bench of another coil comes nearest: one that is farther away than STRAIGHT in a line.
+
+    Attributes:
+        time: s.
+        bench: number of the other.
+        side: on which side of this bench it then is.
+        lower: no such bench comes nearer than this at any time, m.
+        upper: so near that one is then, m.
+        place: where this bench's front handle then is, m.
+    """
+
+    time: float
+    bench: int
+    side: Side
+    lower: float
+    upper: float
+    place: tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -95,9 +120,10 @@ def bench_walks(
 
     Turnings change where the front handle passes a place at which the route changes its side, paces
     where its speed passes STILL, `people.hurry_from` and `people.run_from` between times STEP apart:
-    both to `crossings.TOLERANCE` seconds. Stretches shorter than SHORTEST are joined to a neighbour.
-    `apart`, m, is what no two benches that are not neighbours come nearer than, if that is known: see
-    `Tightest` for what is established without.
+    both to `kernels.bench_walks.TOLERANCE` seconds; of what is passed between two times and passed back
+    by the next nothing is known. Stretches shorter than SHORTEST are joined to a neighbour. `apart`, m,
+    is what no two benches that are not neighbours come nearer than, if that is known: see `Tightest`
+    for what is established without.
 
     Raises:
         InputError: for what is no plan or no walk, or an end before the start.
@@ -106,24 +132,18 @@ def bench_walks(
     of_kind("plan", plan, Plan)
     of_kind("walk", walk, Walk)
     start, end = _span(span)
-    bends, times = Bends.of(walk.route), _times(walk, start, end)
-    gates = _gates(plan)
-    count = len(walk.dragon)
-    speeds, passed = np.empty((count, len(times))), list[Crossings]()
-    near = TightestSearch(walk, apart)
-    for first, motion in _slices(walk, times):
-        speeds[:, first : first + len(motion.times)] = motion.speed[:, :-1].T
-        passed.append(crossings(walk, motion, bends.at, gates))
-        near.look(motion)
-    ends = [walk.motion([time]) for time in (start, end)]
-    whole = _Whole(bends, gates, times, speeds, (ends[0].s[0], ends[1].s[0]))
-    tightest, sides = near.found(), beside(ends[1])
-    first_boxes = boxes(ends[0], 0).tolist()
-    bounds = Crossings.joined(passed).by_bench(count)
+    times, bends = _times(walk, start, end), Bends.of(walk.route)
+    rows, dragon = walk.route.rows, walk.dragon
+    line = kernel.Line(rows, dragon.links, dragon.sizes, bends.at, bends.sides, _gates(plan))
+    known = _seen(walk, line, times)
+    stretches = _stretches(bends, line, end, known)
+    first, last = (walk.motion([time]) for time in (start, end))
+    tightest, sides, table = _tightest(walk, line, times, apart, known), beside(last), boxes(first, 0)
+    count = len(dragon)
     return tuple(
         BenchWalk(
-            k + 1, (float(ends[0].x[0, k]), float(ends[0].y[0, k])), float(ends[0].heading[0, k]),
-            tuple(first_boxes[k]), whole.stretches(k, bounds[k]), tightest[k], k or None,
+            k + 1, (float(first.x[0, k]), float(first.y[0, k])), float(first.heading[0, k]),
+            tuple(table[k].tolist()), tuple(stretches[k]), tightest[k], k or None,
             k + 2 if k + 1 < count else None, *sides[k],
         )
         for k in range(count)
@@ -149,9 +169,8 @@ def _gates(plan: Plan) -> FloatArray:
 
 def _times(walk: Walk, start: float, end: float) -> FloatArray:
     """Times from start to end, s, STEP apart or more, and those at which the head's speed bends."""
-    most = max(MOST_KEPT // len(walk.dragon), 2)
-    count = min(math.ceil((end - start) / STEP), most)
-    knots = [time for time in walk.profile.times if start < time < end][:most]
+    count = min(math.ceil((end - start) / STEP), max(MOST_LOOKED // len(walk.dragon), 2))
+    knots = [time for time in walk.profile.times if start < time < end]
     return np.union1d(np.linspace(start, end, count + 1 if end > start else 1), knots)
 
 
@@ -162,107 +181,75 @@ def _slices(walk: Walk, times: FloatArray) -> Iterator[tuple[int, Motion]]:
         yield first, walk.motion(times[first : first + per + 1])
 
 
-# A stretch before it is told: when it starts, s, route position and speed there, turning and pace.
-Piece = tuple[float, float, float, int, int]
+def _seen(walk: Walk, line: kernel.Line, times: FloatArray) -> kernel.Known:
+    """What is seen of a walk at these times, s."""
+    count = len(walk.dragon)
+    known = kernel.Known(
+        np.empty((count, kernel.PIECE_COLUMNS)),
+        np.zeros((count, kernel.BENCH_COLUMNS)),
+        np.zeros(1, dtype=np.int64),
+        np.empty(LANES),
+        empty_placements(count + 1, LANES),
+    )
+    for first, motion in _slices(walk, times):
+        tables = (motion.s, motion.speed_ratio, motion.x, motion.y)
+        rows = (np.ascontiguousarray(table.T) for table in tables)
+        seen = kernel.Seen(motion.times, motion.head_s, walk.profile.speed(motion.times), *rows)
+        passed, work = kernel.count_passed(line, seen)
+        budget.spend(work)
+        room = max(int(known.tally[0]), count) + passed
+        if room > len(known.pieces):
+            budget.hold(8 * room * kernel.PIECE_COLUMNS)
+            more = np.empty((room - len(known.pieces), kernel.PIECE_COLUMNS))
+            known = known._replace(pieces=np.concatenate([known.pieces, more]))
+        if not kernel.look_at_benches(
+            line, seen, first, REACH, nearness.STRAIGHT, walk.dragon.lever, known
+        ):
+            walk.placement(known.at[:1])  # raises
+    return known
 
 
-@dataclass(frozen=True)
-class _Whole:
-    """A dance of which stretches are told: times looked at, (T,), and speeds of benches, (N, T)."""
-
-    bends: Bends
-    gates: FloatArray
-    times: FloatArray
-    speeds: FloatArray
-    ends: tuple[FloatArray, FloatArray]  # route positions of handles at the start and at the end
-
-    def stretches(self, k: int, bounds: Crossings) -> tuple[Stretch, ...]:
-        """The stretches of bench k (a row, from 0), whose bounds these are."""
-        speed, s = self.speeds[k], (float(self.ends[0][k]), float(self.ends[1][k]))
-        turning = int(np.searchsorted(self.bends.at, s[0], side="right"))
-        pace = int(np.searchsorted(self.gates, speed[0], side="right"))
-        pieces: list[Piece] = [(float(self.times[0]), s[0], float(speed[0]), turning, pace)]
-        for time, way, fast, bend, new in bounds.rows():
-            turning, pace = (new, pace) if bend else (turning, new)
-            pieces.append((time, way, fast, turning, pace))
-        end = float(self.times[-1])
-        pieces = _followed(self._one_each(pieces), end)
-        last = (end, s[1], float(speed[-1]), 0, 0)
-        angles = self.bends.angle(np.array([piece[1] for piece in (*pieces, last)]))
-        return tuple(
-            self._stretch(k, one, after, float(angles[n + 1] - angles[n]))
-            for n, (one, after) in enumerate(zip(pieces, [*pieces[1:], last], strict=True))
+def _stretches(
+    bends: Bends, line: kernel.Line, end: float, known: kernel.Known
+) -> dict[int, list[Stretch]]:
+    """The stretches of each bench, from 0, of a walk up to its end, s."""
+    out = np.empty((len(known.pieces), kernel.STRETCH_COLUMNS))
+    found = defaultdict[int, list[Stretch]](list)
+    for row in out[: kernel.tell_stretches(line.rows, bends.turned, end, known, out)].tolist():
+        bench, start, until, turning, pace, way, angle, *speeds = row
+        stretch = Stretch(
+            start, until, turning_of(turning), PACES[int(pace)], way, angle, (speeds[0], speeds[1])
         )
-
-    def _one_each(self, pieces: list[Piece]) -> list[Piece]:
-        """The same, each turning under the number of the first that is alike."""
-        sides = self.bends.turnings
-        return [(*piece[:3], sides.index(sides[piece[3]]), piece[4]) for piece in pieces]
-
-    def _stretch(self, k: int, one: Piece, after: Piece, angle: float) -> Stretch:
-        low = int(np.searchsorted(self.times, one[0], side="left"))
-        high = int(np.searchsorted(self.times, after[0], side="right"))
-        seen = [*self.speeds[k, low:high].tolist(), one[2], after[2]]
-        return Stretch(
-            one[0], after[0], self.bends.turnings[one[3]], PACES[one[4]], after[1] - one[1], angle,
-            (min(seen), max(seen)),
-        )  # fmt: skip
+        found[int(bench)].append(stretch)
+    return found
 
 
-def _followed(pieces: list[Piece], end: float) -> list[Piece]:
-    """Stretches that people can follow: none shorter than SHORTEST, if there are several.
+def _tightest(
+    walk: Walk, line: kernel.Line, times: FloatArray, apart: float, known: kernel.Known
+) -> list[Tightest | None]:
+    """The tightest moment of each bench; None where nothing comes within REACH."""
+    count, heads = len(walk.dragon), walk.head_position(times)
+    out = np.empty((count, nearness.TIGHTEST_COLUMNS))
+    nearness.find_tightest(line, heads, 0, count, apart, known, np.empty((2, BOX_COLUMNS)), out)
+    found = list[Tightest | None]()
+    for other, side, lower, upper, head, early, late, x, y in out.tolist():
+        if not other:
+            found.append(None)
+            continue
+        # Where the head stops for good, rounding may put its place beyond all that it comes to.
+        time = min(max(walk.time_at(head), times[int(early)]), times[int(late)])
+        found.append(Tightest(float(time), int(other), SIDES[int(side)], lower, upper, (x, y)))
+    return found
 
-    The shortest, of several the first, goes to the longer of its neighbours, again and again.
+
+def beside(placed: Placement) -> list[tuple[int | None, int | None]]:
+    """The numbers of the benches next to each on its left and on its right, at the first position.
+
+    Of each line of benches that passes, no neighbours and no more than BESIDE metres away, that is the
+    one most abreast, and of these the one of the nearest line; None where there is none.
     """
-    line = _Line(_unlike(pieces), end)
-    while (n := line.shortest()) is not None:
-        low, high = line.before[n], line.after[n]
-        if low < 0 or (high < len(line.lasts) and line.lasts[high] > line.lasts[low]):
-            line.join(n, high, line.pieces[high])
-        else:
-            line.join(low, n, line.pieces[low])
-    return line.left
-
-
-class _Line:
-    """Stretches one after another; neighbours are joined, and the first of them keeps its place."""
-
-    def __init__(self, pieces: list[Piece], end: float) -> None:
-        self.pieces, self.count = pieces[:], len(pieces)
-        starts = [*(piece[0] for piece in pieces), end]
-        self.starts, self.lasts = starts, [b - a for a, b in pairwise(starts)]
-        self.before = list(range(-1, len(pieces)))
-        self.after = list(range(1, len(pieces) + 1))
-        self.there = [True] * len(pieces)
-        self.queue = [(last, n) for n, last in enumerate(self.lasts)]
-        heapq.heapify(self.queue)
-
-    @property
-    def left(self) -> list[Piece]:
-        """The stretches that are there still."""
-        return [piece for piece, there in zip(self.pieces, self.there, strict=True) if there]
-
-    def shortest(self) -> int | None:
-        """The shortest stretch, if it is too short and not the only one."""
-        while self.count > 1 and self.queue[0][0] < SHORTEST:
-            last, n = heapq.heappop(self.queue)
-            if self.there[n] and last == self.lasts[n]:
-                return n
-        return None
-
-    def join(self, low: int, high: int, like: Piece) -> None:
-        """Join two neighbours to a stretch like one of them, and it to neighbours that are alike."""
-        self.pieces[low] = (*self.pieces[low][:3], *like[3:])
-        self.there[high], self.count = False, self.count - 1
-        self.after[low] = after = self.after[high]
-        self.before[after] = low
-        self.lasts[low] = self.starts[after] - self.starts[low]
-        heapq.heappush(self.queue, (self.lasts[low], low))
-        for one, other in ((self.before[low], low), (low, after)):
-            if one >= 0 and other < len(self.lasts) and self.pieces[one][3:] == self.pieces[other][3:]:
-                self.join(one, other, self.pieces[one])
-
-
-def _unlike(pieces: list[Piece]) -> list[Piece]:
-    """The same, those that are alike joined."""
-    return [piece for n, piece in enumerate(pieces) if n == 0 or piece[3:] != pieces[n - 1][3:]]
+    count = len(placed.dragon)
+    x, y = np.ascontiguousarray(placed.x.T), np.ascontiguousarray(placed.y.T)
+    found = np.empty((count, 2), dtype=np.int64)
+    nearness.find_beside(placed.dragon.sizes, x, y, np.empty((count, BOX_COLUMNS)), found)
+    return [(left or None, right or None) for left, right in found.tolist()]

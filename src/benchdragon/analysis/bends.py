@@ -1,74 +1,44 @@
 """Where a route bends left and right, and by how much it has turned."""
 
-from dataclasses import dataclass
-from typing import Literal, Self
+from typing import Literal, NamedTuple, Self
 
 import numpy as np
 
+from benchdragon.kernels.bends import LEFT, RIGHT, find_bends
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import IntArray
 from benchdragon.model.curves import Route
 
 Turning = Literal["left", "right", "straight"]
-
-# Curvatures below this, 1/m, are straight: what rounding leaves of a line.
-STRAIGHT = 1e-6
+TURNINGS: dict[int, Turning] = {LEFT: "left", RIGHT: "right"}
 
 
-@dataclass(frozen=True)
-class Bends:
+class Bends(NamedTuple):
     """A route cut where it changes the side to which it bends.
 
     Attributes:
-        at: route positions at which it does, m, increasing, (n,).
-        turnings: to which side it bends before, between and behind these, n + 1 of them.
-        joints: where its parts start, m.
-        starts: its heading there, rad, that of the part.
-        turned: by how much it has turned by then, rad, left positive, kinks included.
+        at: route positions from which it bends to each side, m, increasing, (n,); the first is -inf.
+        sides: to which it bends from there on, of kernels/bends.py, (n,).
+        turned: by how much it has turned by the start of each of its rows, rad, left positive.
     """
 
-    route: Route
     at: FloatArray
-    turnings: tuple[Turning, ...]
-    joints: FloatArray
-    starts: FloatArray
+    sides: IntArray
     turned: FloatArray
 
     @classmethod
     def of(cls, route: Route) -> Self:
         """The bends of a route."""
-        joints = route.joints[:-1]
-        at, turnings, ends = list[float](), list[Turning](), list[tuple[float, float]]()
-        for start, curve in zip(joints.tolist(), route, strict=True):
-            length = curve.length
-            bent, faced = curve.curvature([0.0, length]), curve.heading([0.0, length])
-            ends.append((float(faced[0]), float(faced[1])))
-            for way, turning in _sides(float(bent[0]), float(bent[1]), length):
-                if not turnings or turning != turnings[-1]:
-                    at += [start + way] if turnings else []
-                    turnings.append(turning)
-        faced = np.array(ends)
-        kinks = faced[1:, 0] - faced[:-1, 1]
-        kinks -= 2.0 * np.pi * np.round(kinks / (2.0 * np.pi))
-        turned = np.concatenate([[0.0], np.cumsum(faced[:-1, 1] - faced[:-1, 0] + kinks)])
-        return cls(route, np.array(at), tuple(turnings), joints, route.heading(joints), turned)
+        rows = len(route.rows)
+        at, sides, turned = np.empty(2 * rows), np.empty(2 * rows, np.int64), np.empty(rows)
+        count = find_bends(route.rows, at, sides, turned)
+        return cls(at[:count], sides[:count], turned)
 
-    def angle(self, s: FloatArray) -> FloatArray:
-        """By how much the route has turned from its start to positions s, m: rad, left positive."""
-        part = np.maximum(np.searchsorted(self.joints, s, side="right") - 1, 0)
-        return self.turned[part] + self.route.heading(s) - self.starts[part]
+    def turning(self, s: float) -> Turning:
+        """To which side the route bends at position s, m; just behind it, if it changes there."""
+        return turning_of(self.sides[np.searchsorted(self.at, s) - 1])
 
 
-def _sides(first: float, last: float, length: float) -> list[tuple[float, Turning]]:
-    """To which side a part bends, of these curvatures at its ends, and from where on, m.
-
-    The curvature of no part changes its sign but a clothoid's, which is linear.
-    """
-    if first * last < 0.0 and min(abs(first), abs(last)) > STRAIGHT:
-        return [(0.0, _side(first)), (length * first / (first - last), _side(last))]
-    return [(0.0, _side(first if abs(first) > abs(last) else last))]
-
-
-def _side(curvature: float) -> Turning:
-    if abs(curvature) <= STRAIGHT:
-        return "straight"
-    return "left" if curvature > 0.0 else "right"
+def turning_of(side: float) -> Turning:
+    """What a side of kernels/bends.py is called."""
+    return TURNINGS.get(int(side), "straight")

@@ -11,15 +11,15 @@ from functools import cached_property
 from typing import Literal, Self
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from benchdragon import budget
 from benchdragon.analysis.ground import Ground
 from benchdragon.errors import InputError, as_number, brief, finite, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.marks import SAME_MARK, lay_marks
 from benchdragon.model.base_curve import Point
-from benchdragon.model.curves import Arc, Route
+from benchdragon.model.curves import Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.plans.chalk import LEAST_EVERY
@@ -28,22 +28,15 @@ from benchdragon.plans.chalk import LEAST_EVERY
 MOST_MARKS = 5_000
 # What lengths, m, and angles, degrees, are rounded to.
 LENGTH_STEP, ANGLE_STEP = 0.005, 0.01
-# Marks that would be nearer than this along the route, m, are one.
-SAME_MARK = 1e-6
 # Marks farther apart than this, in usual distances, have others of an earlier round between them.
 FARTHEST = 1.5
 # A place nearer to a mark along the line, m, is at it.
 AT_MARK = 0.01
-# Marks nearer than this along the route, m, or than this share of the usual distance, are one, but for
-# start and ends.
-CLOSE, CLOSE_SHARE = 0.2, 0.4
 # As far as that, m, the peg may be from the nearest mark.
 LONGEST_TAPE = 200.0
-Kind = Literal["step", "joint", "start", "end"]
-# Which of two marks in one place is kept.
-RANK: dict[Kind, int] = {"step": 0, "joint": 1, "end": 2, "start": 3}
-# From this rank on a mark is kept, unless another such is in the same place.
-ALWAYS = 2
+Kind = Literal["step", "joint", "end", "start"]
+# In the order of kernels/marks.py.
+KINDS: tuple[Kind, ...] = ("step", "joint", "end", "start")
 
 
 @dataclass(frozen=True)
@@ -97,72 +90,12 @@ class Trail:
         """
         check_every(every)
         _check_count(every, self.high - self.low)
-        first = math.ceil((self.low - self.start) / every)
-        steps = self.start + every * np.arange(
-            first, math.floor((self.high - self.start) / every) + 1.0
-        )
-        found: dict[float, Kind] = dict.fromkeys(steps.tolist(), "step")
-        found |= {s: "joint" for s in self.route.joints.tolist() if self.low < s < self.high}
-        found |= {self.low: "end", self.high: "end", self.start: "start"}
-        places = sorted(found)
-        again = self._again(np.array(places))
-        kept = _apart_enough(
-            [
-                s
-                for s, once in zip(places, again, strict=True)
-                if not (once and RANK[found[s]] < ALWAYS)
-            ],
-            {s: RANK[kind] for s, kind in found.items()},
-            min(CLOSE, CLOSE_SHARE * every),
-        )
-        return np.array(kept), [found[s] for s in kept]
-
-    def _again(self, s: FloatArray) -> list[bool]:
-        """Whether the ground at positions, (n,), m, was walked the same way before."""
-        again = np.zeros(len(s), dtype=bool)
-        for lag in self._lags:
-            before = np.maximum(s - lag, self.low)
-            again |= (s - lag >= self.low) & (_apart(self.route, s, before) <= SAME_MARK)
-        found: list[bool] = again.tolist()
-        return found
-
-    @cached_property
-    def _lags(self) -> tuple[float, ...]:
-        """After how many m a place may come again: whole circles, or between joints in one place."""
-        joints = self.route.joints
-        lags = [
-            math.tau * one.radius
-            for one in self.route.curves
-            if isinstance(one, Arc) and abs(one.sweep) > math.tau
-        ]
-        points = cKDTree(self.route.point(joints))
-        for near, first in zip(points.query_ball_point(points.data, SAME_MARK), joints, strict=True):
-            later = joints[near][joints[near] > first + SAME_MARK]
-            lags += [float(later.min() - first)] if later.size else []
-        return tuple(np.unique(np.round(lags, 9)).tolist())
-
-
-def _apart_enough(places: list[float], ranks: dict[float, int], close: float) -> list[float]:
-    """Places along a route, m, ascending, without those too close to one of a higher rank."""
-    kept: list[float] = []
-    for s in places:
-        if kept:
-            least = min(ranks[s], ranks[kept[-1]])
-            # Round numbers of a plan put marks CLOSE together to the digit: rounding must not choose.
-            if s - kept[-1] <= SAME_MARK + (0.0 if least >= ALWAYS else close):
-                if ranks[s] <= ranks[kept[-1]]:
-                    continue
-                kept.pop()
-        kept.append(s)
-    return kept
-
-
-def _apart(route: Route, s: FloatArray, others: FloatArray) -> FloatArray:
-    """How far apart positions along a route are on the ground, m, and in heading, rad: the greater."""
-    turned = route.heading(s) - route.heading(others)
-    turned = np.abs((turned + math.pi) % math.tau - math.pi)
-    apart: FloatArray = np.maximum(as_lengths(route.point(s) - route.point(others)), turned)
-    return apart
+        rows, span = self.route.rows, self.high - self.low
+        room = math.ceil(span / every) + len(rows) + 4
+        s, kinds = np.empty(room), np.empty(room, dtype=np.int64)
+        lags = np.empty(2 * len(rows))
+        count = lay_marks(rows, self.low, self.start, self.high, every, lags, s, kinds)
+        return s[:count], [KINDS[kind] for kind in kinds[:count].tolist()]
 
 
 def check_every(every: float) -> None:

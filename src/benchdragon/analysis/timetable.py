@@ -98,9 +98,7 @@ def _joint_names(plan: Plan, walk: Walk) -> list[str]:
     bends, joints = Bends.of(walk.route), walk.route.joints[1:-1].tolist()
     names = []
     for n, s in enumerate(joints, start=1):
-        before, behind = (
-            bends.turnings[int(np.searchsorted(bends.at, s + aside))] for aside in (-NEAR, NEAR)
-        )
+        before, behind = (bends.turning(s + aside) for aside in (-NEAR, NEAR))
         name = _("joint {n}").format(n=n)
         if plan.route.kind == "turn" and n in (1, len(joints)):
             name = _("the turn begins") if n == 1 else _("the turn ends")

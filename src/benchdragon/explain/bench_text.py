@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import NamedTuple
 
-from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import BenchWalk, Stretch, Tightest
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.i18n import N_, _
+from benchdragon.kernels.bench_nearness import REACH
 from benchdragon.number_format import known
 from benchdragon.plans.people import PeopleTable
 

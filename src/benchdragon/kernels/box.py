@@ -86,7 +86,7 @@ def corner(boxes: Table, i: int, k: int) -> tuple[float, float]:
     return boxes[i, CX] + a * ux - b * uy, boxes[i, CY] + a * uy + b * ux
 
 
-@entry
+@kernel
 def offset(boxes: Table, j: int, x: float, y: float) -> tuple[float, float]:
     """Point (x, y) in box j's own frame, m: ahead of its centre, and to its left."""
     dx, dy = x - boxes[j, CX], y - boxes[j, CY]

@@ -19,7 +19,7 @@ from benchdragon.kernels.route import IntArray
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
-from benchdragon.player.frames import QUANTUM, STEPS, Frames, between, check_farthest
+from benchdragon.player.frames import QUANTUM, STEPS, Frames, between, check_farthest, spread
 
 # Ways behind are kept to this, m, and their changes, m a metre; in four bytes up to LARGEST.
 FINE = 1e-9
@@ -196,11 +196,7 @@ def _edges(walk: Walk, one: Dragon, low: float, high: float) -> list[float]:
         left, right = np.where(behind, middle, left), np.where(behind, right, middle)
     borders = np.sort(np.concatenate([[low], joints, 0.5 * (left + right)]))
     borders = borders[1:][(np.diff(borders) > NARROW) & (borders[1:] > low + NARROW)]
-    edges = [low]
-    for border in [*borders[borders < high - NARROW].tolist(), high]:
-        parts = max(math.ceil((border - edges[-1]) / STRETCH), 1)
-        edges += np.linspace(edges[-1], border, parts + 1)[1:].tolist()
-    return edges
+    return spread([low, *borders[borders < high - NARROW].tolist(), high], STRETCH)
 
 
 def _stretch(walk: Walk, one: Dragon, span: tuple[float, float], most: float) -> Table | None:

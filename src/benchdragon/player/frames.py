@@ -8,9 +8,8 @@ quantum, packed so that a page unpacks exactly these.
 import base64
 import math
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -19,6 +18,7 @@ import numpy.typing as npt
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.drawn_route import MOST_NODES, draw_stretch
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.walk import Walk
 
@@ -40,8 +40,8 @@ MOST_PLACES = 12_000_000
 LEVEL = 4
 # Route positions, m, whose quanta fit four bytes.
 FARTHEST = 200_000.0
-# A stretch of route has evenly spaced nodes and is at most so long, m; its cubics are within the error.
-STRETCH, STRETCH_ERROR = 20.0, 2e-5
+# A stretch of route is at most so long, m.
+STRETCH = 20.0
 
 
 @dataclass(frozen=True)
@@ -229,60 +229,32 @@ class Course:
     origin: tuple[float, float]
     error: float
 
-    @cached_property
-    def firsts(self) -> IntArray:
-        """Number of each stretch's first node."""
-        return np.concatenate([[0], np.cumsum(self.counts)[:-1]])
 
-    def place(self, s: FloatArray) -> FloatArray:
-        """Points at route positions s, m, (..., 2), as a page finds them."""
-        stretch = np.clip(np.searchsorted(self.starts, s, side="right") - 1, 0, None)
-        step = self.steps[stretch]
-        along = (s - self.starts[stretch]) / step
-        node = np.clip(along.astype(np.int64), 0, self.counts[stretch] - 2)
-        f, first = along - node, self.firsts[stretch] + node
-        x, y, heading = self.nodes.astype(np.float64)
-        out = [
-            base
-            + p[first]
-            + f * f * (3.0 - 2.0 * f) * (p[first + 1] - p[first])
-            + step * f * (1.0 - f) * ((1.0 - f) * t[first] - f * t[first + 1])
-            for base, p, t in zip(self.origin, (x, y), (np.cos(heading), np.sin(heading)), strict=True)
-        ]
-        return np.stack(out, axis=-1)
+def spread(borders: Iterable[float], longest: float) -> list[float]:
+    """Borders, m, with more of them evenly in between, so that none are farther apart than that."""
+    first, *others = borders
+    edges = [first]
+    for border in others:
+        parts = max(math.ceil((border - edges[-1]) / longest), 1)
+        edges += np.linspace(edges[-1], border, parts + 1)[1:].tolist()
+    return edges
 
 
 def course(walk: Walk, low: float, high: float) -> Course:
     """The route from position low to high, m, in cubics within STRETCH_ERROR."""
     joints = [joint for joint in walk.route.joints.tolist() if low < joint < high]
-    edges = [low]
-    for border in [*joints, high]:
-        parts = max(math.ceil((border - edges[-1]) / STRETCH), 1)
-        edges += np.linspace(edges[-1], border, parts + 1)[1:].tolist()
-    origin = tuple(np.round(walk.route.point(np.array([high]))[0], 3).tolist())
-    found = [_stretch(walk, a, b, origin) for a, b in pairwise(edges)]
-    counts = np.array([nodes.shape[1] for nodes, _error in found])
+    edges = spread([low, *joints, high], STRETCH)
+    x, y = np.round(walk.route.point(np.array([high]))[0], 3).tolist()
+    nodes, found = np.empty((3, MOST_NODES + 1)), list[tuple[Nodes, float]]()
+    for a, b in pairwise(edges):
+        count, error = draw_stretch(walk.route.rows, a, b, x, y, nodes)
+        found.append((nodes[:, :count].astype(np.float32), error))
+    counts = np.array([own.shape[1] for own, _error in found])
     return Course(
         np.array(edges[:-1]),
         np.diff(edges) / (counts - 1),
         counts,
-        np.concatenate([nodes for nodes, _error in found], axis=1),
-        origin,
+        np.concatenate([own for own, _error in found], axis=1),
+        (x, y),
         max(error for _nodes, error in found),
     )
-
-
-def _stretch(walk: Walk, low: float, high: float, origin: tuple[float, float]) -> tuple[Nodes, float]:
-    """Nodes of one stretch, (3, nodes), as many as its cubics need; and how far these are off, m."""
-    count, inside = 2, (high - low) * 1e-9  # headings at a joint are those of this side
-    while True:
-        s = np.linspace(low + inside, high - inside, count)
-        exact = np.vstack([(walk.route.point(s) - origin).T, np.unwrap(walk.route.heading(s))])
-        nodes = exact.astype(np.float32)
-        step = np.array([(high - low) / (count - 1)])
-        piece = Course(np.array([low]), step, np.array([count]), nodes, origin, 0.0)
-        shares = np.linspace(low, high, 4 * (count - 1) + 1)
-        error = float(np.hypot(*(piece.place(shares) - walk.route.point(shares)).T).max())
-        if error <= STRETCH_ERROR or count > 4096:
-            return nodes, error
-        count = 2 * count - 1

@@ -10,13 +10,13 @@ import numpy as np
 from benchdragon import budget
 from benchdragon.analysis.beats import score_of
 from benchdragon.analysis.check import Report, clearance_text, in_one_coil, speed_text
-from benchdragon.analysis.distance import nearest_each
 from benchdragon.analysis.findings import named, shown_name, touch_text
 from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
 from benchdragon.analysis.swept import drawn_ground
 from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.i18n import N_, Words, _, both, language
+from benchdragon.kernels.bench_nearness import see_near
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
 from benchdragon.model.dragon import Dragon
@@ -316,26 +316,21 @@ def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[messages.Nearest, me
     wanted = 4.0 * max(walked, shot.end - shot.start, 0.5)  # a look each 0.25 m, and each 0.25 s
     count = int(min(most, max(2, MOST_DISTANCES // benches), wanted))
     times = np.linspace(shot.start, shot.end, count)
-    best, when = np.full(benches, np.inf), np.zeros(benches)
-    other, over_time = np.zeros(benches, dtype=np.int64), []
+    table, over_time = np.tile([np.inf, 0.0, 0.0], (benches, 1)), []
     for motion in walk.motions(times, throw=False):
-        distance, partner = nearest_each(motion, REACH)
-        over_time.append(np.minimum(distance.min(axis=1), REACH))
-        first = distance.argmin(axis=0)
-        rows = np.arange(benches)
-        least = distance[first, rows]
-        closer = least < best
-        best = np.where(closer, least, best)
-        when = np.where(closer, motion.times[first], when)
-        other = np.where(closer, partner[first, rows], other)
-    near = messages.Nearest(
+        x, y = np.ascontiguousarray(motion.x.T), np.ascontiguousarray(motion.y.T)
+        least = np.empty(len(motion.times))
+        see_near(walk.dragon.sizes, x, y, motion.times, REACH, table, least)
+        over_time.append(least)
+    near, when, other = table.T
+    nearest = messages.Nearest(
         reach=REACH,
-        distance=np.where(np.isfinite(best), np.round(best, 5), 0.0).tolist(),
+        distance=np.where(np.isfinite(near), np.round(near, 5), 0.0).tolist(),
         time=np.round(when, 4).tolist(),
-        other=other.tolist(),
+        other=other.astype(int).tolist(),
     )
     distance = np.round(np.concatenate(over_time), 4).tolist()
-    return near, messages.Tightness(
+    return nearest, messages.Tightness(
         start=shot.start, step=float(times[1] - times[0]), distance=distance
     )
 

@@ -9,7 +9,6 @@ import numpy as np
 import shapely
 from shapely.geometry import LineString
 
-from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import BenchWalk
 from benchdragon.analysis.check import sentence
 from benchdragon.analysis.findings import named, shown_name
@@ -23,6 +22,7 @@ from benchdragon.export.pages import write_pdf
 from benchdragon.export.typeset import Typeset
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
+from benchdragon.kernels.bench_nearness import REACH
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
 from benchdragon.model.obstacle import Obstacle

@@ -1,7 +1,7 @@
 // The leader's table: who carries each bench, where it starts, what comes nearest; on paper and as a file.
 
 import { make } from "./elements.js";
-import { ANALYSIS_BENCH_NEARNESS } from "./compute/constants.js";
+import { BENCH_NEARNESS } from "./compute/constants.js";
 import { decimals, general } from "./compute/number_format.js";
 import { _, language } from "./words.js";
 
@@ -13,7 +13,7 @@ import { _, language } from "./words.js";
 const [MOST_TIGHT, TIGHT_APART] = [3, 3];
 // The columns of what a bench does and of who comes nearest, and what stands there for nobody.
 const [WHAT, TIGHTEST, NONE] = [3, 4, "-"];
-const { REACH } = ANALYSIS_BENCH_NEARNESS;
+const { REACH } = BENCH_NEARNESS;
 // What a spreadsheet takes for a formula.
 const FORMULA = /^[=+\-@\t\r]/;
 const NUMBER = /^-?\d+(\.\d+)?$/;

@@ -1,27 +1,20 @@
-// What each bench does in a dance: where it starts, how it turns and how fast, what comes nearest. Twin of
-// analysis/bench_walks.py.
+// What each bench does in a dance: where it starts, how it turns and how fast, what comes nearest. The host
+// of kernels/bench_walks.py and kernels/bench_nearness.py, as analysis/bench_walks.py is.
 
-import { doubles, withArena } from "./arena.js";
-import { TightestSearch, beside } from "./bench_nearness.js";
-import { Bends } from "./bends.js";
-import { question } from "./budget.js";
-import { ANALYSIS_BENCH_WALKS, BOX, MODEL_WALK } from "./constants.js";
-import { crossings } from "./crossings.js";
-import { boxes } from "./distance.js";
+import { copied, doubles, withArena, withArenaAsync, wholes } from "./arena.js";
+import { hold, question, spend } from "./budget.js";
+import { ANALYSIS_BENCH_WALKS, BENCH_NEARNESS, BENCH_WALKS, BENDS, BOX, SPIRAL } from "./constants.js";
 import { linspace } from "./numbers.js";
-import { countBelow, countUpTo } from "./profile.js";
-import { followed } from "./stretches.js";
 import { silent, tick } from "./tick.js";
 
-/** @typedef {import("./bench_nearness.js").Looks} Looks */
-/** @typedef {import("./bench_nearness.js").Tightest} Tightest */
-/** @typedef {import("./bends.js").Turning} Turning */
-/** @typedef {import("./crossings.js").Crossing} Crossing */
+/** @typedef {import("../engine.js").Numbers} Numbers */
+/** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./plan.js").Plan} Plan */
-/** @typedef {import("./stretches.js").Piece} Piece */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
+/** @typedef {"left" | "right" | "straight"} Turning */
 /** @typedef {"wait" | "walk" | "hurry" | "run"} Pace */
+/** @typedef {"left" | "right" | "front" | "rear"} Side */
 
 /**
  * A time in which a bench keeps turning one way at one pace.
@@ -33,6 +26,17 @@ import { silent, tick } from "./tick.js";
  * @property {number} way how far that handle goes, m
  * @property {number} angle by how much the route turns under that handle, rad, left positive
  * @property {[number, number]} speeds the least and the greatest of that handle seen, m/s
+ */
+
+/**
+ * When a bench of another coil comes nearest: one that is farther away than STRAIGHT in a line.
+ * @typedef {object} Tightest
+ * @property {number} time s
+ * @property {number} bench number of the other
+ * @property {Side} side on which side of this bench it then is
+ * @property {number} lower no such bench comes nearer than this at any time, m
+ * @property {number} upper so near that one is then, m
+ * @property {[number, number]} place where this bench's front handle then is, m
  */
 
 /**
@@ -50,13 +54,14 @@ import { silent, tick } from "./tick.js";
  * @property {number | null} right the same on its right
  */
 
-const { STILL, STEP, MOST_KEPT } = ANALYSIS_BENCH_WALKS;
+const { STILL, STEP, MOST_LOOKED } = ANALYSIS_BENCH_WALKS;
 /** @type {Pace[]} */
 const PACES = ["wait", "walk", "hurry", "run"];
-// Places that are computed at a time: after each the page is heard.
-const PLACES = 60_000;
-// Benches of which the tightest moments are found at a time.
-const BENCHES = 20;
+/** In the order of kernels/bench_nearness.py. @type {Side[]} */
+const SIDES = ["left", "right", "front", "rear"];
+// Places that are computed at a time, and benches of which the tightest moments are found: after each the
+// page is heard.
+const [PLACES, BENCHES] = [60_000, 20];
 
 /**
  * What each bench of a plan's walk does over a span, s, the head's first, and where along the route each
@@ -67,36 +72,37 @@ const BENCHES = 20;
  * @param {Progress} [progress]
  */
 export function benchWalks(plan, walk, span, progress = silent) {
-  return question(() => walkedOver(plan, walk, span, progress));
+  const gates = gatesOf(plan.tables.people);
+  return question(() =>
+    withArenaAsync(walk.engine, (arena) => walkedOver(arena, walk, gates, span, progress)),
+  );
 }
 
-/** @param {Plan} plan @param {Walk} walk @param {[number, number]} span @param {Progress} progress */
-async function walkedOver(plan, walk, [start, end], progress) {
+/** @param {Arena} arena @param {Walk} walk @param {number[]} gates @param {[number, number]} span @param {Progress} progress */
+async function walkedOver(arena, walk, gates, [start, end], progress) {
   const { benches } = walk.dragon;
   const times = timesOf(walk, start, end);
-  const gates = gatesOf(plan.tables.people);
-  const bends = new Bends(walk.route);
-  const seen = new Seen(walk, times, bends.at, gates);
-  for (const [first, last] of slices(times.length, benches)) {
-    await seen.slice(first, last);
-    progress((0.8 * last) / times.length, "");
-  }
-  const ends = endsOf(walk, start, end);
-  const whole = new Whole(bends, gates, times, seen.speeds, ends.s);
+  const { turned, ...bends } = bendsOf(arena, walk);
+  const line = {
+    rows: walk.route.rows, links: walk.dragon.links, sizes: walk.dragon.sizes, ...bends,
+    gates: arena.vector(gates),
+  }; // prettier-ignore
+  const known = await seenOf(arena, walk, line, times, (share) => progress(0.8 * share, ""));
+  const stretches = stretchesOf(arena, line.rows, turned, end, known);
+  const tightest = await tightestOf(arena, walk, line, times, known, (share) =>
+    progress(0.8 + 0.2 * share, ""),
+  );
+  const [first, last] = [start, end].map((time) => standingAt(walk, time));
   /** @type {BenchWalk[]} */
-  const found = [];
-  for (let k = 0; k < benches; k++) {
-    const [left, right] = ends.sides[k];
-    found.push({
-      bench: k + 1, place: ends.places[k], heading: ends.headings[k], box: ends.boxes[k],
-      stretches: whole.stretches(k, seen.crossed(k)), tightest: seen.near.tightest(k),
-      before: k || null, behind: k + 1 < benches ? k + 2 : null, left, right,
-    }); // prettier-ignore
-    if (k % BENCHES) continue;
-    progress(0.8 + (0.2 * k) / benches, "");
-    await tick();
-  }
-  return { benches: found, s: ends.s };
+  const found = Array.from({ length: benches }, (_bench, k) => {
+    const [left, right] = last.beside[k];
+    return {
+      bench: k + 1, place: first.places[k], heading: first.headings[k], box: first.boxes[k],
+      stretches: stretches[k], tightest: tightest[k], before: k || null,
+      behind: k + 1 < benches ? k + 2 : null, left, right,
+    }; // prettier-ignore
+  });
+  return { benches: found, s: [first.s, last.s] };
 }
 
 /** Speeds from which the next pace begins, m/s, ascending. @param {Record<string, number>} people */
@@ -107,151 +113,127 @@ function gatesOf({ hurry_from: hurry, run_from }) {
 
 /** Times from start to end, s, STEP apart or more, and those at which the head's speed bends. @param {Walk} walk @param {number} start @param {number} end */
 function timesOf(walk, start, end) {
-  const most = Math.max(Math.floor(MOST_KEPT / walk.dragon.benches), 2);
+  const most = Math.max(Math.floor(MOST_LOOKED / walk.dragon.benches), 2);
   const count = Math.min(Math.ceil((end - start) / STEP), most);
-  const knots = walk.profile.times.filter((time) => start < time && time < end).slice(0, most);
+  const knots = walk.profile.times.filter((time) => start < time && time < end);
   const even = end > start ? linspace(start, end, count + 1) : Float64Array.of(start);
   return Float64Array.from(new Set([...even, ...knots])).sort();
 }
 
-/** The first and the last time of slices, each from the last of the one before it. @param {number} count of times @param {number} benches */
-function slices(count, benches) {
-  const per = Math.max(Math.floor(MODEL_WALK.SLICE_PLACES / (benches + 1)), 2);
-  /** @type {Array<[number, number]>} */
-  const found = [];
-  for (let first = 0; first < Math.max(count - 1, 1); first += per)
-    found.push([first, Math.min(first + per, count - 1)]);
+/** Where the route bends to which side, and by how much it has turned. @param {Arena} arena @param {Walk} walk */
+function bendsOf(arena, { engine, route }) {
+  const count = route.rows.shape[0];
+  const [at, sides] = [arena.array("d", 2 * count), arena.array("q", 2 * count)];
+  const turned = arena.array("d", count);
+  const [found] = engine.call("bd_bends_find_bends", route.rows, at, sides, turned);
+  const bends = arena.vector(doubles(at).slice(0, found));
+  return { bends, sides: arena.whole(wholes(sides).slice(0, found)), turned };
+}
+
+/** @typedef {Record<"rows" | "links" | "sizes" | "bends" | "sides" | "gates", Numbers>} Line */
+/** @typedef {{ pieces: Numbers, benches: Numbers, tally: Numbers, at: Numbers, places: import("./arena.js").Placements }} Known */
+
+/** What is seen of a walk at these times, s. @param {Arena} arena @param {Walk} walk @param {Line} line @param {Float64Array} times @param {(share: number) => void} heard */
+async function seenOf(arena, walk, line, times, heard) {
+  const { benches, lever } = walk.dragon;
+  /** @type {Known} */
+  const known = {
+    pieces: arena.array("d", benches, BENCH_WALKS.PIECE_COLUMNS),
+    benches: arena.full([benches, BENCH_WALKS.BENCH_COLUMNS], 0),
+    tally: arena.whole([0]),
+    at: arena.array("d", SPIRAL.LANES),
+    places: arena.placements(benches + 1, SPIRAL.LANES),
+  };
+  const per = Math.max(Math.floor(PLACES / (benches + 1)), 1);
+  for (let first = 0; first < Math.max(times.length - 1, 1); first += per) {
+    withArena(walk.engine, (own) => {
+      const motion = walk.motion(own, times.subarray(first, first + per + 1));
+      const { s, ratio, x, y } = motion;
+      const [at, heads] = [own.vector(motion.times), own.vector(motion.headS)];
+      const seen = { times: at, heads, paces: own.vector(motion.headSpeed), s, ratio, x, y };
+      const [passed, work] = walk.engine.call("bd_bench_walks_count_passed", line, seen);
+      spend(work);
+      makeRoom(arena, known, passed);
+      const [sound] = walk.engine.call(
+        "bd_bench_walks_look_at_benches", line, seen, first, BENCH_NEARNESS.REACH,
+        BENCH_NEARNESS.STRAIGHT, lever, known,
+      ); // prettier-ignore
+      if (!sound) walk.placement(own, [doubles(known.at)[0]]); // throws
+    });
+    heard(first / times.length);
+    await tick();
+  }
+  return known;
+}
+
+/** Room for so many pieces more. @param {Arena} arena @param {Known} known @param {number} more */
+function makeRoom(arena, known, more) {
+  const { pieces, benches, tally } = known;
+  const room = Math.max(wholes(tally)[0], benches.shape[0]) + more;
+  if (room <= pieces.shape[0]) return;
+  hold(8 * room * BENCH_WALKS.PIECE_COLUMNS);
+  known.pieces = arena.array("d", room, BENCH_WALKS.PIECE_COLUMNS);
+  doubles(known.pieces).set(doubles(pieces));
+  arena.drop(pieces);
+}
+
+/** The rows of a table that are told. @param {Numbers} table @param {number} [count] of them */
+function* rowsOf({ view, shape: [all, columns] }, count = all) {
+  for (let n = 0; n < count; n++)
+    yield Array.from(view.subarray(n * columns, (n + 1) * columns), Number);
+}
+
+/** The stretches of each bench of a walk up to its end, s. @param {Arena} arena @param {Numbers} rows of the route @param {Numbers} turned @param {number} end @param {Known} known @returns {Stretch[][]} */
+function stretchesOf(arena, rows, turned, end, known) {
+  const out = arena.array("d", known.pieces.shape[0], BENCH_WALKS.STRETCH_COLUMNS);
+  const [told] = arena.engine.call("bd_bench_walks_tell_stretches", rows, turned, end, known, out);
+  /** @type {Stretch[][]} */
+  const found = Array.from({ length: known.benches.shape[0] }, () => []);
+  for (const [bench, start, until, side, pace, way, angle, slow, fast] of rowsOf(out, told)) {
+    const turning = side === BENDS.LEFT ? "left" : side === BENDS.RIGHT ? "right" : "straight";
+    const speeds = /** @type {[number, number]} */ ([slow, fast]);
+    found[bench].push({ start, end: until, turning, pace: PACES[pace], way, angle, speeds });
+  }
   return found;
 }
 
-/** Where benches are at the start and at the end, s, and who is beside each then. @param {Walk} walk @param {number} start @param {number} end */
-function endsOf(walk, start, end) {
-  const at = (/** @type {number} */ time) =>
-    withArena(walk.engine, (arena) => {
-      const motion = walk.motion(arena, [time]);
-      const [s, x, y] = [motion.s, motion.x, motion.y].map(({ view }) => Array.from(view, Number));
-      const table = doubles(boxes(arena, motion));
-      const rows = s.slice(1).map((_s, k) => {
-        return Array.from(table.subarray(k * BOX.BOX_COLUMNS, (k + 1) * BOX.BOX_COLUMNS));
-      });
-      return { s, x, y, boxes: rows, sides: beside(motion) };
-    });
-  const [{ s, x, y, boxes: first }, { s: last, sides }] = [start, end].map(at);
-  const rows = sides.map((_side, k) => k);
-  const places = rows.map((k) => /** @type {[number, number]} */ ([x[k], y[k]]));
-  // Of a bench: from its rear handle to its front one.
-  const headings = rows.map((k) => Math.atan2(y[k] - y[k + 1], x[k] - x[k + 1]));
-  return { s: [s, last], places, headings, boxes: first, sides };
+/** The tightest moment of each bench; null where nothing comes within REACH. @param {Arena} arena @param {Walk} walk @param {Line} line @param {Float64Array} times @param {Known} known @param {(share: number) => void} heard */
+async function tightestOf(arena, walk, line, times, known, heard) {
+  const { benches } = walk.dragon;
+  const heads = arena.vector(times.map((time) => walk.headPosition(time)));
+  const boxes = arena.array("d", 2, BOX.BOX_COLUMNS);
+  const out = arena.array("d", benches, BENCH_NEARNESS.TIGHTEST_COLUMNS);
+  for (let k = 0; k < benches; k += BENCHES) {
+    const stop = Math.min(k + BENCHES, benches);
+    arena.engine.call("bd_bench_nearness_find_tightest", line, heads, k, stop, 0, known, boxes, out);
+    heard(k / benches);
+    await tick();
+  }
+  return Array.from(rowsOf(out), ([bench, side, lower, upper, head, early, late, ...at]) => {
+    if (!bench) return null;
+    const place = /** @type {[number, number]} */ (at);
+    // Where the head stops for good, rounding may put its place beyond all that it comes to.
+    const time = Math.min(Math.max(walk.timeAt(head), times[early]), times[late]);
+    return { time, bench, side: SIDES[side], lower, upper, place };
+  });
 }
 
-/** What is seen of a dance at the times looked at. */
-class Seen {
-  /** @param {Walk} walk @param {Float64Array} times @param {number[]} places where the route changes its side, m @param {number[]} gates */
-  constructor(walk, times, places, gates) {
-    this.walk = walk;
-    this.times = times;
-    this.places = places;
-    this.gates = gates;
-    /** Of each bench's front handle at each time, m/s. */
-    this.speeds = Array.from({ length: walk.dragon.benches }, () => new Float64Array(times.length));
-    this.near = new TightestSearch(walk, 0);
-    /** Crossings of each bench. @type {Crossing[][]} */
-    this.passed = this.speeds.map(() => []);
-  }
-
-  /** Crossings of bench k (a row, from 0), one after another. @param {number} k */
-  crossed(k) {
-    return this.passed[k].sort((a, b) => a.time - b.time);
-  }
-
-  /** Look at a slice of the times, from number `first` to number `last`. @param {number} first @param {number} last */
-  async slice(first, last) {
-    const { benches } = this.walk.dragon;
-    const count = last - first + 1;
-    /** @type {Looks} */
-    const looks = {
-      distance: new Float64Array(count * benches),
-      partner: new Int32Array(count * benches),
-      headS: new Array(count),
-      times: [...this.times.subarray(first, last + 1)],
-    };
-    const per = Math.max(Math.floor(PLACES / (benches + 1)), 1);
-    for (let low = first; low < Math.max(last, first + 1); low += per) {
-      const high = Math.min(low + per, last);
-      const seen = this.#piece(low, high);
-      looks.distance.set(seen.distance, (low - first) * benches);
-      looks.partner.set(seen.partner, (low - first) * benches);
-      seen.headS.forEach((s, n) => (looks.headS[low - first + n] = s));
-      await tick();
-    }
-    this.near.look(looks);
-  }
-
-  /** @param {number} low @param {number} high number of the last time */
-  #piece(low, high) {
-    const { walk, speeds } = this;
-    return withArena(walk.engine, (arena) => {
-      const motion = walk.motion(arena, this.times.subarray(low, high + 1));
-      const { count, speed } = motion;
-      speeds.forEach((own, k) => own.set(speed.subarray(k * count, (k + 1) * count), low));
-      for (const one of crossings(walk, motion, this.places, this.gates))
-        this.passed[one.handle].push(one);
-      return this.near.seen(motion);
-    });
-  }
-}
-
-/** A dance of which stretches are told. */
-class Whole {
-  /** @param {Bends} bends @param {number[]} gates @param {Float64Array} times @param {Float64Array[]} speeds @param {number[][]} ends route positions of handles at the start and at the end, m */
-  constructor(bends, gates, times, speeds, ends) {
-    this.bends = bends;
-    this.gates = gates;
-    this.times = times;
-    this.speeds = speeds;
-    this.ends = ends;
-  }
-
-  /** The stretches of bench k (a row, from 0). @param {number} k @param {Crossing[]} bounds @returns {Stretch[]} */
-  stretches(k, bounds) {
-    const { times, bends } = this;
-    const [speed, [first, last]] = [this.speeds[k], this.ends.map((s) => s[k])];
-    let turning = countUpTo(bends.at, first);
-    let pace = countUpTo(this.gates, speed[0]);
-    /** @type {Piece[]} */
-    const pieces = [{ time: times[0], s: first, speed: speed[0], turning, pace }];
-    for (const { time, s, speed: fast, bend, next } of bounds) {
-      if (bend) turning = next;
-      else pace = next;
-      pieces.push({ time, s, speed: fast, turning, pace });
-    }
-    const end = times[times.length - 1];
-    const alike = pieces.map((one) => ({ ...one, turning: this.#firstAlike(one.turning) }));
-    const kept = followed(alike, end);
-    kept.push({ time: end, s: last, speed: speed[speed.length - 1], turning: 0, pace: 0 });
-    const angles = bends.angle(kept.map(({ s }) => s));
-    return kept
-      .slice(0, -1)
-      .map((one, n) => this.#stretch(k, one, kept[n + 1], angles[n + 1] - angles[n]));
-  }
-
-  /** The number of the first turning that is alike. @param {number} turning */
-  #firstAlike(turning) {
-    const { turnings } = this.bends;
-    return turnings.indexOf(turnings[turning]);
-  }
-
-  /** @param {number} k @param {Piece} one @param {Piece} after @param {number} angle @returns {Stretch} */
-  #stretch(k, one, after, angle) {
-    const [low, high] = [countBelow(this.times, one.time), countUpTo(this.times, after.time)];
-    let [least, most] = [Math.min(one.speed, after.speed), Math.max(one.speed, after.speed)];
-    for (const speed of this.speeds[k].subarray(low, high)) {
-      least = Math.min(least, speed);
-      most = Math.max(most, speed);
-    }
+/** Where benches are at a time, s, and who is beside each. @param {Walk} walk @param {number} time */
+function standingAt(walk, time) {
+  return withArena(walk.engine, (arena) => {
+    const { benches, sizes } = walk.dragon;
+    const motion = walk.motion(arena, [time]);
+    const [table, found] = [arena.array("d", benches, BOX.BOX_COLUMNS), arena.array("q", benches, 2)];
+    walk.engine.call("bd_bench_nearness_find_beside", sizes, motion.x, motion.y, table, found);
+    const [s, x, y] = [motion.s, motion.x, motion.y].map(copied);
+    const boxes = [...rowsOf(table)];
     return {
-      start: one.time, end: after.time, turning: this.bends.turnings[one.turning],
-      pace: PACES[one.pace], way: after.s - one.s, angle, speeds: [least, most],
-    }; // prettier-ignore
-  }
+      s: [...s],
+      boxes,
+      places: boxes.map((_box, k) => /** @type {[number, number]} */ ([x[k], y[k]])),
+      // Of a bench: from its rear handle to its front one.
+      headings: boxes.map((_box, k) => Math.atan2(y[k] - y[k + 1], x[k] - x[k + 1])),
+      beside: Array.from(rowsOf(found), ([left, right]) => [left || null, right || null]),
+    };
+  });
 }

@@ -1,24 +1,75 @@
 // Numbers of the kernels and of modules that have twins here. Made by tools/make_constants.py;
 // to make it again: make types
 
-export const BEGINNING = {
-  CELL_SHARE: 0.45,
-  NOWHERE: 1.152921504606847e18,
+export const BENCH_NEARNESS = {
+  REACH: 1.5,
+  BESIDE: 1.5,
+  STRAIGHT: 3,
+  SHRINKS: 6,
+  OTHER: 0,
+  WHERE: 1,
+  LOWER: 2,
+  UPPER: 3,
+  HEAD: 4,
+  EARLY: 5,
+  LATE: 6,
+  PLACE_X: 7,
+  PLACE_Y: 8,
+  TIGHTEST_COLUMNS: 9,
+  NEAR: 0,
+  WHEN: 1,
+  NUMBER: 2,
+  NEAR_COLUMNS: 3,
+  ON_LEFT: 0,
+  ON_RIGHT: 1,
+  AT_FRONT: 2,
+  AT_REAR: 3,
 };
 
-export const BENCH_CELLS = {
-  REAR: 0,
-  SLOW: 1,
-  FAST: 2,
-  FADE: 3,
-  GROW: 4,
-  SWAY: 5,
-  CELL_COLUMNS: 6,
-  STEADY: 8,
-  AT: 0,
-  WIDTH: 1,
-  CELLS: 0,
-  RUN: 1,
+export const BENCH_WALKS = {
+  TOLERANCE: 1e-6,
+  MOST_LOOKS: 100,
+  ROUNDING: 8.881784197001252e-16,
+  LEAST: 2.2250738585072014e-308,
+  LOOKS: 8,
+  SHORTEST: 1,
+  LEVEL: 1e-6,
+  TIME: 0,
+  WAY: 1,
+  SPEED: 2,
+  SIDE: 3,
+  PACE: 4,
+  SLOW: 5,
+  FAST: 6,
+  NEXT: 7,
+  BEFORE: 8,
+  PIECE_COLUMNS: 9,
+  LAST: 0,
+  END_WAY: 1,
+  END_SPEED: 2,
+  NEAREST: 3,
+  PARTNER: 4,
+  AT: 5,
+  FLOOR: 6,
+  BENCH_COLUMNS: 7,
+  BENCH: 0,
+  START: 1,
+  END: 2,
+  TURN: 3,
+  STEPS: 4,
+  FAR: 5,
+  ANGLE: 6,
+  LOW: 7,
+  HIGH: 8,
+  STRETCH_COLUMNS: 9,
+  NOBODY: -1,
+};
+
+export const BENDS = {
+  STRAIGHT: 1e-6,
+  LEFT: 1,
+  AHEAD: 0,
+  RIGHT: -1,
 };
 
 export const BESIDE = {
@@ -104,48 +155,6 @@ export const BOX = {
   ACROSS: [1, 1, -1, -1],
 };
 
-export const CELLS = {
-  PARTS: 4,
-  RADIUS: 6,
-  HULL_COLUMNS: 7,
-  STATE: 0,
-  CHILD: 1,
-  PARTNER: 2,
-  GROUP: 3,
-  NUMBER: 4,
-  LEVEL: 5,
-  TREE_COLUMNS: 6,
-  UNKNOWN: 0,
-  WANTED: 1,
-  BOXED: 2,
-  ROW: 0,
-  NEXT: 1,
-  GROUPS: 0,
-  CELLS: 1,
-  ROWS: 2,
-  ENTRIES: 3,
-  LOW: 4,
-  TODO: 5,
-  NEAR: 6,
-  DOUBTS: 7,
-  MIXED: 8,
-  REAR: 9,
-  BORDERS: 10,
-  COUNTS: 11,
-  REACH: 0,
-  CELL: 1,
-  END: 2,
-  MEASURES: 3,
-  ARM: 0,
-  HIND: 1,
-  WIDEST: 2,
-  ALONE: 3,
-  FOREMOST: 4,
-  REARMOST: 5,
-  FIRST: 6,
-  WAYS: 7,
-};
-
 export const CONTACT_MEMORY = {
   SEEN: 4,
   BETWEEN: 5,
@@ -202,24 +211,6 @@ export const CONTACT_MEMORY = {
   BASE: 80,
 };
 
-export const COURSE = {
-  AT: 0,
-  GOAL: 1,
-  UPTO: 2,
-  KNOWN: 3,
-  SOUND: 4,
-  STEP_START: 5,
-  STEP_END: 6,
-  COURSE: 7,
-  SLOT: 0,
-  SLOTS: 1,
-  BENCHES: 2,
-  PAIRS: 3,
-  PLACED: 4,
-  CHAINS: 5,
-  TALLY: 6,
-};
-
 export const CURVE = {
   LINE: 0,
   ARC: 1,
@@ -248,10 +239,9 @@ export const CURVE = {
   MAX_NEWTON: 40,
 };
 
-export const DOUBTS = {
-  CAREFUL_PARTS: 16,
-  FINEST: 1e-9,
-  UNIT: 2.3e-16,
+export const DRAWN_ROUTE = {
+  STRETCH_ERROR: 2e-5,
+  MOST_NODES: 4097,
 };
 
 export const DRIVE = {
@@ -310,37 +300,14 @@ export const FAMILY = {
   UNKNOWN: 1e-6,
 };
 
-export const GRID = {
-  PAIRS_A_PLACE: 64,
-  PAIRS_AT_FIRST: 4000000,
-  COLUMN_FACTOR: 73856093,
-  ROW_FACTOR: 19349663,
-};
-
-export const LOW_POINTS = {
-  SAMPLES: 16,
-  SHRINKS: 13,
-  LEVEL: 2e-15,
-  HINT_PLACES: 128,
-  HINT_SHRINKS: 4,
-  MOST_SAMPLED: 5000,
-  TAIL_TOLERANCE: 1e-9,
-};
-
-export const MEETINGS = {
-  SHARE: 0.01,
-  SHORT_STRIDE: 4,
-  LONG_STRIDE: 12,
-  STEPS_A_CALL: 4096,
+export const MARKS = {
+  SAME_MARK: 1e-6,
+  CLOSE: 0.2,
+  CLOSE_SHARE: 0.4,
   STEP: 0,
-  DONE: 1,
-  WAIT: 2,
-  STOPPED: 3,
-  NARROW: 4,
-};
-
-export const NEAR_CELLS = {
-  SPARSE: 40,
+  JOINT: 1,
+  END: 2,
+  START: 3,
 };
 
 export const NEARNESS = {
@@ -406,38 +373,6 @@ export const PACING = {
   HEAD: 5,
   NODES: 65,
   HALVINGS: 52,
-};
-
-export const PEAK = {
-  BOUND: 0,
-  START: 1,
-  END: 2,
-  STRETCH: 0,
-  LINKS: 1,
-  BY_CELLS: 2,
-  PART_COLUMNS: 3,
-  SLOT: 0,
-  PIECES: 1,
-  SEEN: 0,
-  WHERE: 1,
-  UPPER: 2,
-  SURE: 3,
-  SIDED: 4,
-  NOTES: 5,
-  OPEN: 0,
-  ROW: 1,
-  WHEN: 2,
-  EVALUATIONS: 3,
-  COUNTS: 4,
-  SLOTS: 16,
-  SHARES: 2,
-  MOST_PIECES: 15,
-  CELL_SHARES: 4,
-  ABOUT: 1.000000001,
-  NOTHING: 9.99e-10,
-  ROUGHLY: 0.01,
-  LITTLE: 0.01,
-  CELL_COST: 0.125,
 };
 
 export const PEAK_MEMORY = {
@@ -516,14 +451,6 @@ export const PEAK_QUESTION = {
   ON: 0,
   DONE: 1,
   FALLEN: 2,
-};
-
-export const PERTURBED = {
-  STEPS: 3,
-  FINE: 1e-5,
-  MOST_ROUNDS: 12,
-  MOST_GIVEN: 0.5,
-  LEAST_RADIUS: 0.05,
 };
 
 export const QUESTION = {
@@ -747,10 +674,6 @@ export const SPIRAL = {
   STATE: 320,
 };
 
-export const STANDING = {
-  STRETCH: 4,
-};
-
 export const Status = {
   OK: 0,
   BEFORE_ROUTE: 1,
@@ -768,13 +691,6 @@ export const TurnStatus = {
   NO_CIRCLE: 4,
   NOT_EASED: 5,
   NO_ROOM: 6,
-};
-
-export const Ended = {
-  DONE: 0,
-  MORE: 1,
-  ROOM: 2,
-  FALLEN: 3,
 };
 
 export const STEP_BOUNDS = {
@@ -836,23 +752,10 @@ export const WALK_SEARCH = {
   PARTNER_WORK: 16,
 };
 
-export const ANALYSIS_BENCH_NEARNESS = {
-  REACH: 1.5,
-  BESIDE: 1.5,
-  STRAIGHT: 3,
-  LEVEL: 1e-6,
-  SHRINKS: 6,
-};
-
 export const ANALYSIS_BENCH_WALKS = {
   STILL: 0.05,
-  SHORTEST: 1,
   STEP: 0.125,
-  MOST_KEPT: 20000000,
-};
-
-export const ANALYSIS_BENDS = {
-  STRAIGHT: 1e-6,
+  MOST_LOOKED: 20000000,
 };
 
 export const ANALYSIS_CHECK = {
@@ -880,16 +783,6 @@ export const ANALYSIS_CONTACT_SEARCH = {
   SAMPLES_AHEAD: 65,
 };
 
-export const ANALYSIS_CROSSINGS = {
-  TOLERANCE: 1e-6,
-};
-
-export const ANALYSIS_DISTANCE = {
-  MOST_PAIRS: 100000,
-  TIE: 12,
-  TOUCHING: 1e-9,
-};
-
 export const ANALYSIS_LEFT_OPEN = {
   REST: 0.25,
 };
@@ -898,13 +791,9 @@ export const ANALYSIS_MARKS = {
   MOST_MARKS: 5000,
   LENGTH_STEP: 0.005,
   ANGLE_STEP: 0.01,
-  SAME_MARK: 1e-6,
   FARTHEST: 1.5,
   AT_MARK: 0.01,
-  CLOSE: 0.2,
-  CLOSE_SHARE: 0.4,
   LONGEST_TAPE: 200,
-  ALWAYS: 2,
 };
 
 export const ANALYSIS_NEARBY = {
@@ -1053,10 +942,6 @@ export const PLANS_CUES = {
   END_SLACK: 1e-6,
 };
 
-export const PLANS_DRAWN = {
-  SAME_BEND: 1e-12,
-};
-
 export const PLANS_ROUTES = {
   FITS: 0.001,
   MOST_STEPS: 50,
@@ -1067,11 +952,6 @@ export const PLANS_ROUTES = {
 export const PLANS_SOURCE = {
   MOST_SIGNS: 200,
   MOST_FAULTS: 20,
-};
-
-export const PLANS_SQUARE = {
-  MOST_LETTERS: 80,
-  MOST_OBSTACLES: 1000,
 };
 
 export const PLANS_TABLES = {
@@ -1121,7 +1001,6 @@ export const PLAYER_FRAMES = {
   LEVEL: 4,
   FARTHEST: 200000,
   STRETCH: 20,
-  STRETCH_ERROR: 2e-5,
 };
 
 export const PLAYER_SCENE = {

@@ -1,10 +1,8 @@
 // How near benches come to one another: clearance at an instant, over all pairs that count. Twin of
 // analysis/distance.py.
 
-import { doubles, withArena, wholes } from "./arena.js";
-import { BOX, GRID, NEARNESS } from "./constants.js";
-import { firstRows } from "./lists.js";
-import { emptyGrid } from "./tables.js";
+import { doubles, withArena } from "./arena.js";
+import { BOX, NEARNESS } from "./constants.js";
 
 /** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("../engine.js").Numbers} Numbers */
@@ -67,53 +65,4 @@ export function nearnessOf(row) {
     points: [[x, y], [thereX, thereY]],
     features: [[owner + 1, CORNERS[corner]], [other + 1, FEATURES[feature]]],
   }; // prettier-ignore
-}
-
-/**
- * Rows of all pairs that are not neighbours and may be within `reach` metres: a superset.
- * @param {Arena} arena
- * @param {Numbers} table
- * @param {number} reach m
- * @returns {Array<[number, number]>}
- */
-export function pairsWithin(arena, table, reach) {
-  const [view, count] = [doubles(table), table.shape[0]];
-  const column = (/** @type {number} */ c) =>
-    Float64Array.from({ length: count }, (_row, i) => view[i * BOX.BOX_COLUMNS + c]);
-  const [x, y, half, wide] = [BOX.CX, BOX.CY, BOX.HALF_LENGTH, BOX.HALF_WIDTH].map(column);
-  const radius = half.map((length, i) => Math.hypot(length, wide[i]));
-  const widest = radius.reduce((a, b) => Math.max(a, b));
-  const places = arena.array("d", count, 2);
-  const middles = doubles(places);
-  for (let i = 0; i < count; i++) [middles[2 * i], middles[2 * i + 1]] = [x[i], y[i]];
-  const grid = emptyGrid(arena, count, widest + reach);
-  arena.engine.call("bd_grid_put_known", grid, places);
-  const near = pairsNear(arena, grid, places, places, 0, 2 * widest + reach);
-  return near.filter(
-    ([i, j]) => j - i >= 2 && Math.hypot(x[i] - x[j], y[i] - y[j]) <= radius[i] + radius[j] + reach,
-  );
-}
-
-/**
- * Pairs of places, from number `start` on, and others that are within reach: `grid.pairs_near`.
- * @param {Arena} arena
- * @param {ReturnType<typeof emptyGrid>} grid
- * @param {Numbers} others @param {Numbers} places
- * @param {number} start @param {number} reach
- * @returns {Array<[number, number]>}
- */
-function pairsNear(arena, grid, others, places, start, reach) {
-  const found = arena.array("q", others.shape[0]);
-  let most = Math.min(GRID.PAIRS_A_PLACE * (places.shape[0] - start), GRID.PAIRS_AT_FIRST);
-  for (;;) {
-    const [first, second] = [arena.array("q", most), arena.array("q", most)];
-    const [count] = arena.engine.call(
-      "bd_grid_pairs_within", grid, others, places, start, reach, found, first, second,
-    ); // prettier-ignore
-    if (count <= most) {
-      const [i, j] = [first, second].map((list) => wholes(firstRows(list, count)));
-      return i.map((one, n) => [one, j[n]]);
-    }
-    most = count;
-  }
 }

@@ -4,6 +4,7 @@
 import { Table } from "../following.js";
 import { doubles, withArena } from "./arena.js";
 import { PLAYER_FOLLOWING, PLAYER_FRAMES, Status } from "./constants.js";
+import { spread } from "./course.js";
 import { checkFarthest, cubic, inSlices } from "./frames.js";
 import { linspace, rint } from "./numbers.js";
 import { tick } from "./tick.js";
@@ -192,13 +193,7 @@ function edgesOf(walk, bench, low, high) {
   const inner = borders.filter(
     (at, i) => i > 0 && at - borders[i - 1] > NARROW && at > low + NARROW && at < high - NARROW,
   );
-  const edges = [low];
-  for (const border of [...inner, high]) {
-    const before = edges[edges.length - 1];
-    const parts = Math.max(Math.ceil((border - before) / STRETCH), 1);
-    edges.push(...linspace(before, border, parts + 1).subarray(1));
-  }
-  return edges;
+  return spread([low, ...inner, high], STRETCH);
 }
 
 /** One stretch with as many nodes as it needs to be off by less than its share. @param {Walk} walk @param {number} bench @param {number} low @param {number} high @returns {LinkStretch | null} */

@@ -21,21 +21,6 @@ export function rounded(value, decimals) {
   return rint(value * scale) / scale;
 }
 
-/** Headings without jumps of a turn: `numpy.unwrap`. @param {Float64Array} headings */
-export function unwrapped(headings) {
-  const found = headings.slice();
-  let added = 0;
-  for (let i = 1; i < headings.length; i++) {
-    const change = headings[i] - headings[i - 1];
-    let within = ((change + Math.PI) % (2 * Math.PI)) - Math.PI;
-    if (within < -Math.PI) within += 2 * Math.PI;
-    if (within === -Math.PI && change > 0) within = Math.PI;
-    if (Math.abs(change) >= Math.PI) added += within - change;
-    found[i] = headings[i] + added;
-  }
-  return found;
-}
-
 /**
  * A value between increasing places by straight lines; not a number outside: `numpy.interp`.
  * @param {number} x

@@ -88,23 +88,6 @@ export function walkTables(arena, { dragon, route }) {
 }
 
 /**
- * A grid of cells `side` metres wide with room for so many places, none of them put in yet.
- * @param {Arena} arena
- * @param {number} places
- * @param {number} side m
- */
-export function emptyGrid(arena, places, side) {
-  const buckets = 2 ** Math.max(4, 32 - Math.clz32(2 * places - 1));
-  return {
-    side: arena.vector([side]),
-    heads: fillWhole(arena.array("q", buckets), 0n),
-    nexts: arena.array("q", places),
-    columns: arena.array("q", places),
-    rows: arena.array("q", places),
-  };
-}
-
-/**
  * Room for searches of up to so many handles, members and pairs: `search.room`.
  * @param {Arena} arena
  * @param {number} handles @param {number} members @param {number} pairs

@@ -1,0 +1,398 @@
+"""What each bench of a dance does: how it turns and how fast, and who comes nearest to it.
+
+A walk is looked at slice by slice of its times. Each bench keeps a line of pieces, one for each time at
+which its front handle passes a place where the route changes its side, or a speed at which another
+pace begins. In the end pieces become stretches that people can follow.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.bends import turned_by
+from benchdragon.kernels.box import nearest_each
+from benchdragon.kernels.chain import Placements, march
+from benchdragon.kernels.curve import S_START, FloatArray, length_at
+from benchdragon.kernels.entries import allocates, entry, kernel
+
+# How exactly it is timed when something is passed, s, and how often it is looked for at most: some ten
+# looks do, and where more would be needed the nearest so far is told.
+TOLERANCE, MOST_LOOKS = 1e-6, 100
+# A time in units of its last place, and the smallest normal number: nearer to a root is not told.
+ROUNDING, LEAST = 4.0 * 2.0**-52, 2.0**-1022
+# Handles placed for a place or a speed that is passed, for each before it in line: some looks.
+LOOKS = 8
+# Stretches shorter than this, s, nobody can follow: each is joined to the longer of its neighbours.
+SHORTEST = 1.0
+# Distances that differ by less than this, m, count as equal, and the sooner is told: in a steady coil
+# they stay the same for long, and rounding must not choose the moment.
+LEVEL = 1e-6
+
+# Columns of pieces, of which the first are those that benches begin with: when it begins, s, where the
+# handle then is, m, how fast, m/s, to which side the route bends, which pace it is, the least and the
+# greatest speed seen, and the row of the next; then what joining adds: the piece before.
+TIME, WAY, SPEED, SIDE, PACE, SLOW, FAST, NEXT, BEFORE = 0, 1, 2, 3, 4, 5, 6, 7, 8
+PIECE_COLUMNS = 9
+# Columns of benches: row of the last piece; where the handle was last, m, and how fast, m/s; the least
+# distance of another coil, m, whose, from 0, or -1, and at which time; and what none comes nearer than.
+LAST, END_WAY, END_SPEED, NEAREST, PARTNER, AT, FLOOR = 0, 1, 2, 3, 4, 5, 6
+BENCH_COLUMNS = 7
+# Columns of stretches: of a bench, from 0, from start to end, s, so far, m, by so much, rad.
+BENCH, START, END, TURN, STEPS, FAR, ANGLE, LOW, HIGH = 0, 1, 2, 3, 4, 5, 6, 7, 8
+STRETCH_COLUMNS = 9
+NOBODY = -1
+
+
+class Line(NamedTuple):
+    """A dragon on a route, and what its front handles may pass."""
+
+    rows: Table
+    links: Vector
+    sizes: Table
+    bends: Vector  # route positions from which the route bends to each side, m: see find_bends
+    sides: IntVector  # and to which
+    gates: Vector  # speeds from which each pace but the first begins, m/s
+
+
+class Seen(NamedTuple):
+    """A slice of a walk; tables are (handles, times). Between two times the head's speed is linear."""
+
+    times: Vector  # s
+    heads: Vector  # where the head is, m
+    paces: Vector  # and how fast, m/s
+    s: Table
+    ratio: Table
+    x: Table
+    y: Table
+
+
+class Known(NamedTuple):
+    """What is known so far, and places to work in: slots of all handles."""
+
+    pieces: Table
+    benches: Table
+    tally: IntVector  # of pieces, (1,)
+    at: Vector
+    places: Placements
+
+
+@kernel
+def count_up_to(gates: FloatArray, value: float) -> int:
+    """How many of increasing numbers are at most a value."""
+    low, high = 0, gates.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if gates[middle] <= value:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+@kernel
+def value_at(seen: Seen, k: int, t: int, fast: bool) -> float:
+    """How fast handle k is at time number t, m/s; or where it is, m."""
+    return seen.ratio[k, t] * seen.paces[t] if fast else seen.s[k, t]
+
+
+@entry
+def count_passed(line: Line, seen: Seen) -> tuple[int, float]:
+    """How many places and speeds front handles pass in a slice; and that work, in handles placed."""
+    passed, work = 0, 0.0
+    for k in range(line.links.shape[0]):
+        was, pace = 0, 0
+        for t in range(seen.times.shape[0]):
+            n = count_up_to(line.bends, value_at(seen, k, t, False))
+            m = count_up_to(line.gates, value_at(seen, k, t, True))
+            if t > 0:
+                passed += abs(n - was) + abs(m - pace)
+                work += LOOKS * (k + 1.0) * (abs(n - was) + abs(m - pace))
+            was, pace = n, m
+    return passed, work
+
+
+@kernel
+def state_at(line: Line, seen: Seen, known: Known, k: int, t: int, time: float) -> tuple[float, float]:
+    """Route position, m, and speed, m/s, of handle k at a time, s, after time number t."""
+    at, places, ahead = known.at, known.places, time - seen.times[t]
+    rate = (seen.paces[t + 1] - seen.paces[t]) / (seen.times[t + 1] - seen.times[t])
+    at[0] = seen.heads[t] + (seen.paces[t] + 0.5 * rate * ahead) * ahead
+    march(line.rows, line.links[: max(k, 1)], at, 0, 1, places)
+    j, u = places.row[k, 0], places.u[k, 0]
+    s = line.rows[j, S_START] + length_at(line.rows, j, u)
+    return s, places.ratio[k, 0] * (seen.paces[t] + rate * ahead)
+
+
+@kernel
+def moment(line: Line, seen: Seen, known: Known, k: int, t: int, fast: bool, aim: float) -> float:
+    """When, after time number t and before the next, handle k passes a place, or a speed: s.
+
+    By Chandrupatla's method (Advances in Engineering Software 28, 1997). NaN where it does not stand.
+    """
+    x1, x2 = seen.times[t], seen.times[t + 1]
+    f1, f2 = value_at(seen, k, t, fast) - aim, value_at(seen, k, t + 1, fast) - aim
+    x3, f3, best = x2, f2, x2
+    for _look in range(MOST_LOOKS):
+        best = x1 if abs(f1) < abs(f2) else x2
+        wide, near = abs(x2 - x1), abs(best) * ROUNDING + TOLERANCE
+        if min(abs(f1), abs(f2)) <= LEAST or (f1 < 0.0) == (f2 < 0.0) or wide < near:
+            break
+        share = 0.5
+        if f3 != f1 and f3 != f2:
+            xi, phi, alpha = (x1 - x2) / (x3 - x2), (f1 - f2) / (f3 - f2), (x3 - x1) / (x2 - x1)
+            if 1.0 - math.sqrt(1.0 - xi) < phi < math.sqrt(xi):
+                share = f1 / (f1 - f2) * f3 / (f3 - f2) - alpha * f1 / (f3 - f1) * f2 / (f2 - f3)
+        edge = 0.5 * near / wide
+        x = x1 + min(max(share, edge), 1.0 - edge) * (x2 - x1)
+        s, speed = state_at(line, seen, known, k, t, x)
+        f = (speed if fast else s) - aim
+        if f != f:
+            return math.nan
+        x3, f3 = x2, f2
+        if (f < 0.0) == (f1 < 0.0):
+            x3, f3 = x1, f1
+        else:
+            x2, f2 = x1, f1
+        x1, f1 = x, f
+    return best
+
+
+@kernel
+def add_piece(known: Known, time: float, s: float, speed: float) -> int:
+    """A new piece of no side and no pace yet; its row."""
+    pieces, row = known.pieces, known.tally[0]
+    known.tally[0] = row + 1
+    pieces[row, TIME], pieces[row, WAY], pieces[row, SPEED] = time, s, speed
+    pieces[row, SIDE] = pieces[row, PACE] = math.nan
+    pieces[row, SLOW], pieces[row, FAST], pieces[row, NEXT] = math.inf, -math.inf, -1.0
+    return row
+
+
+@kernel
+def link_pieces(known: Known, k: int, first: int) -> None:
+    """Put the pieces from row `first` on, all of bench k, in order, and behind those it has."""
+    pieces, benches = known.pieces, known.benches
+    for n in range(first, known.tally[0]):
+        m = n
+        while m > first and pieces[m, TIME] < pieces[m - 1, TIME]:
+            for column in range(PIECE_COLUMNS):
+                held = pieces[m, column]
+                pieces[m, column] = pieces[m - 1, column]
+                pieces[m - 1, column] = held
+            m -= 1
+    for n in range(first, known.tally[0]):
+        last = int(benches[k, LAST])
+        pieces[last, NEXT], benches[k, LAST] = n, n
+        for column in (SIDE, PACE):
+            if pieces[n, column] != pieces[n, column]:
+                pieces[n, column] = pieces[last, column]
+
+
+@kernel
+def pass_gates(line: Line, seen: Seen, known: Known, k: int, t: int) -> bool:
+    """Begin a piece for all that handle k passes from time number t to the next; False if it falls."""
+    first, pieces = known.tally[0], known.pieces
+    for fast in (False, True):
+        gates = line.gates if fast else line.bends
+        n = count_up_to(gates, value_at(seen, k, t, fast))
+        last = count_up_to(gates, value_at(seen, k, t + 1, fast))
+        while n != last:
+            aim = gates[n] if n < last else gates[n - 1]
+            n += 1 if n < last else -1
+            time = moment(line, seen, known, k, t, fast, aim)
+            if time != time:
+                return False
+            s, speed = state_at(line, seen, known, k, t, time)
+            row = add_piece(known, time, s, speed)
+            if fast:
+                pieces[row, PACE] = n
+            else:
+                pieces[row, SIDE] = line.sides[n - 1]
+    link_pieces(known, k, first)
+    return True
+
+
+@kernel
+def see_speed(known: Known, k: int, s: float, speed: float) -> None:
+    """Note where handle k is, m, and how fast it is, m/s, in its last piece."""
+    pieces, row = known.pieces, int(known.benches[k, LAST])
+    pieces[row, SLOW], pieces[row, FAST] = min(pieces[row, SLOW], speed), max(pieces[row, FAST], speed)
+    known.benches[k, END_WAY], known.benches[k, END_SPEED] = s, speed
+
+
+@entry
+def look_at_benches(
+    line: Line, seen: Seen, first: int, reach: float, straight: float, lever: float, known: Known
+) -> bool:
+    """Look at a slice, of which time number 0 is number `first` of all, and the last of that before.
+
+    There must be room for as many pieces more as `count_passed` says, and one a bench at first. Other
+    benches are looked for within `reach`, m, but for those nearer than `straight`, m, in a line. A
+    point of a bench goes at most `lever` times as far as its handles. False where the dragon cannot
+    stand with its head at known.at[0], m.
+    """
+    count = line.links.shape[0]
+    for k in range(count if first == 0 else 0):
+        speed = value_at(seen, k, 0, True)
+        row = add_piece(known, seen.times[0], seen.s[k, 0], speed)
+        known.pieces[row, SIDE] = line.sides[count_up_to(line.bends, seen.s[k, 0]) - 1]
+        known.pieces[row, PACE] = count_up_to(line.gates, speed)
+        known.benches[k, LAST], known.benches[k, PARTNER] = row, NOBODY
+        known.benches[k, NEAREST] = known.benches[k, FLOOR] = math.inf
+        see_speed(known, k, seen.s[k, 0], speed)
+    for k in range(count):
+        for t in range(seen.times.shape[0] - 1):
+            if not pass_gates(line, seen, known, k, t):
+                return False
+            see_speed(known, k, seen.s[k, t + 1], value_at(seen, k, t + 1, True))
+    see_nearest(line, seen, first, reach, straight, lever, known.benches)
+    return True
+
+
+@kernel
+@allocates
+def see_nearest(
+    line: Line, seen: Seen, first: int, reach: float, straight: float, lever: float, benches: FloatArray
+) -> None:
+    """Note who is nearest to each bench in a slice, and what none comes nearer than between its times.
+
+    Of benches that are a and b apart at two times, and whose points go no farther than p and q in
+    between, none comes nearer to the other than (a + b - p - q)/2.
+    """
+    count, times, s = line.links.shape[0], seen.times.shape[0], seen.s
+    distance, partner = np.empty((times, count)), np.empty((times, count), dtype=np.int64)
+    moved = np.empty(count)
+    for t in range(times):
+        nearest_each(line.sizes, seen.x, seen.y, t, reach, straight, distance, partner)
+        farthest = 0.0
+        for k in range(count if t > 0 else 0):
+            moved[k] = lever * max(s[k, t] - s[k, t - 1], s[k + 1, t] - s[k + 1, t - 1])
+            farthest = max(farthest, moved[k])
+        for k in range(count):
+            near = distance[t, k]
+            if near < benches[k, NEAREST] - LEVEL:
+                benches[k, NEAREST], benches[k, PARTNER] = near, partner[t, k]
+                benches[k, AT] = first + t
+            floor = min(near, reach)
+            if t > 0:
+                floor = 0.5 * (floor + min(distance[t - 1, k], reach) - moved[k] - farthest)
+            if t > 0 or times == 1:
+                benches[k, FLOOR] = min(benches[k, FLOOR], floor)
+
+
+@kernel
+def set_least(tree: FloatArray, n: int, value: float) -> None:
+    """Put a value in place n of a tree of least values: its leaves are the second half."""
+    n += tree.shape[0] // 2
+    tree[n] = value
+    while n > 1:
+        n //= 2
+        tree[n] = min(tree[2 * n], tree[2 * n + 1])
+
+
+@kernel
+def place_of_least(tree: FloatArray) -> int:
+    """The first place that holds the least value of a tree."""
+    n = 1
+    while n < tree.shape[0] // 2:
+        n = 2 * n if tree[2 * n] <= tree[2 * n + 1] else 2 * n + 1
+    return n - tree.shape[0] // 2
+
+
+@kernel
+def alike(line: FloatArray, one: int, other: int) -> bool:
+    """Whether two pieces are of one side and one pace."""
+    return bool(line[one, SIDE] == line[other, SIDE] and line[one, PACE] == line[other, PACE])
+
+
+@kernel
+def absorb(line: FloatArray, tree: FloatArray, n: int) -> None:
+    """Join the piece after piece n to it."""
+    gone = int(line[n, NEXT])
+    after = int(line[gone, NEXT])
+    line[n, NEXT], line[after, BEFORE] = after, n
+    line[n, SLOW], line[n, FAST] = (
+        min(line[n, SLOW], line[gone, SLOW]),
+        max(line[n, FAST], line[gone, FAST]),
+    )
+    set_least(tree, gone, math.inf)
+    set_least(tree, n, line[after, TIME] - line[n, TIME])
+
+
+@kernel
+def join_short(line: FloatArray, tree: FloatArray, count: int) -> int:
+    """Join pieces that nobody can follow to others; how many are left, linked from the first on.
+
+    The shortest, of several the first, goes to the longer of its neighbours, again and again. No two
+    neighbours are alike before and after. line[count] is the end of all.
+    """
+    for n in range(tree.shape[0]):
+        tree[n] = math.inf
+    for n in range(count):
+        line[n, NEXT], line[n, BEFORE] = n + 1, n - 1
+        set_least(tree, n, line[n + 1, TIME] - line[n, TIME])
+    left, leaves = count, tree.shape[0] // 2
+    while left > 1 and tree[1] < SHORTEST:
+        n = place_of_least(tree)
+        low, high = int(line[n, BEFORE]), int(line[n, NEXT])
+        if low < 0 or (high < count and tree[leaves + high] > tree[leaves + low]):
+            line[n, SIDE], line[n, PACE] = line[high, SIDE], line[high, PACE]
+        else:
+            n = low
+        absorb(line, tree, n)
+        left -= 1
+        # It may be like the neighbour on the side that it did not go to.
+        low, high = int(line[n, BEFORE]), int(line[n, NEXT])
+        if low >= 0 and alike(line, low, n):
+            n, high = low, n
+        if high < count and alike(line, n, high):
+            absorb(line, tree, n)
+            left -= 1
+    return left
+
+
+@kernel
+def line_of(known: Known, k: int, end: float, line: FloatArray) -> int:
+    """Fill a line with the pieces of bench k, those that are alike joined, and its end; how many."""
+    pieces, count, row = known.pieces, 0, k
+    while row >= 0:
+        for column in range(PIECE_COLUMNS):
+            line[count, column] = pieces[row, column]
+        if count > 0 and alike(line, count - 1, count):
+            line[count - 1, SLOW] = min(line[count - 1, SLOW], line[count, SLOW])
+            line[count - 1, FAST] = max(line[count - 1, FAST], line[count, FAST])
+        else:
+            count += 1
+        row = int(pieces[row, NEXT])
+    line[count, TIME], line[count, WAY] = end, known.benches[k, END_WAY]
+    line[count, SPEED] = known.benches[k, END_SPEED]
+    return count
+
+
+@entry
+@allocates
+def tell_stretches(rows: Table, turned: Vector, end: float, known: Known, out: Table) -> int:
+    """Fill rows of `out` with the stretches of all benches, the head's first; how many.
+
+    There are no more than pieces. `turned` is that of `find_bends`, `end` that of the dance, s.
+    """
+    most, told = known.tally[0] - known.benches.shape[0] + 1, 0
+    line = np.empty((most + 2, PIECE_COLUMNS))
+    for k in range(known.benches.shape[0]):
+        count, leaves = line_of(known, k, end, line), 1
+        while leaves < count:
+            leaves *= 2
+        left = join_short(line, np.empty(2 * leaves), count)
+        n, angle = 0, turned_by(rows, turned, line[0, WAY])
+        for _piece in range(left):
+            after = int(line[n, NEXT])
+            turned_to = turned_by(rows, turned, line[after, WAY])
+            out[told, BENCH], out[told, START], out[told, END] = k, line[n, TIME], line[after, TIME]
+            out[told, TURN], out[told, STEPS] = line[n, SIDE], line[n, PACE]
+            out[told, FAR], out[told, ANGLE] = line[after, WAY] - line[n, WAY], turned_to - angle
+            out[told, LOW] = min(line[n, SLOW], line[n, SPEED], line[after, SPEED])
+            out[told, HIGH] = max(line[n, FAST], line[n, SPEED], line[after, SPEED])
+            n, angle, told = after, turned_to, told + 1
+    return told
