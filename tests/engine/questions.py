@@ -66,6 +66,7 @@ def questions() -> None:
     bench_walks(few, few.build(), (0.0, 2.0))
     plain_dance(few.build(), Span(0.0, 4.0))
     Trail.of(few.build(), 0.0, 4.0).marked(1.0)
+    read_plan("spiral-in", ["dragon.benches=12", 'cues.cue=[{kind="hold", head=5, hold=3}]']).build()
     well = '[{kind="circle", centre=[8, 3], radius=0.5}, {kind="line", points=[[0, 2], [1, 2]]}]'
     check(read_plan("spiral-in", ["dragon.benches=12", "venue.rectangle=[30, 30]", f"obstacle={well}"]))
     assert swept_area(few.build(), 0.0, 20.0, error=0.1).widest.width.value > 0.3

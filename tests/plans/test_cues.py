@@ -8,6 +8,7 @@ import pytest
 
 from benchdragon.analysis.check import check
 from benchdragon.errors import InputError
+from benchdragon.model import holds
 from benchdragon.model.holds import Hold, HoldError, with_holds
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.plans.cues import CuesTable
@@ -91,6 +92,14 @@ def test_a_hold_in_an_even_walk_comes_out_as_by_hand() -> None:
     assert paced.times == pytest.approx((0.0, 9.0, 11.0, 16.0, 18.0))
     assert paced.speeds == pytest.approx((1.0, 1.0, 0.0, 0.0, 1.0))
     assert (stood.start, stood.end) == pytest.approx((11.0, 16.0))
+
+
+def test_there_is_room_for_all_knots_of_a_walk_with_holds(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = [Hold(way=5.0, seconds=2.0), Hold(at=30.0, seconds=2.0), Hold(way=40.0, seconds=2.0)]
+    own = SpeedProfile((0.0, 5.0, 9.0, 30.0), (0.5, 1.5, 0.7, 1.0))
+    known = with_holds(own, 0.0, asked, [], 0.4)
+    monkeypatch.setattr(holds, "KNOTS", 1)
+    assert with_holds(own, 0.0, asked, [], 0.4) == known
 
 
 def test_two_holds_near_one_another_are_walked_between_as_fast_as_can_be() -> None:

@@ -9,7 +9,8 @@ from pydantic import AfterValidator, Field, model_validator
 
 from benchdragon.errors import brief
 from benchdragon.i18n import N_, _
-from benchdragon.model.holds import SAME_PLACE, Hold, HoldError, Standing, Trouble, with_holds
+from benchdragon.kernels.holds import SAME_PLACE
+from benchdragon.model.holds import Hold, HoldError, Standing, Trouble, with_holds
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.plans.signs import narrow
 from benchdragon.plans.source import Fault, KeyedError

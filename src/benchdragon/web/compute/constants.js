@@ -300,6 +300,40 @@ export const FAMILY = {
   UNKNOWN: 1e-6,
 };
 
+export const HOLDS = {
+  FIRST: 0,
+  LAST: 1,
+  BEFORE: 2,
+  AFTER: 3,
+  REST: 4,
+  PIECE_COLUMNS: 5,
+  TIME: 0,
+  WAY: 1,
+  SPEED: 2,
+  KNOT_COLUMNS: 3,
+  HELD_WAY: 0,
+  HELD_AT: 1,
+  SECONDS: 2,
+  HOLD_COLUMNS: 3,
+  NUMBER: 0,
+  STOOD_WAY: 1,
+  START: 2,
+  END: 3,
+  STOOD_COLUMNS: 4,
+  KNOTS: 0,
+  STOOD: 1,
+  TOLD: 2,
+  SHORT: 3,
+  COUNTS: 4,
+  FINE: 0,
+  OVERLAP: 1,
+  ROOM: 2,
+  UNREACHABLE: 3,
+  OUTSIDE: 4,
+  OVER: 5,
+  SAME_PLACE: 1e-9,
+};
+
 export const MARKS = {
   SAME_MARK: 1e-6,
   CLOSE: 0.2,
@@ -898,7 +932,7 @@ export const MODEL_DRAGON = {
 };
 
 export const MODEL_HOLDS = {
-  SAME_PLACE: 1e-9,
+  KNOTS: 6,
 };
 
 export const MODEL_OBSTACLE = {

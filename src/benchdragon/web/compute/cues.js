@@ -1,7 +1,7 @@
 // Drum beats, holds, stops and starts of a plan: twin of plans/cues.py.
 
 import { _, language } from "../words.js";
-import { MODEL_HOLDS, PLANS_CUES } from "./constants.js";
+import { HOLDS, PLANS_CUES } from "./constants.js";
 import { Fault, KeyedError, keyed } from "./errors.js";
 import { HoldError, withHolds } from "./holds.js";
 import { general } from "./number_format.js";
@@ -95,7 +95,7 @@ export class Paced {
   /** When a cue is that holds nothing, s. @param {CueTable} cue */
   #time({ at, head }) {
     if (head === null) return at ?? 0;
-    const here = this.standings.find((one) => Math.abs(one.way - head) <= MODEL_HOLDS.SAME_PLACE);
+    const here = this.standings.find((one) => Math.abs(one.way - head) <= HOLDS.SAME_PLACE);
     if (here) return here.start;
     return Math.max(this.profile.time(head + this.profile.distance(this.start)), this.start);
   }
@@ -103,12 +103,13 @@ export class Paced {
 
 /**
  * The head's speed with holds, stops and starts: `CuesTable.paced`.
+ * @param {import("../engine.js").Engine} engine
  * @param {Record<string, any>} cues of a plan, filled
  * @param {Profile} profile without them
  * @param {number} start of the dance, s
  * @param {Record<string, any>} limits of the plan, filled
  */
-export function paced(cues, profile, start, limits) {
+export function paced(engine, cues, profile, start, limits) {
   const most = limits.head_acceleration;
   const rate = cues.acceleration ?? most;
   if (rate > most) {
@@ -127,7 +128,7 @@ export function paced(cues, profile, start, limits) {
   try {
     const times = starts.map((n) => all[n].at);
     const { profile: found, stood } = withHolds(
-      profile, start, holds, times, rate * (1 - PLANS_CUES.PRUDENCE),
+      engine, profile, start, holds, times, rate * (1 - PLANS_CUES.PRUDENCE),
     ); // prettier-ignore
     const stops = stood.filter((one) => holds[one.number].seconds === Infinity);
     refuseIdleStarts(starts, all, new Set(stops.map((one) => one.end)));

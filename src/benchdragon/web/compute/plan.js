@@ -22,6 +22,7 @@ import { Profile } from "./profile.js";
 import { sha256 } from "./sha256.js";
 import { Walk } from "./walk.js";
 
+/** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./cues.js").Moment} Moment */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
@@ -179,20 +180,21 @@ export class Plan {
     }
   }
 
-  #paced() {
+  /** @param {Engine | null} engine */
+  #paced(engine) {
     const { cues, limits } = this.tables;
     const profile = this.#plainProfile();
     const plain = !cues.cue.length && cues.acceleration === null;
-    this.#pace ??= plain
-      ? new Paced(profile, this.start, [])
-      : paced(cues, profile, this.start, limits);
+    if (plain) this.#pace ??= new Paced(profile, this.start, []);
+    else if (engine) this.#pace ??= paced(engine, cues, profile, this.start, limits);
+    if (!this.#pace) throw new TypeError("the plan was not built yet");
     return this.#pace;
   }
 
-  /** The head's speed with all that holds it. */
-  pace() {
+  /** The head's speed with all that holds it, which the engine makes once. @param {Engine | null} [engine] */
+  pace(engine = null) {
     const faults = new Faults();
-    const found = faults.tried("walk", () => this.#paced());
+    const found = faults.tried("walk", () => this.#paced(engine));
     if (!found) throw this.#wrong(faults.found);
     return found;
   }
@@ -206,10 +208,11 @@ export class Plan {
   /**
    * How far the head walks from time 0, as without cues, to the start; to the end; at most; m. To the end
    * only if the plan says one, else not a number: `Plan.ways`.
+   * @param {Engine | null} [engine]
    * @returns {[number, number, number]}
    */
-  ways() {
-    const pace = this.pace();
+  ways(engine = null) {
+    const pace = this.pace(engine);
     const { end } = this.tables.walk;
     const begin = this.#plainProfile().distance(this.start);
     const most = begin + pace.way(Infinity);
@@ -226,7 +229,7 @@ export class Plan {
     const faults = new Faults();
     const dragon = faults.tried("dragon", () => builtDragon(arena, this.tables.dragon));
     const placed = faults.tried("route", () => builtRoute(arena, this.tables, dragon));
-    const pace = faults.tried("walk", () => this.#paced());
+    const pace = faults.tried("walk", () => this.#paced(arena.engine));
     faults.tried("obstacle", () => this.#builtObstacles());
     if (!dragon || !placed || !pace || faults.found.length) throw this.#wrong(faults.found);
     let position = this.tables.walk.position ?? placed.start;

@@ -150,10 +150,10 @@ function orNaN(value) {
   return value ?? NaN;
 }
 
-/** What the kernels are told of a plan, a number a column: see kernels/family.py. @param {Plan} plan @param {Question} sought */
-function kernelNumbers(plan, sought) {
+/** What the kernels are told of a plan, a number a column: see kernels/family.py. @param {import("../engine.js").Engine} engine @param {Plan} plan @param {Question} sought */
+function kernelNumbers(engine, plan, sought) {
   const { route, turn, walk, disc } = plan.tables;
-  const [begin, end, most] = plan.ways();
+  const [begin, end, most] = plan.ways(engine);
   const [spiral, turning] = [route.kind === "spiral-in", route.kind === "turn"];
   const [first, last] = turn.radii ?? [NaN, NaN];
   const numbers = new Float64Array(FAMILY.NUMBERS);
@@ -230,7 +230,7 @@ export function kernelFamily(arena, { plan, question: sought }, walk) {
   };
   const { MOST_PIECES, ARCS } = TURN_FAMILIES;
   const made = {
-    numbers: arena.vector(kernelNumbers(plan, sought)),
+    numbers: arena.vector(kernelNumbers(arena.engine, plan, sought)),
     parts: arena.array("d", MOST_PIECES + 2, ROUTE_PARTS.PART_COLUMNS),
     arcs: arena.array("d", ARCS, 2),
     pieces: arena.array("d", MOST_PIECES, 3),

@@ -64,7 +64,7 @@ export function bestTurn(engine, plan, goal = {}, { progress = silent } = {}) {
   const wished = wholeGoal(goal);
   if (wished.objective === "speed" && plan.tables.limits.speed === null)
     throw new InputError(_("the plan has no limit of speed: set limits.speed=2, for example"));
-  plan.pace(); // a wrong one is told before the search, not after it
+  plan.pace(engine); // a wrong one is told before the search, not after it
   const ask = async (/** @type {import("./arena.js").Arena} */ arena) => {
     const search = new TurnSearch(new TurnEvaluator(arena, plan, wished), progress);
     const starts = await search.globalStarts();
