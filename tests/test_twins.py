@@ -38,6 +38,7 @@ def answer():
         found, total, list(numbers(7)), text.format(low=f"{2.675:.2f}", high=f"{1e-7:g}"),
         f"{255:04X}{-7 % 5}",
         sorted([(2, "b"), (1, "z"), (2, "a")]), max(["bb", "a", "cc"], key=len), max([], default="-"),
+        min([3, 1, 2]), min(2, 1),
         " a  b ".split(), "a,b,c".partition(","), ["" or "x", 0 or None, [] and 1], round(2.5),
         round(0.125, 2),
         any(n > 5 for n in numbers(9)), all(n < 5 for n in numbers(9)), [*zip("ab", [1, 2])], -7 // 2,

@@ -28,11 +28,21 @@ import benchdragon
 FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
 # Of which modules pages are given what: the file, and the names that are asked for.
 TWINS = {
+    "analysis.check": ("verdict_text", "in_one_coil", "peak_text", "sentence"),
     "analysis.clock": ("clock", "Clock"),
+    "analysis.findings": (
+        "findings", "Finding", "all_findings", "named", "shown_name", "touch_text",
+    ),
     "analysis.ground": ("ground", "Ground"),
+    "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),
+    "analysis.not_looked_at": ("not_looked_at", "not_looked_at"),
+    "analysis.room": ("room_levels", "ASKED", "Asked", "RoomLevel", "levels_asked", "shown_name"),
+    "analysis.speed": ("quantities", "QUANTITIES"),
+    "analysis.unfinished": ("unfinished", "Unfinished"),
     "explain.bench_text": (
         "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
     ),
+    "model.numbering": ("numbering", "handle_words"),
     "plans.people": ("people", "called", "village"),
     "rosters.names": ("roster_names", "like_two"),
     "rosters.words": (
@@ -55,6 +65,19 @@ OWN = {
 GIVEN = {
     "rosters.grid._cells": "../compute/roster_text.js",
     "decoding.readings": "../compute/roster_text.js",
+    "analysis.findings.extent": "../compute/walk_facts.js",
+    "analysis.findings.steepest": "../compute/walk_facts.js",
+    "analysis.not_looked_at.given_from": "../compute/walk_facts.js",
+    "analysis.not_looked_at.places": "../compute/walk_facts.js",
+    "analysis.not_looked_at.runs_on": "../compute/walk_facts.js",
+    "model.obstacle.Obstacle": "../compute/obstacle.js",
+}
+# Methods of records that pages have as plain data: functions of a hand-written module, what they take.
+AS_FUNCTIONS = {
+    "keeps": ("../compute/answer.js", ("limit",)),
+    "shown": ("../compute/answer.js", ("up", "limit")),
+    "sure": ("../compute/answer.js", ("up",)),
+    "vanishing": ("../compute/answer.js", ()),
 }
 # Methods that only Python has.
 LEFT_OUT = {"analysis.ground.Ground": ("of", "seen")}
@@ -130,7 +153,7 @@ class Twin:
     @cached_property
     def code(self) -> Code:
         """What translates it."""
-        return Code(self.parameters, self.use, self.hoist)
+        return Code(self.parameters, self.use, self.hoist, self.function_for)
 
     def use(self, name: str) -> None:
         """Have a name, of this module or taken from another."""
@@ -161,7 +184,7 @@ class Twin:
         path = GIVEN.get(f"{module}.{there}", OWN.get(module))
         if isinstance(value, bool | int | float | str):
             self.wanted[name] = f"const {name} = {self.literal(value)};"
-        elif module in self.all:
+        elif module in self.all and not path:
             self.all[module].use(there)
             self.all[module].shared.add(there)
             self.imports.setdefault(f"./{TWINS[module][0]}.js", set()).add(_renamed(there, name))
@@ -188,6 +211,14 @@ class Twin:
         if not callable(value) or (isinstance(value, type) and issubclass(value, Exception)):
             return None
         return list(inspect.signature(value).parameters)
+
+    def function_for(self, method: str) -> Sequence[str] | None:
+        """What the function takes that stands for a method; None for any other method."""
+        if method not in AS_FUNCTIONS:
+            return None
+        path, parameters = AS_FUNCTIONS[method]
+        self.imports.setdefault(path, set()).add(method)
+        return parameters
 
     def hoist(self, pattern: str, flags: int) -> str:
         """The name of a regular expression that stands within a function."""

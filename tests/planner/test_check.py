@@ -91,8 +91,10 @@ def test_a_dance_that_ends_before_its_tail_is_out_is_told_alike() -> None:
         "late enough": turn | {"walk": {"start": -5, "end": 90}},
     }
     assert wrong(plans) == {}
-    told = [here(data)["verdict"]["sentence"]["en"] for data in plans.values()]
-    assert ["before the tail is out" in text for text in told] == [True, True, False]
+    twins = [twin["found"] for twin in there(list(plans.values()))]
+    for found in ([here(data) for data in plans.values()], twins):
+        told = [one["verdict"]["sentence"]["en"] for one in found]
+        assert ["before the tail is out" in text for text in told] == [True, True, False]
 
 
 def test_rounds_are_told_alike() -> None:

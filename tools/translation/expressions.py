@@ -35,11 +35,13 @@ class Expressions:
         parameters: what a function or a record takes, in order; None where that is unknown.
         use: called with each name that the code takes from outside of functions.
         hoist: makes a constant of a regular expression, and says its name.
+        function_for: what the function takes that stands for a method of that name; None if none does.
     """
 
     parameters: Callable[[str], Sequence[str] | None]
     use: Callable[[str], None]
     hoist: Callable[[str, int], str]
+    function_for: Callable[[str], Sequence[str] | None] = lambda _method: None
     scopes: list[set[str]] = field(default_factory=list)
     me: list[str] = field(default_factory=list)
     record_name: str = ""
@@ -113,6 +115,8 @@ class Expressions:
     def _of_attribute(self, node: ast.Attribute) -> str:
         if (known := NUMBERS.get(ast.unparse(node))) is not None:
             return known
+        if self.function_for(node.attr) is not None:
+            return f"{node.attr}({self.expr(node.value)})"
         return f"{self.expr(node.value)}.{node.attr}"
 
     def _of_starred(self, node: ast.Starred) -> str:
@@ -317,6 +321,8 @@ class Expressions:
             if not isinstance(pattern, ast.Constant) or flags:
                 raise UntranslatableError(node, "of no constant")
             return f"{self.hoist(str(pattern.value), 0)}.{attr}({', '.join(map(self.expr, rest))})"
+        if (names := self.function_for(attr)) is not None:
+            return f"{attr}({self.expr(value)}, {self._given(node, names)})"
         if attr == "format":
             if node.args:
                 raise UntranslatableError(node, "by places")

@@ -401,7 +401,11 @@ def _kept_from(report: Report) -> list[str]:
             text = _("less than {gap} m from {name}")
             if one in venue:
                 text = _("less than {gap} m from the edge of {name}")
-        kept = text.format(gap=one.distance_text, name=named(one.obstacle), count=len(stands))
+        kept = text.format(
+            gap=one.distance.shown(up=False, limit=one.obstacle.margin),
+            name=named(one.obstacle),
+            count=len(stands),
+        )
         if one.obstacle.margin:
             asked = f"{one.obstacle.margin:g}"
             kept = _("{kept} ({margin} m asked for)").format(kept=kept, margin=asked)

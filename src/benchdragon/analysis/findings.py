@@ -18,11 +18,10 @@ from benchdragon.model.numbering import handle_words
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.number_format import known, seconds
-from benchdragon.plans.routes import DrawnRoute
 from benchdragon.plans.schema import Plan
 
 # What obstacles, and the venue, are called to which a plan gives no name.
-NAMELESS = r"obstacle (\d+)"
+NAMELESS = re.compile(r"obstacle (\d+)")
 NAMELESS_VENUE = "venue"
 
 
@@ -138,13 +137,13 @@ def all_findings(
 def _route_findings(plan: Plan, walk: Walk, start: float) -> list[Finding]:
     """Whether the dragon is never as a whole on the route that the plan gives."""
     length = walk.route.length - given_from(plan, walk)
-    dragon = float(walk.dragon.links.sum())
+    dragon = extent(walk)
     if not runs_on(walk) or dragon <= length:
         return []
     sentence = N_(
         "the route is {route} m long, the dragon {dragon} m: at no time is all of it on the route"
     )
-    if isinstance(plan.route, DrawnRoute):
+    if plan.route.kind == "drawn":
         sentence = N_(
             "the drawn route is {route} m long, the dragon {dragon} m: at no time is all of it on the "
             "route; where the drawing is in another unit, say so by survey.unit"
@@ -153,7 +152,7 @@ def _route_findings(plan: Plan, walk: Walk, start: float) -> list[Finding]:
         "route": known(length, length, "m", up=False),
         "dragon": known(dragon, dragon, "m", up=True),
     }
-    return [Finding("route", start, (len(walk.dragon),), length, dragon, sentence, words)]
+    return [Finding("route", start, (len(walk.dragon.length),), length, dragon, sentence, words)]
 
 
 def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
@@ -292,7 +291,7 @@ def name_words(obstacle: Obstacle) -> dict[str, str]:
 
     What people call it is none of the program's words, which are translated.
     """
-    nameless = re.fullmatch(NAMELESS, obstacle.name)
+    nameless = NAMELESS.fullmatch(obstacle.name)
     if nameless and obstacle.kind != "venue":
         return {"name": N_("obstacle {n}"), "n": nameless[1]}
     if obstacle.kind == "venue" and obstacle.name == NAMELESS_VENUE:
@@ -321,9 +320,7 @@ def touch_text(bench: int, obstacle: Obstacle) -> str:
 
 def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[Finding]:
     """Whether the head changes its speed faster than it may: its acceleration is known exactly."""
-    stretches = walk.profile.stretches(*span)
-    n = int(np.argmax(np.abs(stretches.rates)))
-    value, time = abs(float(stretches.rates[n])), float(stretches.times[n, 0])
+    value, time = steepest(walk, span)
     if value <= limit * (1.0 + ROUNDING):
         return []
     sentence = N_(
@@ -332,6 +329,18 @@ def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[
     words = {"t": seconds(time)}
     words |= {"value": known(value, value, "m/s^2", up=True, limit=limit), "limit": f"{limit:g}"}
     return [Finding("head_acceleration", time, (1,), value, limit, sentence, words)]
+
+
+def steepest(walk: Walk, span: tuple[float, float]) -> tuple[float, float]:
+    """By how much the head changes its speed at most, m/s^2, and from when on, s."""
+    stretches = walk.profile.stretches(*span)
+    n = int(np.argmax(np.abs(stretches.rates)))
+    return abs(float(stretches.rates[n])), float(stretches.times[n, 0])
+
+
+def extent(walk: Walk) -> float:
+    """How long the dragon is from its first handle to its last, link upon link, m."""
+    return float(walk.dragon.links.sum())
 
 
 def _told_apart(value: float, limit: float) -> dict[str, str]:

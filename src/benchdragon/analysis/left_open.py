@@ -63,10 +63,13 @@ def told_if_open(
     except (OverBudgetError, UnsureError) as error:
         budget.allow(REST)  # for what is known without a search
         if asked is not None:
-            found.append(_open(asked, limit, DEAR if isinstance(error, OverBudgetError) else HIDDEN))
+            found.append(
+                open_finding(asked, limit, DEAR if isinstance(error, OverBudgetError) else HIDDEN)
+            )
 
 
-def _open(asked: Asked, limit: float, why: str) -> Finding:
+def open_finding(asked: Asked, limit: float, why: str) -> Finding:
+    """What is told of a question that stays open, of what is limited with its limit."""
     if isinstance(asked, Obstacle):
         sentence = N_("whether benches keep their distance from {name} is open: {why}")
         kind, words = "venue" if asked.kind == "venue" else "obstacle", name_words(asked)

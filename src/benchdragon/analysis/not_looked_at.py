@@ -1,12 +1,12 @@
 """What a check did not look at, because the plan does not say it: told beside the verdict."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from benchdragon.analysis.room import levels_asked
 from benchdragon.i18n import N_, _
-from benchdragon.kernels.curve import U_BACK, FloatArray
+from benchdragon.kernels.curve import U_BACK
 from benchdragon.model.walk import Walk
 from benchdragon.number_format import known
 from benchdragon.plans.routes import RUN_UP, DrawnRoute
@@ -84,7 +84,7 @@ def not_looked_at(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Not
     standing = plan.obstacles()
     kinds = []
     if not standing:
-        kinds.append("street" if isinstance(plan.route, DrawnRoute) else "square")
+        kinds.append("street" if plan.route.kind == "drawn" else "square")
     elif all(one.kind != "venue" for one in standing):
         kinds.append("venue")
     if not levels_asked(plan.people):
@@ -93,9 +93,7 @@ def not_looked_at(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Not
         kinds.append("speed")
     found = [NotLookedAt(kind) for kind in kinds]
     if runs_on(walk):
-        for kind, s in zip(
-            ("behind", "still behind"), walk.motion([start, end], throw=False).s, strict=True
-        ):
+        for kind, s in zip(("behind", "still behind"), places(walk, start, end), strict=True):
             words = _behind(s, given_from(plan, walk))
             found += [NotLookedAt(kind, words)] if words else []
     return tuple(found)
@@ -112,11 +110,17 @@ def given_from(plan: Plan, walk: Walk) -> float:
     return RUN_UP if drawn and abs(float(walk.route.joints[1]) - RUN_UP) < DUST else 0.0
 
 
-def _behind(s: FloatArray, given: float) -> dict[str, str]:
+def places(walk: Walk, *times: float) -> list[list[float]]:
+    """Where along the route each handle is at times, s, in m."""
+    found: list[list[float]] = walk.motion(times, throw=False).s.tolist()
+    return found
+
+
+def _behind(s: Sequence[float], given: float) -> dict[str, str]:
     """How much of the dragon, with its handles at s, m, stands behind a place on the route, if any."""
-    benches = [n for n, place in enumerate(s.tolist()) if n and place < given - DUST]
+    benches = [n for n, place in enumerate(s) if n and place < given - DUST]
     if not benches:
         return {}
-    way = given - float(s[-1])
+    way = given - s[-1]
     last = str(len(s) - 1)
     return {"way": known(way, way, "m", up=True), "first": str(benches[0]), "last": last}

@@ -1,7 +1,9 @@
 // What the benches' sheets are made from: the plan as it was checked, and what each bench does. Twin of
 // sheets/briefing.py.
 
+import { named, shownName } from "../made/findings.js";
 import { Ground } from "../made/ground.js";
+import { sentence } from "../made/verdict_text.js";
 import { _, both } from "../words.js";
 import { copied, rowOf, withArenaAsync } from "./arena.js";
 import { benchWalks } from "./bench_walks.js";
@@ -9,11 +11,9 @@ import { check } from "./check.js";
 import { cueName } from "./cues.js";
 import { BOX } from "./constants.js";
 import { InputError } from "./errors.js";
-import { named, shownName } from "./findings.js";
 import { Marks } from "./marks.js";
 import { evenly } from "./lists.js";
 import { part } from "./stages.js";
-import { sentence } from "./verdict_text.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./bench_walks.js").BenchWalk} BenchWalk */

@@ -1,29 +1,30 @@
 // Whether a walk is safe: first contact, least clearance, speeds and accelerations against limits. Twin of
 // analysis/check.py; what is proved, the command line proves.
 
+import { allFindings, named } from "../made/findings.js";
+import { notLookedAt } from "../made/not_looked_at.js";
+import { levelsAsked } from "../made/room_levels.js";
 import { _ } from "../words.js";
 import { keeps, mostOf, now } from "./answer.js";
 import { question } from "./budget.js";
 import { ANALYSIS_SPEED } from "./constants.js";
 import { TOLERANCES, firstSureContact, leastClearance, seenClearance } from "./contact.js";
-import { allFindings, named } from "./findings.js";
 import { speedAtStart, toldIfOpen } from "./left_open.js";
-import { notLookedAt } from "./not_looked_at.js";
 import { obstacleAnswers } from "./obstacles.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
-import { levelsAsked, roomLevels } from "./room.js";
+import { roomLevels } from "./room.js";
 import { greatest } from "./speed.js";
 import { stages } from "./stages.js";
 import { stopsOf } from "./stops.js";
 import { silent } from "./tick.js";
-import { unfinished } from "./unfinished.js";
+import { unfinished } from "./walk_facts.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
-/** @typedef {import("./findings.js").Finding} Finding */
+/** @typedef {import("../made/findings.js").Finding} Finding */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./obstacles.js").ObstacleAnswers} ObstacleAnswers */
 /** @typedef {import("./quantities.js").QuantityName} QuantityName */
-/** @typedef {import("./room.js").RoomLevel} RoomLevel */
+/** @typedef {import("../made/room_levels.js").RoomLevel} RoomLevel */
 /** @typedef {import("./stops.js").Stop} Stop */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -46,17 +47,19 @@ import { unfinished } from "./unfinished.js";
  * @property {Walk} walk that of the plan
  * @property {number} start of the walk, s
  * @property {number} end of the walk, s; the answers but the first speak of it up to a contact
- * @property {Answer | null} contact when two non-adjacent benches first touch, or come nearer than the margin
+ * @property {Answer | null} first_contact when two non-adjacent benches first touch, or come nearer than the margin
  * @property {Answer} clearance the least that they keep, m; 0 where they touch
- * @property {Answer} speed the greatest of any handle, m/s
+ * @property {Answer} greatest_speed the greatest of any handle, m/s
  * @property {Partial<Record<QuantityName, Answer>>} peaks the greatest of what else is limited, in SI units
  * @property {Finding[]} findings empty if the walk is safe
  * @property {ObstacleAnswers[]} obstacles
  * @property {RoomLevel[]} room level upon level; empty where the plan asks for none
  * @property {Stop[] | null} stops of the head; null for a plan without cues
  * @property {number} seconds how long the check took
- * @property {import("./unfinished.js").Unfinished | null} unfinished what the walk lacks where it ends before the tail is out of the turn
- * @property {import("./not_looked_at.js").NotLookedAt[]} notLookedAt what the plan does not say, so that nobody looked at it
+ * @property {import("../made/unfinished.js").Unfinished | null} unfinished what the walk lacks where it ends before the tail is out of the turn
+ * @property {boolean} safe whether nothing was found
+ * @property {boolean} decided whether no question was left open that could change that
+ * @property {ReturnType<typeof notLookedAt>} not_looked_at what the plan does not say, so that nobody looked at it
  */
 
 /**
@@ -98,14 +101,17 @@ async function checked(plan, walk, [start, end], { progress = silent }) {
     const levels = () => roomLevels(plan, walk, [start, end], bare, heard, alive, room);
     await toldIfOpen(left, levels, asked[asked.length - 1]);
   }
-  const known = { contact, obstacles, room, peaks: { speed, ...peaks } };
-  const findings = [...allFindings(plan, walk, span, known), ...left];
+  const all = { speed, ...peaks };
+  const findings = [...allFindings(plan, walk, span, contact, obstacles, all, room), ...left];
   const stops = plan.tables.cues.cue.length ? stopsOf(walk, start, end) : null;
   const seconds = now() - began;
   return {
-    plan, walk, start, end, contact, clearance, speed, peaks, findings, obstacles, room, stops, seconds,
+    plan, walk, start, end, first_contact: contact, clearance, greatest_speed: speed, peaks, findings,
+    obstacles, room, stops, seconds,
+    safe: !findings.length,
+    decided: !findings.length || findings.some((one) => one.decided),
     unfinished: unfinished(plan, walk, end),
-    notLookedAt: notLookedAt(plan, walk, [start, end]),
+    not_looked_at: notLookedAt(plan, walk, start, end),
   }; // prettier-ignore
 }
 
@@ -193,9 +199,4 @@ async function limitedPeaks(plan, walk, span, left, progress, alive) {
     progress((n + 1) / limits.length, "");
   }
   return peaks;
-}
-
-/** Whether no question was left open that could change whether a walk is safe. @param {Report} report */
-export function isDecided({ findings }) {
-  return !findings.length || findings.some(({ decided }) => decided);
 }

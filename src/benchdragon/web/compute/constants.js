@@ -792,14 +792,6 @@ export const ANALYSIS_BENCH_WALKS = {
   MOST_LOOKED: 20000000,
 };
 
-export const ANALYSIS_CHECK = {
-  SAMPLES: 1000,
-  LAST_SHARE: 0.04,
-  LAST_SAMPLES: 300,
-  AFTER: 3,
-  AFTER_NEXT: 2,
-};
-
 export const ANALYSIS_CONTACT = {
   FRAYED: 1e-5,
   MOST_GRAZES: 100,

@@ -1,12 +1,12 @@
 // A dance with what a check of its plan found: twin of `checked_dance` in player/scene.py. It takes the
 // check's record, so that nobody checks a plan twice.
 
+import { named, touchText } from "../made/findings.js";
+import { inOneCoil } from "../made/verdict_text.js";
 import { _ } from "../words.js";
 import { bracketed, shown, vanishing } from "./answer.js";
-import { named } from "./findings.js";
 import { rounded } from "./numbers.js";
 import { occasion } from "./scene.js";
-import { inOneCoil } from "./verdict_text.js";
 
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./scene.js").Unpacked} Unpacked */
@@ -130,14 +130,6 @@ function tooNear(found, contact) {
   if (witness && record.distance.value === 0)
     told.push(...atObstacle(touch, found, () => touchText(witness.benches[0], obstacle)));
   return told;
-}
-
-/** That a bench (number, from 1) touches an obstacle or leaves the venue, in words. @param {number} bench @param {Obstacle} obstacle */
-function touchText(bench, obstacle) {
-  const values = { bench, name: named(obstacle) };
-  return obstacle.kind === "venue"
-    ? _("bench {bench} leaves {name}", values)
-    : _("bench {bench} touches {name}", values);
 }
 
 /** What an answer says of an obstacle, at the time of its witness; none without one. @param {Answer} answer @param {Found} found @param {() => string} say */

@@ -1,23 +1,17 @@
 // What a check leaves open once contact is decided: it takes too much work, or rounding hides it. Twin of
 // analysis/left_open.py.
 
-import { _ } from "../words.js";
+import { DEAR, HIDDEN, openFinding } from "../made/left_open.js";
 import { answered } from "./answer.js";
 import { doubles, withArena } from "./arena.js";
 import { OverBudgetError, allow } from "./budget.js";
 import { ANALYSIS_LEFT_OPEN, MODEL_ANSWER } from "./constants.js";
 import { UnsureError } from "./errors.js";
-import { named } from "./findings.js";
-import { general } from "./number_format.js";
-import { Obstacle } from "./obstacle.js";
-import { QUANTITIES } from "./quantities.js";
 import { fastestHandle } from "./speed.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
-/** @typedef {import("./findings.js").Finding} Finding */
-/** @typedef {import("./findings.js").Kind} Kind */
-/** @typedef {import("./quantities.js").QuantityName} QuantityName */
-/** @typedef {import("./room.js").LevelName} LevelName */
+/** @typedef {import("../made/findings.js").Finding} Finding */
+/** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./walk.js").Walk} Walk */
 
 const { REST } = ANALYSIS_LEFT_OPEN;
@@ -28,7 +22,7 @@ const { REST } = ANALYSIS_LEFT_OPEN;
  * @template T
  * @param {Finding[]} found
  * @param {() => Promise<T>} ask
- * @param {Obstacle | Kind | LevelName | null} [asked]
+ * @param {Obstacle | string | null} [asked] an obstacle, a level of room, or what is limited, by name
  * @param {number} [limit]
  * @returns {Promise<T | null>}
  */
@@ -39,38 +33,10 @@ export async function toldIfOpen(found, ask, asked = null, limit = 0) {
   } catch (error) {
     if (!(error instanceof OverBudgetError || error instanceof UnsureError)) throw error;
     allow(REST); // for what is known without a search
-    if (asked !== null) found.push(open(asked, limit, error instanceof OverBudgetError));
+    if (asked !== null)
+      found.push(openFinding(asked, limit, error instanceof OverBudgetError ? DEAR : HIDDEN));
     return null;
   }
-}
-
-/** @param {Obstacle | Kind | LevelName} asked @param {number} limit @param {boolean} dear @returns {Finding} */
-function open(asked, limit, dear) {
-  const why = () => (dear ? _("that takes more work than a question may") : _("rounding hides it"));
-  const rest = { time: null, benches: [], value: 0, decided: false };
-  if (asked instanceof Obstacle) {
-    const text = () =>
-      _("whether benches keep their distance from {name} is open: {why}", {
-        name: named(asked),
-        why: why(),
-      });
-    const kind = asked.kind === "venue" ? "venue" : "obstacle";
-    return { ...rest, kind, limit: asked.margin, text, obstacle: asked };
-  }
-  const kind = /** @type {Kind} */ (asked);
-  if (asked in QUANTITIES) {
-    const { text: what, unit } = QUANTITIES[/** @type {QuantityName} */ (asked)];
-    const text = () =>
-      _("whether the {what} keeps to {limit} {unit} is open: {why}", {
-        what: what(),
-        unit,
-        limit: general(limit),
-        why: why(),
-      });
-    return { ...rest, kind, limit, text, obstacle: null };
-  }
-  const text = () => _("whether there is room for people is open: {why}", { why: why() });
-  return { ...rest, kind, limit, text, obstacle: null };
 }
 
 /** What is known of the greatest speed of a handle, m/s, without a search: that at the start, s. @param {Walk} walk @param {number} start @returns {Answer} */

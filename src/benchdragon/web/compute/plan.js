@@ -49,6 +49,10 @@ export class Plan {
     this.source = source;
     /** Every key, those left out as by default: `model_dump(by_alias=True)`. */
     this.tables = filledTable("Plan", said);
+    /** Tables that sentences read as in Python. */
+    this.limits = this.tables.limits;
+    this.people = this.tables.people;
+    this.route = this.tables.route;
   }
 
   /** Name of everything that the plan says, titles and notes left out. */

@@ -313,6 +313,7 @@ export const py = {
   isfinite: Number.isFinite,
   dist: ([a, b], [c, d]) => Math.hypot(a - c, b - d),
   degrees: (a) => (a * 180) / Math.PI,
+  radians: (a) => a * (Math.PI / 180),
   remainder: (a, b) => a - b * rint(a / b),
   mod: (a, b) => ((a % b) + b) % b,
   div: (a, b) => Math.floor(a / b),

@@ -2,12 +2,11 @@
 // numbers that are not finite come as null. What readers read comes in both languages, but for the
 // assumptions of an answer: those are in the language in which it was sought.
 
+import { shownName } from "../made/findings.js";
+import { shownName as levelName } from "../made/room_levels.js";
+import { peakText, sentence } from "../made/verdict_text.js";
 import { _, both } from "../words.js";
-import { isDecided } from "./check.js";
-import { CODES, shownName } from "./findings.js";
 import { finiteOrNull } from "./number_format.js";
-import { levelName } from "./room.js";
-import { peakText, sentence } from "./verdict_text.js";
 
 /** @typedef {import("../messages").Answer} AnswerRecord */
 /** @typedef {import("../messages").Finding} FindingRecord */
@@ -49,19 +48,19 @@ function answerOrNull(found, stamp) {
 
 /** The record of a check. @param {Report} report @param {string} version of the package @returns {Verdict} */
 export function verdictOf(report, version) {
-  const { plan, start, end, clearance, speed, peaks } = report;
+  const { plan, start, end, clearance, peaks } = report;
   const stamp = { plan_sha256: plan.sha256, version };
   return {
-    safe: !report.findings.length,
-    decided: isDecided(report),
+    safe: report.safe,
+    decided: report.decided,
     proved: false,
     unproved: [],
     sentence: both(() => sentence(report)),
     start,
     end,
-    first_contact: answerOrNull(report.contact, stamp),
+    first_contact: answerOrNull(report.first_contact, stamp),
     clearance: answerOf(clearance, stamp),
-    greatest_speed: answerOf(speed, stamp),
+    greatest_speed: answerOf(report.greatest_speed, stamp),
     peaks: Object.entries(peaks).map(([name, peak]) => ({
       name,
       text: both(() => peakText(/** @type {QuantityName} */ (name))),
@@ -70,25 +69,29 @@ export function verdictOf(report, version) {
     obstacles: report.obstacles.map((found) => obstacleRecord(found, stamp)),
     room: report.room.map((level) => roomRecord(level, stamp)),
     findings: report.findings.map(findingRecord),
-    not_looked_at: report.notLookedAt.map(({ kind, text }) => ({ kind, text: both(text) })),
+    not_looked_at: report.not_looked_at.map((/** @type {any} */ one) => ({
+      kind: one.kind,
+      text: both(() => one.text),
+    })),
     stops: report.stops,
     seconds: report.seconds,
     ...stamp,
   };
 }
 
-/** @param {import("./findings.js").Finding} found @returns {FindingRecord} */
-function findingRecord({ kind, decided, text, time, benches, value, limit, obstacle }) {
+/** @param {import("../made/findings.js").Finding} found @returns {FindingRecord} */
+function findingRecord(found) {
+  const { code, kind, decided, time, benches, value, limit, obstacle } = found;
   return {
-    code: CODES[kind],
+    code,
     kind,
     decided,
-    text: both(text),
+    text: both(() => found.text),
     time,
     benches,
     value: finiteOrNull(value),
     limit: finiteOrNull(limit),
-    obstacle: obstacle && obstacle.name,
+    obstacle: obstacle || null,
   };
 }
 
@@ -105,15 +108,20 @@ function obstacleRecord({ obstacle, contact, touch, distance }, stamp) {
   };
 }
 
-/** @param {import("./room.js").RoomLevel} level @param {Stamp} stamp @returns {RoomRecord} */
-function roomRecord({ name, asked, margin, kept, first }, stamp) {
+/** @param {import("../made/room_levels.js").RoomLevel} level @param {Stamp} stamp @returns {RoomRecord} */
+function roomRecord(level, stamp) {
+  const { name, asked, margin, kept, first } = level;
   return {
     name,
-    text: both(() => levelName(name)),
-    asked: asked.map(({ key, value, source }) => ({ key, value, source: source || null })),
+    text: both(() => levelName(level)),
+    asked: asked.map((/** @type {any} */ { key, value, source }) => ({
+      key,
+      value,
+      source: source || null,
+    })),
     margin,
     kept,
-    first: first && answerOf(first.contact, stamp),
-    obstacle: first?.obstacle ? first.obstacle.name : null,
+    first: first && answerOf(first[0], stamp),
+    obstacle: first?.[1] ? first[1].name : null,
   };
 }

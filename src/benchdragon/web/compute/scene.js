@@ -1,6 +1,7 @@
 // A dance as the player shows it, computed here: twin of player/scene.py. Its lists of numbers come beside
 // the message, not packed into it.
 
+import { shownName } from "../made/findings.js";
 import { village } from "../made/people.js";
 import { _, both } from "../words.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
@@ -10,7 +11,6 @@ import { PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
 import { course } from "./course.js";
 import { cueName } from "./cues.js";
 import { InputError, finite } from "./errors.js";
-import { shownName } from "./findings.js";
 import { CAREFUL, following } from "./follow.js";
 import { foretold, frames } from "./frames.js";
 import { nearness } from "./nearness.js";
