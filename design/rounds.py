@@ -10,8 +10,8 @@ is the same search over the whole walk, as it was done when nothing was known of
 Three ways were thought of. (1) A kernel that knows that two benches on one arc keep their distance: it
 spares the plateau, not the rounds. (2) To remember what was seen of each place: the cells of a route
 are made anew for each search, and no two rounds have the same numbers in all digits. (3) To leave out
-what repeats before any search begins (analysis/rounds.py): some comparisons of the route's rows, the
-same for contact, clearance, speeds and obstacles, in Python and in the page. The third is what is done.
+what repeats before any search begins (kernels/rounds.py): some comparisons of the route's rows, the
+same for contact, clearance, speeds and obstacles. The third is what is done.
 """
 
 import time

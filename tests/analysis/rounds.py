@@ -2,11 +2,12 @@
 
 import math
 import random
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 
-from benchdragon.analysis.rounds import Repeat, Rounds, Span
+from benchdragon.analysis.rounds import Rounds, Span
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import Plan, checked
 
 LINE: dict[str, Any] = {"kind": "line", "length": 9.0}
@@ -72,6 +73,20 @@ def all_of_it(monkeypatch: pytest.MonkeyPatch) -> pytest.MonkeyPatch:
     return monkeypatch
 
 
-def periods(known: list[Repeat]) -> list[float]:
+class Repeat(NamedTuple):
+    """Part of a route that comes again: see kernels/rounds.py; all m."""
+
+    low: float
+    high: float
+    period: float
+    missed: float
+
+
+def told(known: FloatArray) -> list[Repeat]:
+    """What repeats."""
+    return [Repeat(*row) for row in known.tolist()]
+
+
+def periods(known: FloatArray) -> list[float]:
     """The periods of repeats, but those where a route is the same everywhere."""
-    return [one.period for one in known if one.period]
+    return [one.period for one in told(known) if one.period]

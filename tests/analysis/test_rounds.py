@@ -18,11 +18,13 @@ from benchdragon.analysis.contact import (
 from benchdragon.analysis.contact_search import contact_search
 from benchdragon.analysis.nearby import seams_of
 from benchdragon.analysis.obstacles import least_distance
-from benchdragon.analysis.rounds import MOST_MISSED, SPARE, Rounds, repeats, returns
+from benchdragon.analysis.rounds import Rounds, repeats, returns
 from benchdragon.analysis.speed import QUANTITIES, greatest
 from benchdragon.errors import WalkError
 from benchdragon.kernels import contact_least
 from benchdragon.kernels.rounding import GAP, TILT
+from benchdragon.kernels.rounds import MOST_MISSED
+from benchdragon.kernels.spans import SPARE
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.progress import silent
@@ -35,6 +37,7 @@ from tests.analysis.rounds import (
     plan_of,
     random_rounds,
     stadium,
+    told,
 )
 from tests.solve.asked_in_python import in_python
 
@@ -136,7 +139,7 @@ def test_a_kink_is_not_the_same_as_another() -> None:
     rows = plan_of(sharp * 4).build().route.rows.copy()
     assert periods(repeats(rows))
     rows[3, 9] += 1e-8  # its angle
-    for one in repeats(rows):
+    for one in told(repeats(rows)):
         for kink in rows[[3, 4], 2].tolist():
             assert not one.low + 1e-6 < kink < one.high - one.period - 1e-6
             assert not one.low + one.period + 1e-6 < kink < one.high - 1e-6
@@ -153,41 +156,41 @@ def test_rows_of_other_shapes_do_not_repeat(column: int) -> None:
 
 
 def test_spirals_do_not_repeat() -> None:
-    assert not repeats(read_plan("spiral-in").build().route.rows)
+    assert not len(repeats(read_plan("spiral-in").build().route.rows))
 
 
 def test_what_leads_elsewhere_does_not_return() -> None:
     ahead = plan_of([LINE, {**BEND, "angle": 170}] * 8).build().route.rows
     assert periods(repeats(ahead))
-    assert not [one for one in returns(ahead, 2.0) if one.high - one.low > one.period]
+    assert not [one for one in told(returns(ahead, 2.0)) if one.high - one.low > one.period]
 
 
 @pytest.mark.parametrize(("by", "far", "column"), [(2e-5, 2e-4, 7), (2e-5, 2e-4, 8), (9e-10, 1e-5, 9)])
 def test_what_a_round_misses_its_beginning_by_is_told(by: float, far: float, column: int) -> None:
     rows = stadium(4).build().route.rows.copy()
-    (kept,) = [one for one in returns(rows, 2.0) if one.low == 0.0 and one.missed]
+    (kept,) = [one for one in told(returns(rows, 2.0)) if one.low == 0.0 and one.missed]
     assert kept.high == rows[-1, 2] + rows[-1, 3]
     assert kept.missed < 1e-9
     rows[9:, column] += by
-    (moved,) = [one for one in returns(rows, 2.0) if one.low == 0.0 and one.missed]
+    (moved,) = [one for one in told(returns(rows, 2.0)) if one.low == 0.0 and one.missed]
     assert moved.high == kept.high
     assert by * (1.0 if column < 9 else 10.0) <= moved.missed <= MOST_MISSED
     rows[9:, column] += far
-    short = [one for one in returns(rows, 2.0) if one.low == 0.0 and one.missed]
+    short = [one for one in told(returns(rows, 2.0)) if one.low == 0.0 and one.missed]
     assert all(one.high <= rows[9, 2] for one in short)
 
 
 def test_what_joints_may_be_off_by_is_missed_too() -> None:
     rows = stadium(50).build().route.rows
     seams = seams_of(rows)
-    (kept,) = [one for one in returns(rows, 2.0) if one.low == 0.0 and one.missed]
+    (kept,) = [one for one in told(returns(rows, 2.0)) if one.low == 0.0 and one.missed]
     assert kept.missed > seams[-1, GAP] + seams[-1, TILT] * rows[-1, 2]
 
 
 def test_a_thing_beside_many_rounds_has_a_bracket_for_what_they_miss() -> None:
     plan = stadium(50, obstacle=[{"kind": "circle", "centre": [4, 4], "radius": 1}])
     walk = plan.build()
-    (kept,) = [one for one in returns(walk.route.rows, 2.9) if one.low == 0.0 and one.missed]
+    (kept,) = [one for one in told(returns(walk.route.rows, 2.9)) if one.low == 0.0 and one.missed]
     found = least_distance(walk, plan.obstacles()[0], *plan.span(walk))
     assert found.upper - found.value > 1.9 * kept.missed
     assert found.value - found.lower > 1.9 * kept.missed

@@ -98,13 +98,15 @@ def test_work_is_counted(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_little_room_is_widened_and_steps_stay_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the bend far along more is wanted than on the line before it."""
+    walk = Walk(Dragon.uniform(6, 2.2), Route.joined([Line(40.0), Arc(1.5, 3.0), Line(9.0)]))
     told = []
     for narrow in (False, True):
         if narrow:
             for name, least in (("A_CELL", 1), ("AT_FIRST", 4), ("PAIRS", 1), ("MEMBERS", 2)):
                 monkeypatch.setattr(tables, name, least)
-        search = Searched(BENT, 11.0, 17.0)
-        search.begin(1.0)
+        search = Searched(walk, 11.0, 44.0)
+        search.begin(1.2)
         told.append([(step.start, step.end, *step.first, *step.second) for step in search.steps()])
     assert told[0] == told[1] != []
 

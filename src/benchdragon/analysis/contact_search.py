@@ -203,8 +203,10 @@ class ContactSearch(EngineQuestion):
 
     def moment(self, status: Status) -> Answer:
         """When the benches come to stand as was found."""
-        early, late = self.figures[[told.EARLY, told.LATE]].tolist()
-        *bracket, known = self.times.told(early, late, status)
+        early, late, behind, ahead = self.figures[
+            [told.EARLY, told.LATE, told.EARLY_LEAD, told.LATE_LEAD]
+        ].tolist()
+        *bracket, known = self.times.told(early, late, status, (behind, ahead))
         return self.answer((bracket[0], bracket[1], bracket[2]), "s", known)
 
 
@@ -237,7 +239,7 @@ def contact_search(
     of_kind("walk", walk, Walk)
     not_negative("margin", margin, "m")
     in_order(start, end)
-    walk.motion([start])  # raises where the dragon cannot stand at the start
     a, b = walk.head_position([start, end]).tolist()
     spans = [(a, b)] if whole else Rounds(walk, repeats(walk.route.rows)).new(a, b)[0]
+    walk.motion([start])  # raises where the dragon cannot stand at the start
     return ContactSearch(walk, a, b, margin, progress, start, spans, end, tolerances)

@@ -29,21 +29,26 @@ class HeadTimes:
         """The first time of the search, s, at which the head stands at s."""
         return self.since if s <= self.start else max(self.walk.time_at(s), self.since)
 
-    def told(self, lower: float, upper: float, status: Status) -> tuple[float, float, float, Status]:
+    def told(
+        self, lower: float, upper: float, status: Status, leads: tuple[float, float] | None = None
+    ) -> tuple[float, float, float, Status]:
         """`bracketed`, within the search: what may come but after its end is undecided."""
-        value, early, late = self.bracketed(lower, upper)
+        value, early, late = self.bracketed(lower, upper, leads)
         if late <= self.until:
             return value, early, late, status
         return min(value, self.until), min(early, self.until), self.until, "undecided"
 
-    def bracketed(self, lower: float, upper: float) -> tuple[float, float, float]:
+    def bracketed(
+        self, lower: float, upper: float, leads: tuple[float, float] | None = None
+    ) -> tuple[float, float, float]:
         """About when the head is between two positions, m, and a time before and one after that, s.
 
         At the second it has surely come no farther than where the kernels place it for `lower`, at the
-        third at least to where they do for `upper`: see `head_drift`.
+        third at least to where they do for `upper`: see `head_drift`, where `leads` are not known, m.
         """
-        early = self.not_after(lower, min(self._drift(lower, -1.0), 0.0))
-        late = self.not_before(upper, max(self._drift(upper, 1.0), 0.0))
+        behind, ahead = leads or (self._drift(lower, -1.0), self._drift(upper, 1.0))
+        early = self.not_after(lower, min(behind, 0.0))
+        late = self.not_before(upper, max(ahead, 0.0))
         return min(max(self.at(0.5 * (lower + upper)), early), late), early, late
 
     def _drift(self, s: float, side: float) -> float:

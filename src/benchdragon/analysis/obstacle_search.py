@@ -40,8 +40,7 @@ NARROW = 1e-6
 
 def repeats_of(walk: Walk) -> FloatArray:
     """The parts of a route that lead back to where it was, as the engine takes them."""
-    found = returns(walk.route.rows, float(np.hypot(*walk.dragon.sizes[:2]).max()))
-    return np.array([(one.low, one.high, one.period, one.missed) for one in found]).reshape(-1, 4)
+    return returns(walk.route.rows, float(np.hypot(*walk.dragon.sizes[:2]).max()))
 
 
 class ObstacleSearch(EngineQuestion):

@@ -157,8 +157,7 @@ def lowered(hunt: Hunt, ending: int) -> bool:
     if note[NEAREST] < f[AIMED]:
         f[BEST], f[WHERE] = max(note[NEAREST], 0.0), note[UPPER]
         set_pair(hunt, note[PAIR])
-    floor = max(min(note[FLOOR], note[NEAREST] - tolerance_of(hunt)), 0.0)
-    f[FLOOR_AT] = floor if ending == CLEAR else 0.0
+    f[FLOOR_AT] = max(min(note[FLOOR], note[NEAREST] - tolerance_of(hunt)), 0.0)
     return ending == CLEAR or f[BEST] == 0.0
 
 

@@ -73,10 +73,12 @@ BEST = 9  # the least distance seen, m
 FLOOR_AT = 10  # no pair is nearer, m
 SOUND_TO = 11  # where the walk could not be followed, m, and up to where that may be looked for
 UNTIL = 12
+EARLY_LEAD = 26  # how far ahead of EARLY, m, the head is placed at least, and of LATE at most
+LATE_LEAD = 27
 # What is its own.
 GOAL, STAGE, READY, SPAN, BEGUN, NEAR, LEFT = 13, 14, 15, 16, 17, 18, 19
 PASS, ASIDE, AIMED, REACH, WITHIN, WHERE = 20, 21, 22, 23, 24, 25
-FIGURES = 26
+FIGURES = 28
 # The memory of the block that all lies in that keeps its size.
 OWN_MEMORY = 3
 # Head positions at which a pair is looked at, at least.

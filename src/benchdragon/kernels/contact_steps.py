@@ -10,10 +10,14 @@ from benchdragon.kernels.contact_memory import (
     BEGUN,
     BLURRED,
     BYTES,
+    EARLY,
+    EARLY_LEAD,
     END,
     END_SLOT,
     ENDLESS,
     FIRST_BENCH,
+    LATE,
+    LATE_LEAD,
     LEAST_OFF,
     LEFT,
     MARCHED,
@@ -36,6 +40,7 @@ from benchdragon.kernels.contact_memory import (
 from benchdragon.kernels.course import AT, COURSE, PLACED, SOUND, STEP_END, TALLY
 from benchdragon.kernels.course import GOAL as WAY_GOAL
 from benchdragon.kernels.curve import LENGTH, S_START, length_at
+from benchdragon.kernels.drift import head_drift
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import gather, put
 from benchdragon.kernels.memory import drop, group_at, integers_at
@@ -82,6 +87,15 @@ def stands(hunt: Hunt, s: float) -> bool:
 
 
 @kernel
+def lead(hunt: Hunt, s: float, side: float) -> float:
+    """How far ahead of s, m, the head is placed for it: at most (side 1), at least (-1)."""
+    if not math.isfinite(s):
+        return 0.0
+    drift, doubt = head_drift(hunt.walk.rows, s)
+    return drift + side * doubt
+
+
+@kernel
 def pair_told(hunt: Hunt, s: float) -> int:
     """FOUND, with how the pair at hand stands with the head at s, m; or STOPPED."""
     f, sizes, placed = hunt.figures, hunt.walk.benches.sizes, hunt.placed
@@ -92,6 +106,7 @@ def pair_told(hunt: Hunt, s: float) -> int:
     set_box(sizes, j, placed.x, placed.y, 0, hunt.boxes, 1)
     nearness(hunt.boxes, 0, 1, hunt.near)
     called(hunt.near, i, j)
+    f[EARLY_LEAD], f[LATE_LEAD] = lead(hunt, f[EARLY], -1.0), lead(hunt, f[LATE], 1.0)
     return FOUND
 
 

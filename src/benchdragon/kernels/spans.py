@@ -1,4 +1,4 @@
-"""Which of a bench's way is new, on a route of which parts repeat: see analysis/rounds.py."""
+"""Which of a way is new, on a route of which parts repeat: see kernels/rounds.py."""
 
 import math
 
@@ -23,17 +23,19 @@ BEGINS, BEGUN = 4, 5  # of one that is begun: from where on the head stands wher
 @kernel
 def begin_repeats(
     rows: FloatArray,
-    link: Vector,
+    links: Vector,
     repeats: FloatArray,
     at: Vector,
     places: Placements,
     begun: FloatArray,
 ) -> int:
-    """Fill begun with the repeats that a bench of this link, (1,), has anything of; how many.
+    """Fill begun with the repeats that benches of these links have anything of; how many.
 
     Those come first that leave out most; what is left out for one before is left out once.
     """
-    count, length = 0, link[0]
+    count, length = 0, 0.0
+    for i in range(links.shape[0]):
+        length += links[i]
     for n in range(repeats.shape[0]):
         low, high, period = repeats[n, LOW], repeats[n, HIGH], repeats[n, PERIOD]
         wanted = high - low - period > WORTH * length
@@ -45,7 +47,7 @@ def begin_repeats(
                 begun[count, k] = repeats[n, k]
             begun[count, BEGINS] = low
             if not math.isinf(low):
-                begun[count, BEGINS] = head_where_tail(rows, link, low + SPARE, at, places)
+                begun[count, BEGINS] = head_where_tail(rows, links, low + SPARE, at, places)
             count += 1
     return count
 

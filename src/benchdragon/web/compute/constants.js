@@ -187,6 +187,8 @@ export const CONTACT_MEMORY = {
   FLOOR_AT: 10,
   SOUND_TO: 11,
   UNTIL: 12,
+  EARLY_LEAD: 26,
+  LATE_LEAD: 27,
   GOAL: 13,
   STAGE: 14,
   READY: 15,
@@ -200,7 +202,7 @@ export const CONTACT_MEMORY = {
   REACH: 23,
   WITHIN: 24,
   WHERE: 25,
-  FIGURES: 26,
+  FIGURES: 28,
   OWN_MEMORY: 3,
   FEWEST: 4,
   WALK_SLOT: 10,
@@ -526,6 +528,14 @@ export const ROUNDING = {
   ABOUT: 1.000000001,
 };
 
+export const ROUNDS = {
+  MOST_MISSED: 0.0001,
+  MOST_GAPS: 64,
+  MOST_FOLD: 24,
+  TURN: 6.283185307179586,
+  ROOM: 64,
+};
+
 export const ROUTE = {
   END_SLACK: 1e-9,
   FOLD_COSINE: 0.001,
@@ -691,6 +701,19 @@ export const SIZE_SEARCH = {
   AT_REST: 0.0001,
 };
 
+export const SPANS = {
+  SPARE: 1e-6,
+  WORTH: 2,
+  PLACED: 1e-10,
+  LOW: 0,
+  HIGH: 1,
+  PERIOD: 2,
+  MISSED: 3,
+  REPEAT: 4,
+  BEGINS: 4,
+  BEGUN: 5,
+};
+
 export const SPIRAL = {
   LEAST_ANGLE: 4,
   MOST_LINK_INWARD: 1.4,
@@ -839,16 +862,6 @@ export const ANALYSIS_OBSTACLE_SEARCH = {
 
 export const ANALYSIS_ROOM = {
   TOLERANCES: [0.001],
-};
-
-export const ANALYSIS_ROUNDS = {
-  SPARE: 1e-6,
-  WORTH: 2,
-  MOST_MISSED: 0.0001,
-  PLACED: 1e-10,
-  MOST_GAPS: 64,
-  MOST_FOLD: 24,
-  TURN: 6.283185307179586,
 };
 
 export const ANALYSIS_SHORTAGE = {

@@ -20,7 +20,7 @@ import { InputError, UnsureError, finite, notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
 import { checkedOff, originOf, seenFrom } from "./nearby.js";
 import { atMost, general } from "./number_format.js";
-import { Rounds, repeats } from "./rounds.js";
+import { newSpans } from "./rounds.js";
 import { beginnings, inColumns, tooManyKinds } from "./tables.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
@@ -197,7 +197,8 @@ export class ContactSearch extends EngineQuestion {
   /** When the benches come to stand as was found. @param {Status} status */
   moment(status) {
     const [early, late] = [this.figure(told.EARLY), this.figure(told.LATE)];
-    const [value, lower, upper, known] = this.times.told(early, late, status);
+    const [behind, ahead] = [this.figure(told.EARLY_LEAD), this.figure(told.LATE_LEAD)];
+    const [value, lower, upper, known] = this.times.told(early, late, status, [behind, ahead]);
     return answered(value, lower, upper, "s", {
       status: known,
       witness: this.witness(),
@@ -230,11 +231,11 @@ export function standAlone(walk, times, s, i, j) {
 export async function withContactSearch(walk, start, end, margin, progress, use, options = {}) {
   notNegative("margin", margin, "m");
   inOrder(start, end);
-  withArena(walk.engine, (arena) => walk.motion(arena, [start])); // throws where it cannot stand there
   const [a, b] = [walk.headPosition(start), walk.headPosition(end)];
   const { whole = false, tolerances = ANALYSIS_CONTACT_SEARCH.TOLERANCES } = options;
   /** @type {Span[]} */
-  const spans = whole ? [[a, b]] : new Rounds(walk, repeats(walk.route.rows)).new(a, b).spans;
+  const spans = whole ? [[a, b]] : newSpans(walk, a, b);
+  withArena(walk.engine, (arena) => walk.motion(arena, [start])); // throws where it cannot stand there
   const search = new ContactSearch(walk, [a, b], margin, progress, [start, end], spans, tolerances);
   try {
     return await use(search);

@@ -52,11 +52,11 @@ export class HeadTimes {
 
   /**
    * `bracketed`, within the search: what may come but after its end is undecided.
-   * @param {number} lower @param {number} upper @param {Status} status
+   * @param {number} lower @param {number} upper @param {Status} status @param {[number, number]} [leads]
    * @returns {[number, number, number, Status]}
    */
-  told(lower, upper, status) {
-    const [value, early, late] = this.bracketed(lower, upper);
+  told(lower, upper, status, leads) {
+    const [value, early, late] = this.bracketed(lower, upper, leads);
     const { until } = this;
     if (late <= until) return [value, early, late, status];
     return [Math.min(value, until), Math.min(early, until), until, "undecided"];
@@ -66,12 +66,12 @@ export class HeadTimes {
    * About when the head is between two positions, m, and a time before and one after that, s.
    *
    * At the second it has surely come no farther than where the kernels place it for `lower`, at the third
-   * at least to where they do for `upper`: see `drift.head_drift`.
-   * @param {number} lower @param {number} upper @returns {[number, number, number]}
+   * at least to where they do for `upper`: see `drift.head_drift`, where `leads` are not known, m.
+   * @param {number} lower @param {number} upper @param {[number, number]} [leads] @returns {[number, number, number]}
    */
-  bracketed(lower, upper) {
-    const early = this.notAfter(lower, Math.min(this.#drift(lower, -1), 0));
-    const late = this.notBefore(upper, Math.max(this.#drift(upper, 1), 0));
+  bracketed(lower, upper, leads = [this.#drift(lower, -1), this.#drift(upper, 1)]) {
+    const early = this.notAfter(lower, Math.min(leads[0], 0));
+    const late = this.notBefore(upper, Math.max(leads[1], 0));
     return [Math.min(Math.max(this.at(0.5 * (lower + upper)), early), late), early, late];
   }
 

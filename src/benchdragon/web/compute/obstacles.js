@@ -52,9 +52,7 @@ const { MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SLACK, WIDTH } = ANALYSIS_CONT
 export function repeatsOf(arena, { dragon, route }) {
   const view = doubles(dragon.sizes);
   const reaches = dragon.link.map((_link, i) => Math.hypot(view[i], view[dragon.benches + i]));
-  const known = returns(arena.engine, route.rows, Math.max(...reaches));
-  const rows = known.map(({ low, high, period, missed }) => [low, high, period, missed]);
-  return arena.table(rows, 4);
+  return returns(arena, route.rows, Math.max(...reaches));
 }
 
 /** A search of a walk from one time to another, s, for what comes near one obstacle. */

@@ -19,7 +19,7 @@ import { evenly, least } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
 import { timeOnStretch } from "./profile.js";
 import { QUANTITIES } from "./quantities.js";
-import { Rounds, repeats } from "./rounds.js";
+import { newSpans } from "./rounds.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
@@ -139,10 +139,9 @@ export function peakQuestion({ engine, dragon, route }, drives, asked = [], head
  */
 export async function sought(walk, stretches, asked, progress, head = 0) {
   const quantities = Object.values(QUANTITIES);
-  const rounds = new Rounds(walk, repeats(walk.route.rows));
   // Who keeps one speed does what was done one round before.
   const parts = stretches.flatMap((of) => {
-    const spans = of.rate === 0 ? rounds.new(of.ways[0], of.ways[1]).spans : [of.ways];
+    const spans = of.rate === 0 ? newSpans(walk, of.ways[0], of.ways[1]) : [of.ways];
     return spans.map((ways) => ({ of, part: { ...of, ways } }));
   });
   const drives = parts.map(({ part }) => part);

@@ -1,0 +1,256 @@
+"""Where a walk only repeats itself, so that no search need look there again.
+
+How benches stand to one another, and what follows, depends on the route under them alone. On a line
+or an arc that is the same wherever they stand, and where parts of a route come again in the same order
+it is what it was one round before. That holds exactly, and answers speak of exact places: rounding adds
+nothing. Where a round leads back to where it began, what stands still is as near as before, too, but
+for what the round misses that place by. design/rounds.py shows what that saves.
+"""
+
+import math
+
+import numpy as np
+
+from benchdragon.kernels.arrays import Table, Vector
+from benchdragon.kernels.chain import Placements
+from benchdragon.kernels.curve import (
+    ANGLE,
+    ARC,
+    CLOTHOID,
+    KIND,
+    LENGTH,
+    LINE,
+    S_START,
+    U_BACK,
+    FloatArray,
+    P,
+    Q,
+    X,
+    Y,
+)
+from benchdragon.kernels.entries import allocates, entry, kernel
+from benchdragon.kernels.rounding import GAP, KINK, TILT
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.spans import (
+    BEGUN,
+    HIGH,
+    LOW,
+    MISSED,
+    PERIOD,
+    REPEAT,
+    begin_repeats,
+    new_spans,
+)
+
+# A round leads back to where it began if it misses that by less, m; distances count as off by twice it.
+MOST_MISSED = 1e-4
+# Periods of a route that are looked for: so many different ways from a row to the next of its shape,
+# and so many times each, as a circuit of so many equal sides takes.
+MOST_GAPS, MOST_FOLD = 64, 24
+TURN = 2.0 * math.pi
+# Room for what repeats, beyond four times the rows.
+ROOM = 64
+
+
+@kernel
+def has_shape(rows: FloatArray, j: int) -> bool:
+    """Whether the shape of row j is looked at."""
+    return rows[j, KIND] == LINE or rows[j, KIND] == ARC or rows[j, KIND] == CLOTHOID
+
+
+@kernel
+def alike(rows: FloatArray, j: int, period: int) -> bool:
+    """Whether row j has the shape of the one `period` rows before."""
+    k = j - period
+    return (
+        k >= 0
+        and rows[k, LENGTH] == rows[j, LENGTH]
+        and rows[k, KIND] == rows[j, KIND]
+        and rows[k, P] == rows[j, P]
+        and rows[k, Q] == rows[j, Q]
+        and has_shape(rows, j)
+    )
+
+
+@kernel
+def wrapped(angle: float) -> float:
+    """An angle, rad, within half a turn."""
+    return (angle + math.pi) % TURN - math.pi
+
+
+@kernel
+def is_smooth(rows: FloatArray, j: int) -> bool:
+    """Whether the route goes on without a kink where row j starts: rounding may have made one."""
+    if j == 0:
+        return True
+    if not has_shape(rows, j) or not has_shape(rows, j - 1):
+        return False
+    length = rows[j - 1, LENGTH]
+    end = rows[j - 1, ANGLE] + length * (rows[j - 1, P] + 0.5 * rows[j - 1, Q] * length)
+    return abs(wrapped(rows[j, ANGLE] - end)) <= KINK
+
+
+@kernel
+def find_periods(rows: FloatArray, gaps: IntArray, periods: IntArray) -> None:
+    """Let periods[n] be 1 where a route may come again after n rows; gaps is scratch, both all 0."""
+    count, found = rows.shape[0], 0
+    for j in range(count):
+        gap = 1
+        while gap <= count // 2 and not alike(rows, j, gap):
+            gap += 1
+        if gap <= count // 2:
+            gaps[gap] = 1
+    for gap in range(1, count // 2 + 1):
+        if gaps[gap] and found < MOST_GAPS:
+            found += 1
+            for fold in range(1, min(MOST_FOLD, count // 2 // gap) + 1):
+                periods[gap * fold] = 1
+
+
+@kernel
+def add_repeat(
+    known: FloatArray, count: int, low: float, high: float, period: float, missed: float
+) -> int:
+    """Take down what repeats, where there is room; how many there are then."""
+    if count == known.shape[0]:
+        return count
+    known[count, LOW], known[count, HIGH] = low, high
+    known[count, PERIOD], known[count, MISSED] = period, missed
+    return count + 1
+
+
+@kernel
+def returned(
+    rows: FloatArray, seams: FloatArray, reach: float, first: int, last: int, period: int
+) -> tuple[int, float]:
+    """The last row up to which a run of `period` rows from `first` on leads back; what it misses, m."""
+    missed = 0.0
+    for copy in range(first + period, last + 1):
+        before = first + (copy - first) % period
+        turned = abs(wrapped(rows[copy, ANGLE] - rows[before, ANGLE]))
+        joint = seams[copy, GAP] + seams[copy, TILT] * (
+            rows[copy, S_START] + rows[copy, LENGTH] + reach
+        )
+        other = rows[before, S_START] + rows[before, LENGTH] + reach
+        off = abs(rows[copy, X] - rows[before, X]) + abs(rows[copy, Y] - rows[before, Y])
+        other = seams[before, GAP] + seams[before, TILT] * other
+        off += turned * (rows[copy, LENGTH] + reach) + joint + other
+        if off > MOST_MISSED:
+            return copy - 1, missed
+        missed = max(missed, off)
+    return last, missed
+
+
+@kernel
+def find_bends(rows: FloatArray, back: bool, known: FloatArray) -> int:
+    """Fill in the rows that are the same everywhere, or that lead back round their circle; how many."""
+    count = 0
+    for j in range(rows.shape[0]):
+        arc = rows[j, KIND] == ARC
+        low, high = rows[j, S_START], rows[j, S_START] + rows[j, LENGTH]
+        if back and arc and rows[j, P] != 0.0:
+            count = add_repeat(known, count, low, high, TURN / abs(rows[j, P]), 0.0)
+        elif not back and (arc or rows[j, KIND] == LINE):
+            low = -math.inf if j == 0 and math.isinf(rows[0, U_BACK]) else low
+            count = add_repeat(known, count, low, high, 0.0, 0.0)
+    return count
+
+
+@kernel
+def add_run(
+    rows: FloatArray,
+    seams: FloatArray,
+    reach: float,
+    run: tuple[int, int, int],
+    used: IntArray,
+    known: FloatArray,
+    count: int,
+) -> int:
+    """Take down a run: rows from which to which so many, the third, come again and again; how many."""
+    begin, end, period = run
+    first, missed = begin + period, 0.0
+    if seams.shape[0]:
+        end, missed = returned(rows, seams, reach, begin, end, period)
+    if end < first:
+        return count
+    for k in range(first, end + 1):
+        used[k] = 1
+    way, high = rows[first, S_START] - rows[begin, S_START], rows[end, S_START] + rows[end, LENGTH]
+    return add_repeat(known, count, rows[begin, S_START], high, way, missed)
+
+
+@kernel
+def has_news(rows: FloatArray, period: int, used: IntArray) -> bool:
+    """Whether rows come again after so many that were not told yet."""
+    j = period
+    while j < rows.shape[0] and (used[j] or not alike(rows, j, period)):
+        j += 1
+    return j < rows.shape[0]
+
+
+@entry
+@allocates
+def find_repeats(rows: Table, seams: Table, reach: float, known: Table) -> int:
+    """Fill in where a route has one shape again and again, the shortest rounds first; how many.
+
+    With seams, those of `rounding.find_seams`, where it leads back to where it was, for what reaches so
+    far from it, m. Rows that were told with fewer in a round are not told again.
+    """
+    total, count = rows.shape[0], find_bends(rows, seams.shape[0] > 0, known)
+    used, gaps = np.zeros(total, dtype=np.int64), np.zeros(total, dtype=np.int64)
+    periods = np.zeros(total, dtype=np.int64)
+    find_periods(rows, gaps, periods)
+    for period in range(1, total):
+        first = -1
+        again = periods[period] == 1 and has_news(rows, period, used)
+        for j in range(period, total + 1 if again else 0):
+            goes = j < total and alike(rows, j, period)
+            joined = goes and first >= 0 and is_smooth(rows, j) and is_smooth(rows, j - period)
+            if first >= 0 and not joined:
+                run = (first - period, j - 1, period)
+                count = add_run(rows, seams, reach, run, used, known, count)
+            if not joined:
+                first = j if goes else -1
+    return count
+
+
+@kernel
+def put_in_order(values: FloatArray, count: int, chosen: IntArray) -> None:
+    """Put the last of so many numbers of rows where it belongs, by their values, the least first."""
+    n, k = chosen[count - 1], count - 1
+    while k > 0 and values[n] < values[chosen[k - 1]]:
+        chosen[k] = chosen[k - 1]
+        k -= 1
+    chosen[k] = n
+
+
+@entry
+@allocates
+def spans_left(
+    rows: Table,
+    links: Vector,
+    known: Table,
+    first: float,
+    last: float,
+    at: Vector,
+    places: Placements,
+    spans: Table,
+) -> tuple[int, float]:
+    """Fill in the spans of the head's way from first to last, m, that repeat nothing before them there.
+
+    How many, at most one more than is `known` to repeat, and what places may be off by from those some
+    rounds before, m. Slot 0 of `at` and `places` is scratch.
+    """
+    total, length = known.shape[0], 0.0
+    for i in range(links.shape[0]):
+        length += links[i]
+    order, kept = np.empty(total, dtype=np.int64), np.empty(total)
+    for n in range(total):
+        order[n], kept[n] = n, known[n, LOW] - known[n, HIGH] + known[n, PERIOD]
+        put_in_order(kept, n + 1, order)
+    ordered, begun, skips = np.empty((total, REPEAT)), np.empty((total, BEGUN)), np.empty((total, 2))
+    for n in range(total):
+        for k in range(REPEAT):
+            ordered[n, k] = known[order[n], k]
+    count = begin_repeats(rows, links, ordered, at, places, begun)
+    return new_spans(begun, count, length, first, last, skips, spans)
