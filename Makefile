@@ -7,7 +7,7 @@ PAGES := 'src/benchdragon/web/*.js' '!src/benchdragon/web/carried*.js' 'src/benc
 NPM := $(shell command -v npm 2>/dev/null)
 # Two dances whose numbers are recorded: the same on every engine.
 RECORDED := tests/model/test_walk.py::test_a_built_in_dance_is_the_recorded_one_with_any_number_of_workers
-KERNELS := $(wildcard src/benchdragon/kernels/*.py tests/kernels/*.py tests/conftest.py tests/plain.txt tests/model/test_walk.py tests/solve/test_size_question.py)
+KERNELS := $(wildcard src/benchdragon/kernels/*.py tests/kernels/*.py tests/conftest.py tests/plain.txt tests/model/test_walk.py tests/solve/test_size_question.py tests/solve/test_turn_question.py)
 # One process more than cores: tests wait for browsers.
 WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 # The kernels are built on one core while the other does what has no need of them; types are checked beside

@@ -1,21 +1,36 @@
-"""How better turns are sought: which searches find what, and what two arcs can and cannot gain.
+"""How better turns are sought: which search finds what, and what two arcs can and cannot gain.
 
-Choice: differential evolution from two seeds (sampled figures), COBYQA and Nelder-Mead's simplex from
-each, then exact figures. SciPy's `dual_annealing` is the rival; it also shows that within two arcs
-between the disc's joints no length is gained, whatever the ratio, though speed is.
+Choice: points strewn evenly over all unknowns, and from the best few of them downhill by straight
+lines of each peak within a range of trust (kernels/turn_descent.py). The best turn lies where limits
+and peaks meet, at a corner; lines find a corner as Newton's method finds a root. The rival is SciPy's
+differential evolution, which ends beside it; `dual_annealing` shows that within two arcs between the
+disc's joints no length is gained, whatever the ratio, though speed is.
 """
 
 import math
 import time
+from functools import partial
 
 import numpy as np
 from scipy.optimize import Bounds, differential_evolution, dual_annealing
 
+from benchdragon.errors import InputError
+from benchdragon.kernels import step_bounds
+from benchdragon.kernels.chain import empty_placements
+from benchdragon.kernels.curve import S_START
 from benchdragon.model.turns import two_arcs
 from benchdragon.plans.schema import read_plan
+from benchdragon.progress import silent
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.minima import GENERATIONS, MEMBERS
-from benchdragon.solve.turn_trials import TurnEvaluator, TurnGoal
+from benchdragon.solve.turn import best_turn
+from benchdragon.solve.turn_goal import TurnFamily, TurnGoal
+from benchdragon.solve.turn_question import TurnQuestion
+
+Point = np.ndarray[tuple[int], np.dtype[np.float64]]
+# How far apart head positions are that the rival looks at, m.
+STEP = 0.1
+# Radii, m, that a search by hand found for a head speed, m/s, between joints on the disc's edge.
+BY_HAND = {1.52: (1.7771875, 1.7646875), 1.54: (1.80594, 1.81094)}
 
 
 def two_arcs_alone() -> None:
@@ -26,42 +41,71 @@ def two_arcs_alone() -> None:
         speed = greatest_head_speed(plan, tolerance=1e-9).value
         print(f"{ratio:13g} {two_arcs(1.7, 4.5, 4.5, ratio).length:17.12f} {speed:18.6f}")
 
-    def length(x: np.ndarray[tuple[int], np.dtype[np.float64]]) -> float:
+    def length(x: Point) -> float:
         return two_arcs(1.7, 4.5, 4.5, math.exp(x[0])).length
 
     found = dual_annealing(length, [(-1.6, 1.6)], maxiter=200, rng=1)
     print(f"dual annealing over the ratio, shortest length: {found.fun:.12f} m\n")
 
 
+def sampled_way(family: TurnFamily, x: Point) -> float:
+    """The way of a turn, m, or how far sampled speeds exceed the limit."""
+    try:
+        turn = family.turn(x.tolist())
+    except InputError:
+        return 1e6
+    rows, links = turn.rows(lead=1.0, trail=1000.0), family.few.links
+    first, last = float(rows[1, S_START]), float(rows[-1, S_START] + links.sum())
+    at = np.arange(first, last, STEP)
+    places = empty_placements(len(links) + 1, len(at))
+    if not step_bounds.place_chain(rows, links, at, 0, len(at), places):
+        return 1e6
+    over = places.ratio.max() * family.plan.walk.speed / 2.0 - 1.0
+    return (
+        1e3 * (1.0 + over) if over > 0.0 or turn.extent > family.disc + 1e-9 else turn.way(family.disc)
+    )
+
+
 def searches() -> None:
-    """Differential evolution against dual annealing, for as many sampled turns."""
-    print("family         by                      way, m   sampled turns   s")
-    for family in ("arc-line-arc", "arc-arc-arc"):
-        plan = read_plan("turn", [f"turn.family={family}", "walk.speed=1.3"])
-        goal = TurnGoal("way", least_radius=1.5027)
-        for name in ("differential evolution", "dual annealing"):
-            evaluator = TurnEvaluator(plan, goal)
-
-            def score(
-                x: np.ndarray[tuple[int], np.dtype[np.float64]], evaluator: TurnEvaluator = evaluator
-            ) -> float:
-                return evaluator.score(x.tolist())
-
+    """The engine's search against differential evolution, by what both have seen."""
+    print("family       speed, m/s  by                      way, m      turns tried   s")
+    for name in ("arc-line-arc", "arc-arc-arc"):
+        for speed in (1.3, 1.52, 1.7):
+            plan = read_plan("turn", [f"turn.family={name}", f"walk.speed={speed}"])
+            family, began = TurnFamily(plan, TurnGoal()), time.perf_counter()
+            with TurnQuestion(family) as question:
+                seen = question.best(silent, "")
+                way, tried = family.turn(seen.x).way(family.disc), question.tried
+            told(name, speed, "lines from strewn points", way, tried, began)
             began = time.perf_counter()
-            most = MEMBERS * GENERATIONS * len(evaluator.bounds)
-            if name == "dual annealing":
-                found = dual_annealing(
-                    score, evaluator.bounds, maxfun=most, no_local_search=True, rng=1
-                )
-            else:
-                found = differential_evolution(
-                    score, Bounds(*np.array(evaluator.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS,
-                    rng=1, polish=False, init="sobol",
-                )  # fmt: skip
-            spent = time.perf_counter() - began
-            print(f"{family:14s} {name:22s} {found.fun:7.3f} {evaluator.evaluations:12d} {spent:8.1f}")
+            evolved = differential_evolution(
+                partial(sampled_way, family), Bounds(*np.array(family.bounds).T), popsize=10,
+                maxiter=60, rng=1, polish=False, init="sobol",
+            )  # fmt: skip
+            told(name, speed, "differential evolution", evolved.fun, evolved.nfev, began)
+
+
+def told(name: str, speed: float, by: str, way: float, tried: int, began: float) -> None:
+    """A line of the table."""
+    print(f"{name:12s} {speed:9g}   {by:24s} {way:9.5f} {tried:12d} {time.perf_counter() - began:6.1f}")
+
+
+def by_hand() -> None:
+    """What exact figures say of turns found by hand, and of those of the search."""
+    print("\nspeed, m/s   by       way, m       allows, m/s   least distance, m")
+    for speed, radii in BY_HAND.items():
+        plan = read_plan("turn", ["turn.family=arc-line-arc", f"walk.speed={speed}"])
+        hand = plan.with_table("turn", entry_radius=4.5, exit_radius=4.5, radii=radii)
+        way, best = hand.turn.build(1.7, 4.5).way(4.5), best_turn(plan)
+        assert best.head_speed is not None
+        print(f"{speed:10g}   hand   {way:10.6f} {greatest_head_speed(hand).value:15.8f}")
+        print(
+            f"{speed:10g}   search {best.way:10.6f} {best.head_speed.value:15.8f} "
+            f"{best.clearance.value:15.5f}"
+        )
 
 
 if __name__ == "__main__":
     two_arcs_alone()
     searches()
+    by_hand()

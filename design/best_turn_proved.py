@@ -22,8 +22,8 @@ from dataclasses import dataclass
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.turn import best_turn
+from benchdragon.solve.turn_goal import TurnGoal
 from benchdragon.solve.turn_proof import proved_bound
-from benchdragon.solve.turn_trials import TurnGoal
 
 JOINTS = ("turn.entry_radius=4.5", "turn.exit_radius=4.5")
 # No bend is tighter than the paper's second arc, m.

@@ -117,16 +117,6 @@ def ready(folder: Path, found: "Results", monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(reproducing, "_write_pictures", copy)
 
 
-@pytest.fixture
-def short_searches(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Searches for a better turn are shorter than a user's: they find one, if not the best."""
-    from benchdragon.solve import minima
-
-    monkeypatch.setattr(minima, "SEEDS", (1,))
-    monkeypatch.setattr(minima, "GENERATIONS", 10)
-    monkeypatch.setattr(minima, "LOCAL", 80)
-
-
 @pytest.fixture(params=["en", "zh"])
 def spoken(request: pytest.FixtureRequest) -> Iterator[str]:
     """A language, spoken for the length of a test."""

@@ -70,7 +70,6 @@ LESS = {
 }
 
 
-@pytest.mark.usefixtures("short_searches")  # tests/solve/test_turn.py asks how good turns are
 def test_every_command_of_the_manual_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
     monkeypatch.chdir(tmp_path)

@@ -194,7 +194,6 @@ def test_every_public_constructor_and_function_is_tried() -> None:
     assert {*CALLS, *MADE, "compare", "read_plan", "read_points", "read_sweep"} == set(bd.__all__)
 
 
-@pytest.mark.usefixtures("short_searches")
 @pytest.mark.parametrize("name", CALLS)
 def test_wrong_types_are_refused_as_input(name: str) -> None:
     make, sound = getattr(bd, name), CALLS[name]

@@ -85,7 +85,7 @@ from .solve.tolerance import Tolerance as Tolerance
 from .solve.tolerance import tolerance as tolerance
 from .solve.turn import BestTurn as BestTurn
 from .solve.turn import best_turn as best_turn
-from .solve.turn_trials import TurnGoal as TurnGoal
+from .solve.turn_goal import TurnGoal as TurnGoal
 from .sweeps.points import Points as Points
 from .sweeps.points import listed_points as listed_points
 from .sweeps.points import read_points as read_points

@@ -28,7 +28,7 @@ from benchdragon.plans.routes import TurnRoute
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.turn import BestTurn
-from benchdragon.solve.turn_trials import TurnGoal
+from benchdragon.solve.turn_goal import TurnGoal
 from benchdragon.sweeps.questions import Outcome as Asked
 from benchdragon.sweeps.questions import outcome as asked
 from tests.cli.verbs import VERBS, options

@@ -21,7 +21,7 @@ from benchdragon.analysis.distance import (
 )
 from benchdragon.analysis.marks import Trail
 from benchdragon.analysis.proof import prove_contact
-from benchdragon.analysis.speed import QUANTITIES, greatest_at, greatest_speed
+from benchdragon.analysis.speed import greatest_speed
 from benchdragon.analysis.swept import swept_area
 from benchdragon.kernels import entries
 from benchdragon.kernels.chain import empty_placements
@@ -82,7 +82,6 @@ def questions() -> None:
     read_plan("turn", ["turn.family=arc-arc-arc", "turn.curvature=0.2", "turn.ease=0.3"]).build()
     places = empty_placements(len(walk.dragon) + 1, 2)
     place_chain(walk.route.rows, walk.dragon.links, np.array([0.0, 60.0]), 0, 2, places)
-    greatest_at(walk.route.rows, walk.dragon, places, QUANTITIES["total_acceleration"])
     assert walk.head_where_tail(9.0) > 9.0
     low_point(walk, 0, 4, 0.0, 60.0)
     motion = walk.motion([0.0, 60.0])

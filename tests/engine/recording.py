@@ -34,7 +34,7 @@ LOADER = PACKAGE / "web" / "engine.js"
 HERE = Path(__file__).parent
 CODES = {dtype: code for code, dtype in DTYPES.items()}
 # Questions under way are known to their engine alone, by handles: what they answer is compared whole
-# (tests/solve/test_size_question.py, tests/analysis/test_peak_question.py), not call by call.
+# (tests/solve/test_size_question.py and others), not call by call.
 WHOLE = tuple(
     f"benchdragon.kernels.{name}."
     for name in (
@@ -44,6 +44,7 @@ WHOLE = tuple(
         "contact_question",
         "peak_question",
         "obstacle_question",
+        "turn_question",
     )
 )
 # Of each entry so many calls are kept, of which none takes more bytes than this.

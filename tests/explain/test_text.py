@@ -302,7 +302,6 @@ def test_a_head_speed_that_nothing_limits_is_explained() -> None:
     assert len(speed_lines(plan, greatest_head_speed(plan))) == 1
 
 
-@pytest.mark.usefixtures("short_searches")
 @pytest.mark.parametrize("family", ["arc-arc", "arc-line-arc"])
 def test_a_turn_is_explained(family: str) -> None:
     plan = read_plan("turn", ["dragon.benches=25", f"turn.family={family}"])

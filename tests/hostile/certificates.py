@@ -18,6 +18,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from benchdragon.analysis.certificate import certificate_of, plan_in, read_certificate, shown
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import first_sure_contact, least_clearance
@@ -26,13 +28,15 @@ from benchdragon.analysis.obstacles import obstacle_answers
 from benchdragon.analysis.proof import Claim
 from benchdragon.analysis.proved_report import prove_report
 from benchdragon.analysis.speed import greatest_speed
-from benchdragon.errors import BenchDragonError, UnsureError
+from benchdragon.errors import BenchDragonError, InputError, UnsureError
+from benchdragon.kernels.curve import S_START
+from benchdragon.model.turns import Turn
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.solve import turn_certificate
 from benchdragon.solve.size import limit
-from benchdragon.solve.turn_proof import proved_bound
-from benchdragon.solve.turn_trials import TurnEvaluator, TurnGoal
+from benchdragon.solve.turn_goal import TurnFamily, TurnGoal
+from benchdragon.solve.turn_proof import _ratios, proved_bound
 from tests.proofs.certificates import IN_THE_WAY, ON_A_BENCH, TOO_MUCH, bend
 
 Written = dict[str, Any]
@@ -358,20 +362,36 @@ def _paces_hold(said: Written, plan: Plan) -> bool | None:
     return bool(low <= said["most"] and high >= said["least"] * (1.0 - 1e-12))
 
 
+def fastest(turn: Turn, family: TurnFamily) -> float:
+    """The greatest speed of a handle with the head at 1 m/s, sampled; infinite where none can walk."""
+    rows, links = turn.rows(lead=1.0, trail=1000.0), family.few.links
+    at = np.linspace(rows[1, S_START], rows[-1, S_START] + links.sum(), 400)
+    ratios = _ratios(rows, links, at)
+    return math.inf if ratios is None else float(ratios.max())
+
+
 def turn_holds(said: Written, plan: Plan) -> bool | None:
     """Whether no turn of the family that is tried, and keeps what it must, is better than was said."""
     limits = {name: math.inf if said["limits"][name] is None else said["limits"][name]
               for name in ("longest", "longest_way")}  # fmt: skip
     goal = TurnGoal(said["objective"], said["limits"]["least_radius"], **limits)
-    evaluator, dice = TurnEvaluator(plan, goal), random.Random(7)
-    seen = 0
+    family, dice = TurnFamily(plan, goal), random.Random(7)
+    seen, limit = 0, math.inf if plan.limits.speed is None else plan.limits.speed
     for _n in range(TURNS):
-        numbers = [dice.uniform(low, high) for low, high in evaluator.bounds]
-        found = evaluator.figures(numbers, complete=False)
-        if found is None or evaluator.sought not in found or "speed" not in found:
+        try:
+            turn = family.turn([dice.uniform(low, high) for low, high in family.bounds])
+        except InputError:
             continue
-        rooms = evaluator.rooms(found)
-        if any(rooms[name] < 0.0 for name in ("radius", "length", "way", "speed") if name in rooms):
+        way, speed = turn.way(family.disc), fastest(turn, family)
+        found = {"speed": speed, "length": turn.length, "way": way}
+        head = 0.0 if goal.objective == "speed" else plan.walk.speed
+        if (
+            speed == math.inf
+            or turn.least_radius < family.narrowest
+            or turn.length > goal.longest
+            or way > goal.longest_way
+            or speed * head > limit
+        ):
             continue
         seen += 1
         if said["bound"] is None:

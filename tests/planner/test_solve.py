@@ -13,7 +13,7 @@ from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
 from benchdragon.solve.size import feasible_sizes, limit
 from benchdragon.solve.tolerance import RISKS, Deviations, tolerance
 from benchdragon.solve.turn import best_turn
-from benchdragon.solve.turn_trials import TurnGoal
+from benchdragon.solve.turn_goal import TurnGoal
 from tests.engine.recording import node
 from tests.planner.random_plans import plan
 from tests.planner.twins import asked, tried

@@ -16,6 +16,7 @@ from benchdragon.cli.main import run
 from benchdragon.errors import InputError
 from benchdragon.kernels.box import corner
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.turn_trial import APART, BESIDE, KINDS
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve.place import best_place, enough_room
@@ -124,9 +125,9 @@ def test_what_touches_keeps_no_margin_of_a_turn() -> None:
     plan = read_plan(
         "turn", ["dragon.benches=12", 'obstacle=[{kind="line", points=[[0, -2], [0, 2]]}]']
     )
-    exact, _clearance = _exact_figures(plan, {"clearance": 1.0}, 1.0)
-    assert exact["obstacles"] < 0.0
-    assert exact["clearance"] > 0.0
+    exact, _clearance = _exact_figures(plan, -np.ones(KINDS), ())
+    assert exact[BESIDE] > 0.0
+    assert exact[APART] < 0.0
 
 
 SQUARE = [

@@ -28,9 +28,9 @@ from benchdragon.solve.turn_certificate import (
     is_turn_certificate,
     verify,
 )
+from benchdragon.solve.turn_goal import TurnGoal
 from benchdragon.solve.turn_proof import Node, TurnProof, proved_bound, turns_of, with_proof
 from benchdragon.solve.turn_statement import TurnStatement
-from benchdragon.solve.turn_trials import TurnGoal
 from tests.proofs.turns import turn_of
 
 JOINTS = ("turn.entry_radius=4.5", "turn.exit_radius=4.5")
@@ -213,7 +213,6 @@ def test_ratios_are_told_as_ratios() -> None:
     assert f"{kept} is shorter than 9.000000 m" in text
 
 
-@pytest.mark.usefixtures("short_searches")
 def test_nothing_bounds_what_a_search_finds() -> None:
     found = best_turn(plan(*JOINTS, "dragon.benches=20"), TurnGoal("way"))
     answer = found.objective
@@ -318,7 +317,6 @@ def test_nothing_proved_is_no_certificate() -> None:
         certificate_of(plan(*JOINTS), GOAL, replace(proof(), bound=-math.inf))
 
 
-@pytest.mark.usefixtures("short_searches")
 def test_the_command_line_proves_and_verifies(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -64,7 +64,6 @@ def numbers(answer: Answer | None) -> Any:
     return replace(answer, seconds=0.0)
 
 
-@pytest.mark.usefixtures("short_searches")
 @pytest.mark.parametrize("name", BY_HAND)
 def test_a_question_gives_what_the_library_gives(name: str) -> None:
     plan, ask = BY_HAND[name]

@@ -21,13 +21,11 @@ from benchdragon.i18n import N_, _
 from benchdragon.kernels import drive, peak
 from benchdragon.kernels import peak_memory as told
 from benchdragon.kernels import peak_question as kernel
-from benchdragon.kernels.chain import Placements, rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.peak_question import STEP
 from benchdragon.kernels.question import MORE
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.answer import ROUNDING, Answer, Witness
-from benchdragon.model.dragon import Dragon
 from benchdragon.model.profile import SpeedProfile, Stretches
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
@@ -291,15 +289,6 @@ def failure_within(walk: Walk, low: float, high: float) -> Exception:
     if (error := walk.first_failure(np.array([high]))) is not None:
         return error
     return UnsureError(_("it could not be shown that the dragon stands all along"))
-
-
-def greatest_at(rows: FloatArray, dragon: Dragon, places: Placements, quantity: Quantity) -> FloatArray:
-    """The greatest of a quantity in each slot with the head at 1 m/s, (slots,); rows of a route."""
-    change = np.empty(places.u.shape)
-    turn, values = np.empty((len(dragon), places.u.shape[1])), np.empty(places.u.shape[1])
-    rates(rows, dragon.links, *places[:5], change, turn)
-    drive.greatest_in_slots(rows, places, change, turn, 1.0, 0.0, quantity.kind, values)
-    return values
 
 
 def given_limits(plan: Plan) -> dict[str, float]:

@@ -289,7 +289,7 @@ class _Bar:
         self._bar.update(self._task, completed=share, description=text or None)
 
 
-# What limits are called; the keys are those of `TurnEvaluator.rooms`.
+# What limits are called; the keys are those of solve/turn_question.py.
 LIMITS = {
     "radius": N_("radius of the tightest bend"),
     "disc": N_("radius of the disc"),
@@ -301,6 +301,7 @@ LIMITS = {
     "total_acceleration": N_("total acceleration of a handle"),
     "acceleration": N_("acceleration of a handle along the route"),
     "clearance": N_("clearance"),
+    "obstacles": N_("distance from obstacles and the venue's edge"),
 }
 
 

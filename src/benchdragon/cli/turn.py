@@ -27,7 +27,7 @@ from benchdragon.progress import part
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
     from benchdragon.solve.turn import BestTurn
-    from benchdragon.solve.turn_trials import TurnGoal
+    from benchdragon.solve.turn_goal import TurnGoal
 
 
 @click.command(
@@ -104,7 +104,7 @@ def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     """Print the best turn; with --plan-file also write the plan with it."""
     from benchdragon.files import refuse_existing
     from benchdragon.solve.turn import best_turn
-    from benchdragon.solve.turn_trials import TurnGoal
+    from benchdragon.solve.turn_goal import TurnGoal
 
     path, certificate = options["plan_file"], options["certificate"]
     written = [file for file in (path, certificate) if file is not None]
@@ -174,7 +174,7 @@ def _print_turn(
 
 def _echo_turn(best: "BestTurn", objective: str) -> None:
     """The best turn for readers."""
-    from benchdragon.solve.turn_trials import OBJECTIVES
+    from benchdragon.solve.turn_goal import OBJECTIVES
 
     click.echo(
         _("{name}: {value} {unit}  (best found)").format(

@@ -229,13 +229,13 @@ def turn_lines(best: BestTurn) -> list[str]:
     if best.head_speed is not None:
         lines += speed_lines(best.plan, best.head_speed)
     text = _(
-        "{evaluations} turns were judged: first all over the family (differential evolution), then "
-        "near the best. What came out was judged again exactly. That no better one exists is not shown."
+        "{evaluations} turns were judged: first all over the family, then downhill from the best. What "
+        "came out was judged again exactly. That no better one exists is not shown."
     )
     if math.isfinite(best.objective.lower) and math.isfinite(best.objective.upper):
         text = _(
-            "{evaluations} turns were judged: first all over the family (differential evolution), "
-            "then near the best. What came out was judged again exactly. How much better another may "
+            "{evaluations} turns were judged: first all over the family, then downhill from the best. "
+            "What came out was judged again exactly. How much better another may "
             "be was shown box by box (branch and bound): all turns of a box are too long, or one "
             "handle is too fast on each of them."
         )

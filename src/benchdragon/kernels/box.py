@@ -160,6 +160,20 @@ def distances_along(sizes: Table, x: Table, y: Table, i: int, j: int, out: Vecto
 
 
 @kernel
+def inside(sides: FloatArray, first: int, last: int, x: float, y: float) -> bool:
+    """Whether (x, y) lies inside sides first to last - 1, boxes without width that close a polygon.
+
+    A ray to the right then crosses an odd number of them.
+    """
+    odd = False
+    for n in range(first, last):
+        rise = sides[n, HALF_LENGTH] * sides[n, UY]
+        if (sides[n, CY] - rise > y) != (sides[n, CY] + rise > y):
+            odd = odd != (sides[n, CX] + (y - sides[n, CY]) * sides[n, UX] / sides[n, UY] > x)
+    return odd
+
+
+@kernel
 def half_diagonal(boxes: FloatArray, i: int) -> float:
     """The radius of the circle around box i, m."""
     a, b = boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH]

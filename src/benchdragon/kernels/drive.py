@@ -15,7 +15,7 @@ from typing import NamedTuple
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import S_START, U_END, U_START, FloatArray, curvature, stretch
-from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.step_bounds import (
     FRONT_HIGH,
     FRONT_LOW,
@@ -118,24 +118,6 @@ def greatest_in_slot(
         if value > most:
             most, where = value, i
     return most, where
-
-
-@entry
-def greatest_in_slots(
-    rows: Table,
-    places: Placements,
-    change: Table,
-    turn: Table,
-    square: float,
-    rate: float,
-    quantity: int,
-    values: Vector,
-) -> None:
-    """Fill values with the greatest of a quantity in each slot; see `greatest_in_slot`."""
-    for t in range(values.shape[0]):
-        values[t], _ = greatest_in_slot(
-            rows, places, change, turn, t, turn.shape[0], square, rate, quantity
-        )
 
 
 class Scratch(NamedTuple):

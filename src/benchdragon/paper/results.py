@@ -40,7 +40,7 @@ from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch
 from benchdragon.solve.tolerance import CASES
 from benchdragon.solve.turn import BestTurn, pareto_front, undominated
-from benchdragon.solve.turn_trials import TurnGoal
+from benchdragon.solve.turn_goal import TurnGoal
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:

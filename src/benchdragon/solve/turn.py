@@ -1,47 +1,43 @@
-"""Better turns: a global search over a family, then a local one, then exact figures of what it found.
+"""Better turns: the engine's search over a family, then exact figures of what it found.
 
-While it searches, a turn is judged by sampling the first benches of the dragon: all later ones walk
+While it searches, a turn is judged by looking at the first benches of the dragon: all later ones walk
 through it as those do. What comes out is judged by `head_speed` and `contact`, over continuous time and
-with the whole dragon, and searched anew with narrower limits where sampling had flattered it.
+with the whole dragon, and searched anew with narrower limits where a look had flattered it.
 """
 
-import contextlib
 import math
 import time as clock
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import Any
 
 from benchdragon import budget
 from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.obstacles import least_distance
-from benchdragon.analysis.speed import QUANTITIES, greatest_of
+from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_of
 from benchdragon.errors import InputError, NoSolutionError, of_kind, positive
 from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.turn_trial import APART, BESIDE
 from benchdragon.model.answer import Answer
 from benchdragon.model.turns import Turn
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, part, silent
-from benchdragon.solve import minima
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.minima import constrained_point, downhill_point, low_points
-from benchdragon.solve.turn_trials import EXCEEDED, STEPS, WORSE, TurnEvaluator, TurnGoal
+from benchdragon.solve.turn_goal import EXCEEDED, PRUDENCE, TurnFamily, TurnGoal
+from benchdragon.solve.turn_question import SOUGHT, Seen, TurnQuestion
 
 # Share of the work that the search all over the family takes.
-SEARCHED = 0.8
-# Of the speeds of a front, the shares along it at which the whole family is searched; evaluations of
-# each local search by coarse sampling, and the share of the work that this takes.
-ANCHORS, SKETCH, SKETCHED = (0.0, 0.5, 1.0), 100, 0.4
-# How often limits are narrowed after exact figures, and by what share more than those tell, twice as
+SEARCHED = 0.7
+# How often limits are narrowed after exact figures, by PRUDENCE more than those tell, and four times as
 # much each time.
-NARROWINGS, PRUDENCE = 8, 5e-5
+NARROWINGS = 8
 # What touches counts as so deep, m.
 DEEP = 1e-3
 # A limit that is kept to within this share counts as active.
 ACTIVE = 2e-3
-# Figures of a turn that does not exist, in SI units.
-HOPELESS = 1e4
+# How exactly rates are known, as a share of them, and distances, m.
+RATE, DISTANCE = 1e-7, 1e-5
 
 
 @dataclass(frozen=True)
@@ -57,7 +53,7 @@ class BestTurn:
         way: whole way inside the disc, m.
         head_speed: the greatest constant head speed under the plan's limits; None without a limit.
         clearance: the least over the whole manoeuvre.
-        active: names of the limits that it just keeps: keys of `TurnEvaluator.rooms`.
+        active: names of the limits that it just keeps: see turn_question.LIMITS.
     """
 
     plan: Plan
@@ -107,119 +103,82 @@ def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = 
     if wished.objective == "speed" and plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
     plan.profile()  # a wrong one is told before the search, not after it
-    return _best(TurnEvaluator(plan, wished), progress)
+    family, began = TurnFamily(plan, wished), clock.perf_counter()
+    with TurnQuestion(family) as question:
+        seen = question.best(part(progress, 0.0, SEARCHED), _("global search"))
+        return _settled(family, question, seen, part(progress, SEARCHED, 1.0), began)
 
 
-def _best(evaluator: TurnEvaluator, progress: Progress) -> BestTurn:
-    began = clock.perf_counter()
-    starts = _global_search(evaluator, part(progress, 0.0, SEARCHED, _("global search")))
-    evaluator.step = STEPS[1]
-    progress(SEARCHED, _("local search"))
-    ends = [_local_search(evaluator, start, minima.LOCAL) for start in starts]
-    return _settled(evaluator, min(ends, key=evaluator.score), progress, began)
-
-
-def _settled(evaluator: TurnEvaluator, x: list[float], progress: Progress, began: float) -> BestTurn:
-    """The local optimum near x, by exact figures."""
+def _settled(
+    family: TurnFamily, question: TurnQuestion, seen: Seen, progress: Progress, began: float
+) -> BestTurn:
+    """The best turn near one that was seen, by exact figures."""
     for narrowing in range(NARROWINGS):
-        progress(SEARCHED, _("local search"))
-        x = _local_search(evaluator, x, minima.LOCAL)
-        progress(SEARCHED, _("exact figures"))
-        best, exceeded = _exact(evaluator, x, began, PRUDENCE * 2.0**narrowing)
-        if not exceeded:
+        if not seen.keeps:
+            break
+        best, exact = _exact(family, question, seen, began)
+        if exact is None:
             return best
+        question.correct(seen.figures, exact, PRUDENCE * 4.0**narrowing)
+        seen = question.near(seen.x, part(progress, narrowing / NARROWINGS, 1.0), _("local search"))
     raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
 
 
-def _global_search(evaluator: TurnEvaluator, progress: Progress) -> list[list[float]]:
-    """The best turns that are found all over the family."""
-    found = low_points(evaluator.score, evaluator.bounds, progress)
-    starts = [x for x, score in found if score < WORSE]
-    if not starts:
-        raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
-    return starts
-
-
-def _local_search(evaluator: TurnEvaluator, x: list[float], most: int) -> list[float]:
-    """A local optimum within limits, and downhill from there, over the edges where one takes over.
-
-    It takes at most so many evaluations for each of the two.
-    """
-    names = list(evaluator.rooms(_complete(evaluator, x)))
-
-    @cache
-    def figures(point: tuple[float, ...]) -> dict[str, float]:
-        return _complete(evaluator, point)
-
-    def sought(point: list[float]) -> float:
-        return figures(tuple(point))[evaluator.sought]
-
-    def rooms(point: list[float]) -> list[float]:
-        left = evaluator.rooms(figures(tuple(point)))
-        return [left[name] for name in names]
-
-    found = constrained_point(sought, rooms, evaluator.bounds, x, most)
-    best = min(x, found, key=evaluator.score)
-    lower = downhill_point(evaluator.score, evaluator.bounds, best, most)
-    return min(best, lower, key=evaluator.score)
-
-
-def _complete(evaluator: TurnEvaluator, x: Sequence[float]) -> dict[str, float]:
-    """All figures; of a turn that does not exist, hopeless ones."""
-    bad = dict.fromkeys(("length", "way", "disc", *evaluator.quantities), HOPELESS)
-    bad |= {"radius": 0.0, "clearance": -1.0}
-    bad |= {"obstacles": -1.0} if evaluator.obstacles else {}
-    return {**bad, **(evaluator.figures(x, complete=True) or {})}
-
-
 def _exact(
-    evaluator: TurnEvaluator, x: Sequence[float], began: float, prudence: float
-) -> tuple[BestTurn, bool]:
-    """The turn's exact figures, and whether one exceeds a limit; `evaluator` is corrected by them."""
-    sampled = _complete(evaluator, x)
-    plan = evaluator.plan.model_copy(
-        update={"turn": evaluator.plan.turn.model_copy(update=evaluator.table(x))}
-    )
-    exact, clearance = _exact_figures(plan, sampled, _enough(evaluator, sampled))
-    rooms = evaluator.rooms(exact)
-    _correct(evaluator, sampled, exact, prudence)
-    if evaluator.goal.objective == "disc":
-        plan = plan.with_value("disc.radius", exact["disc"])
+    family: TurnFamily, question: TurnQuestion, seen: Seen, began: float
+) -> tuple[BestTurn, FloatArray | None]:
+    """A turn with its exact figures; these, too, if one of them exceeds a limit."""
+    plan, goal = family.with_turn(seen.x), family.goal
+    exact, clearance = _exact_figures(plan, seen.figures, _judged(family))
+    exceeds = question.exceeded(exact)
+    value, unit = float(exact[SOUGHT[goal.objective]]), "m"
+    if goal.objective == "disc":
+        plan = plan.with_value("disc.radius", value)
     speed = greatest_head_speed(plan) if plan.limits.speed is not None else None
-    value, unit = exact[evaluator.sought], "m"
-    if evaluator.goal.objective == "acceleration":
-        value, unit = exact[evaluator.sought] * plan.walk.speed**2, "m/s^2"
     bracket = value, -math.inf, value  # nothing tells how much better another may be
-    if evaluator.goal.objective == "speed" and speed is not None:
+    if goal.objective == "acceleration":
+        most, unit = value * plan.walk.speed**2, "m/s^2"
+        bracket = most, -math.inf, most
+    elif goal.objective == "speed" and speed is not None:
         bracket, unit = (speed.value, speed.lower, math.inf), "m/s"
     answer = Answer(
         *bracket, unit, "found", None,
         (_("best that was found in this family; better ones may exist"),),
-        evaluator.evaluations, clock.perf_counter() - began,
+        question.tried, clock.perf_counter() - began,
     )  # fmt: skip
-    turn, disc = evaluator.turn(x), plan.disc.radius or evaluator.disc
-    active = tuple(name for name, room in rooms.items() if room <= ACTIVE)
+    turn, disc = family.turn(seen.x), plan.disc.radius or family.disc
+    active = tuple(name for name, over in exceeds.items() if over >= -ACTIVE and name != goal.objective)
     best = BestTurn(plan, turn, answer, turn.length, turn.way(disc), speed, clearance, active)
-    return best, any(room < -EXCEEDED for room in rooms.values())
+    return best, exact if max(exceeds.values(), default=0.0) > EXCEEDED else None
 
 
-def _exact_figures(
-    plan: Plan, sampled: dict[str, float], within: float
-) -> tuple[dict[str, float], Answer]:
-    """Sampled figures made exact, on the safe side, and the least clearance (`within` so many m)."""
-    walk, exact = plan.build(), dict(sampled)
+def _judged(family: TurnFamily) -> list[str]:
+    """The rates that are limited or sought."""
+    sought = SOUGHT[family.goal.objective]
+    limited = given_limits(family.plan)
+    return [name for name, rate in QUANTITIES.items() if name in limited or rate.kind == sought]
+
+
+def _exact_figures(plan: Plan, seen: FloatArray, rates: Sequence[str]) -> tuple[FloatArray, Answer]:
+    """What was seen made exact, on the safe side, and the least clearance."""
+    walk, exact = plan.build(), seen.copy()
     ends = float(walk.route.joints[1]), walk.head_where_tail(float(walk.route.joints[-2]))
-    for name in _judged(sampled):
-        exact[name] = greatest_of(walk, QUANTITIES[name], *ends, tolerance=1e-6).upper
+    for name in rates:
+        quantity = QUANTITIES[name]
+        exact[quantity.kind] = greatest_of(walk, quantity, *ends, tolerance=RATE).upper
     times = [walk.time_at(s) for s in ends]
-    clearance = least_clearance(walk, *times, within=within, tolerances=(1e-5,))
-    rooms = [
-        _sure(least_distance(walk, obstacle, *times, tolerances=(1e-5,))) - obstacle.margin
-        for obstacle in plan.obstacles()
-    ]
-    if rooms:
-        exact["obstacles"] = min(rooms)
-    return {**exact, "clearance": _sure(clearance)}, clearance
+    # How far to look for the least clearance, m: somewhat farther than what was seen.
+    within = max(-1.2 * float(seen[APART]), plan.limits.margin, 0.05)
+    clearance = least_clearance(walk, *times, within=within, tolerances=(DISTANCE,))
+    exact[APART] = -_sure(clearance)
+    exact[BESIDE] = max(
+        (
+            obstacle.margin - _sure(least_distance(walk, obstacle, *times, tolerances=(DISTANCE,)))
+            for obstacle in plan.obstacles()
+        ),
+        default=math.nan,
+    )
+    return exact, clearance
 
 
 def _sure(distance: Answer) -> float:
@@ -227,38 +186,15 @@ def _sure(distance: Answer) -> float:
     return distance.lower if distance.value > 0.0 else -DEEP
 
 
-def _judged(sampled: dict[str, float]) -> list[str]:
-    """Which of the sampled figures can be made exact: speeds and what else is limited or sought."""
-    return [name for name in QUANTITIES if sampled.get(name, HOPELESS) < HOPELESS]
-
-
-def _correct(
-    evaluator: TurnEvaluator, sampled: dict[str, float], exact: dict[str, float], prudence: float
-) -> None:
-    """Tell the judge by how much sampling flatters a turn like this, and somewhat more."""
-    for name in _judged(sampled):
-        change = exact[name] / sampled[name] * (1.0 + prudence)
-        evaluator.factors[name] = evaluator.factors.get(name, 1.0) * change
-    for name in ("clearance", "obstacles"):
-        if name in exact:
-            less = min(exact[name] - sampled[name] - prudence, 0.0)
-            evaluator.factors[name] = evaluator.factors.get(name, 0.0) + less
-
-
-def _enough(evaluator: TurnEvaluator, sampled: dict[str, float]) -> float:
-    """How far to look for the least clearance, m: somewhat farther than what sampling saw."""
-    return max(1.2 * sampled["clearance"], evaluator.plan.limits.margin, 0.05)
-
-
 def pareto_front(
     plan: Plan, speeds: Sequence[float], goal: TurnGoal | None = None, *, progress: Progress = silent
 ) -> list[BestTurn]:
     """Shortest turns for head speeds (m/s, increasing) that they must allow under limits.speed.
 
-    The turn of each speed is sought from several starts: searches all over the family at ANCHORS of
-    the speeds, the turn of the speed below and that of the speed above. Of what is found each speed has
-    the shortest that allows it (`undominated`); shorter ones may exist. The list ends where none is
-    found. `goal` says what is to be short (a length, or the disc), and the other limits.
+    The turn of each speed is sought all over the family, and downhill from those of the speeds beside
+    it. Of what is found each speed has the shortest that allows it (`undominated`); shorter ones may
+    exist. The list ends where none is found. `goal` says what is to be short (a length, or the disc),
+    and the other limits.
 
     Raises:
         InputError: without limits.speed, or if not even the first speed is possible.
@@ -266,17 +202,48 @@ def pareto_front(
     if plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
     wished = goal or TurnGoal()
-    judges = [
-        TurnEvaluator(plan.with_value("walk.speed", positive("speed", speed, "m/s")), wished)
+    families = [
+        TurnFamily(plan.with_value("walk.speed", positive("speed", speed, "m/s")), wished)
         for speed in speeds
     ]
     texts = [_("turns for {speed} m/s").format(speed=f"{speed:.3f}") for speed in speeds]
     with budget.question(len(speeds)):
-        sketched = _sketched(judges, part(progress, 0.0, SKETCHED), texts)
-        if not sketched:
+        seen = _seen(families, part(progress, 0.0, SEARCHED), texts)
+        if not seen:
             raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
-        settled = _settled_front(judges, sketched, part(progress, SKETCHED, 1.0), texts)
-    return undominated(settled[::-1])
+        found = []
+        for n, x in enumerate(seen):
+            told, began = part(progress, SEARCHED + 0.3 * n / len(seen), 1.0), clock.perf_counter()
+            with TurnQuestion(families[n]) as question:
+                near = question.near(x, told, texts[n])
+                found.append(_settled(families[n], question, near, told, began))
+    return undominated(found)
+
+
+def _seen(
+    families: Sequence[TurnFamily], progress: Progress, texts: Sequence[str]
+) -> list[list[float]]:
+    """The unknowns of the best turn of each family, up to the first without one."""
+    found: list[Seen] = []
+    for n, family in enumerate(families):
+        with TurnQuestion(family) as question:
+            told = part(progress, n / len(families), (n + 1) / len(families))
+            best = question.best(told, texts[n])
+            for below in found[-1:]:
+                best = _better(best, question.near(below.x, silent, ""), family)
+        if not best.keeps:
+            break
+        found.append(best)
+    for n in range(len(found) - 2, -1, -1):
+        with TurnQuestion(families[n]) as question:
+            found[n] = _better(found[n], question.near(found[n + 1].x, silent, ""), families[n])
+    return [one.x for one in found]
+
+
+def _better(one: Seen, other: Seen, family: TurnFamily) -> Seen:
+    """The better of two turns."""
+    sought = SOUGHT[family.goal.objective]
+    return other if other.keeps and not one.figures[sought] <= other.figures[sought] else one
 
 
 def undominated(front: Sequence[BestTurn]) -> list[BestTurn]:
@@ -299,86 +266,3 @@ def _at_speed(best: BestTurn, speed: float) -> BestTurn:
     tight = best.head_speed is not None and best.head_speed.lower <= speed * (1.0 + ACTIVE)
     active = tuple(name for name in best.active if tight or name not in QUANTITIES)
     return replace(best, plan=best.plan.with_value("walk.speed", speed), active=active)
-
-
-def _sketched(
-    judges: Sequence[TurnEvaluator], progress: Progress, texts: Sequence[str]
-) -> list[list[float]]:
-    """The best turn of each judge by coarse sampling, from slow to fast and back again."""
-    last = len(judges) - 1
-    anchors = {round(share * last) for share in ANCHORS}
-    best: list[list[float]] = []
-    for n, judge in enumerate(judges):
-        progress(0.7 * n / len(judges), texts[n])
-        starts = best[-1:]
-        if n in anchors:
-            starts = starts + _found_all_over(judge)
-        ends = [_local_search(judge, start, SKETCH) for start in starts]
-        x = min(ends, key=judge.score, default=None)
-        if x is None or judge.score(x) >= WORSE:
-            break
-        best.append(x)
-    for n in range(len(best) - 2, -1, -1):
-        progress(1.0 - 0.3 * n / len(judges), texts[n])
-        above = _local_search(judges[n], best[n + 1], SKETCH)
-        best[n] = min(best[n], above, key=judges[n].score)
-    return best
-
-
-def _settled_front(
-    judges: Sequence[TurnEvaluator],
-    sketched: Sequence[list[float]],
-    progress: Progress,
-    texts: Sequence[str],
-) -> list[BestTurn]:
-    """The exact turns of the front, the fastest first."""
-    found: list[BestTurn] = []
-    for n in range(len(sketched) - 1, -1, -1):
-        judge = judges[n]
-        progress(1.0 - (n + 1) / len(sketched), texts[n])
-        judge.step = STEPS[1]
-        # What sampling hides is told beforehand, so that one local search will mostly do.
-        _exact(judge, sketched[n], clock.perf_counter(), PRUDENCE)
-        if found:
-            best = _better(judge, sketched[n], found[-1])
-        else:
-            best = _first_settled(judge, sketched[n]) or _first_settled(judge, *_found_all_over(judge))
-        if best is not None:
-            found.append(best)
-    return found
-
-
-def _found_all_over(judge: TurnEvaluator) -> list[list[float]]:
-    with contextlib.suppress(NoSolutionError):
-        return _global_search(judge, silent)
-    return []
-
-
-def _better(judge: TurnEvaluator, sketched: list[float], faster: BestTurn) -> BestTurn | None:
-    """The turn settled from a sketch; from a faster turn if that is better than what comes out."""
-    best = _first_settled(judge, sketched)
-    if best is None or best.objective.value > faster.objective.value:
-        best = _first_settled(judge, _unknowns(faster, judge.goal)) or best
-    return best
-
-
-def _first_settled(judge: TurnEvaluator, *starts: list[float]) -> BestTurn | None:
-    """The turn settled from the first start that comes to one."""
-    for start in starts:
-        with contextlib.suppress(NoSolutionError):
-            return _settled(judge, start, silent, clock.perf_counter())
-    return None
-
-
-def _unknowns(best: BestTurn, goal: TurnGoal) -> list[float]:
-    """The unknowns of a turn: inverse of `TurnEvaluator.table`."""
-    table = best.plan.turn
-    if table.entry_radius is None or table.exit_radius is None:
-        raise AssertionError("a best turn says its joints")
-    x = [table.entry_radius, table.exit_radius]
-    if table.family == "arc-arc":
-        x.append(math.log(table.ratio))
-    elif table.radii is not None:
-        middle = [table.curvature] if table.family == "arc-arc-arc" else []
-        x += [table.radii[0], *middle, table.radii[1]]
-    return [*x, table.ease] if goal.objective == "acceleration" else x

@@ -18,9 +18,9 @@ from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import _
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
+from benchdragon.solve.turn_goal import TurnGoal
 from benchdragon.solve.turn_proof import Node, TurnProof, turns_of
 from benchdragon.solve.turn_statement import TurnStatement
-from benchdragon.solve.turn_trials import TurnGoal
 from benchdragon.version import __version__
 
 FORMAT: Literal["benchdragon turn certificate"] = "benchdragon turn certificate"

@@ -25,8 +25,8 @@ from benchdragon.number_format import finite_or_none
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.turn import BestTurn
+from benchdragon.solve.turn_goal import EXCEEDED, TurnFamily, TurnGoal
 from benchdragon.solve.turn_statement import Ends, TurnStatement, ranges_of
-from benchdragon.solve.turn_trials import EXCEEDED, PLACED, TurnEvaluator, TurnGoal
 
 if TYPE_CHECKING:
     from benchdragon.proofs.turn_boxes import Turns, Witness
@@ -36,6 +36,8 @@ GAP, MOST_BOXES = 1e-3, 20_000
 PROVABLE = ("way", "length", "speed")
 # Limits count as kept that are exceeded by less than this share: more than the search allows.
 KEPT = 2.0 * EXCEEDED
+# Bytes of a handle that is placed.
+PLACED = 64
 # Head positions at which the turn in the middle of a box is sampled; and again, around a peak.
 SAMPLES, CLOSER = 400, 41
 # Peaks of which witnesses are taken, and the share of a peak's excess that an earlier handle must have.
@@ -122,7 +124,7 @@ def turns_of(plan: Plan, goal: TurnGoal) -> "tuple[Turns, Ends, Ends]":
     from benchdragon.proofs.turn_boxes import Turns
     from benchdragon.proofs.turn_shape import FAMILIES
 
-    table, evaluator = plan.turn, TurnEvaluator(plan, goal)
+    table, family = plan.turn, TurnFamily(plan, goal)
     if table.family not in FAMILIES or table.ease or goal.objective not in PROVABLE:
         raise InputError(
             _(
@@ -133,17 +135,17 @@ def turns_of(plan: Plan, goal: TurnGoal) -> "tuple[Turns, Ends, Ends]":
     limit = plan.limits.speed
     turns = Turns(
         table.family,
-        evaluator.pitch,
-        evaluator.disc,
+        family.pitch,
+        family.disc,
         tuple(plan.links.tolist()),
         goal.objective,
         math.inf if limit is None else limit * (1.0 + KEPT),
         plan.walk.speed,
-        evaluator.narrowest * (1.0 - KEPT),
+        family.narrowest * (1.0 - KEPT),
         goal.longest * (1.0 + KEPT),
         goal.longest_way * (1.0 + KEPT),
     )
-    low, high = zip(*evaluator.bounds, strict=True)
+    low, high = zip(*family.bounds, strict=True)
     return turns, low, high
 
 
@@ -168,7 +170,7 @@ def proved_bound(
     positive("gap", gap)
     turns, low, high = turns_of(plan, goal)
     sign = -1.0 if goal.objective == "speed" else 1.0
-    search = _Search(turns, TurnEvaluator(plan, goal), sign * value - gap)
+    search = _Search(turns, TurnFamily(plan, goal), sign * value - gap)
     root = search.added(low, high)
     try:
         search.run(most, progress)
@@ -187,7 +189,7 @@ class _Search:
     """Boxes that may hold better turns than are wanted, the most promising first."""
 
     turns: "Turns"
-    evaluator: TurnEvaluator
+    family: TurnFamily
     wanted: float
     boxes: int = 0
     _open: list[tuple[float, int, Node, Ends]] = field(default_factory=list)
@@ -239,12 +241,12 @@ class _Search:
 
         middle = [0.5 * (a + b) for a, b in zip(node.low, node.high, strict=True)]
         try:
-            turn = self.evaluator.turn(middle)
+            turn = self.family.turn(middle)
         except InputError:
             return
         rows = turn.rows(lead=1.0, trail=1000.0)
         start = float(rows[1, S_START])
-        for s, handle in _fast(rows, self.evaluator.few.links, self._slow()):
+        for s, handle in _fast(rows, self.family.few.links, self._slow()):
             ends = (True, s - start - turn.length, handle), (False, s - start, handle)
             for end in ends if s - start > 0.5 * turn.length else reversed(ends):
                 yield Witness(*end)

@@ -8,7 +8,7 @@ from typing import Any
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import figures, finite_or_none
 from benchdragon.plans.schema import Plan
-from benchdragon.solve.turn_trials import TurnEvaluator, TurnGoal
+from benchdragon.solve.turn_goal import TurnFamily, TurnGoal
 
 Ends = tuple[float, ...]
 
@@ -48,11 +48,11 @@ class TurnStatement:
 
     def sentence(self) -> str:
         """It in words, in the language in use, rounded to the side that stays true."""
-        evaluator, objective = TurnEvaluator(self.plan, self.goal), self.goal.objective
+        turns, objective = TurnFamily(self.plan, self.goal), self.goal.objective
         bound = 0.0 if self.bound is None else self.bound
         return _(NONE_KEEPS if self.bound is None else NONE_BETTER[objective]).format(
             family=self.plan.turn.family, ranges=self._ranges(), limits=_(", ").join(self._limits()),
-            pitch=repr(evaluator.pitch), disc=repr(evaluator.disc),
+            pitch=repr(turns.pitch), disc=repr(turns.disc),
             benches=len(self.plan.links), bound=_rounded(objective, bound),
         )  # fmt: skip
 
@@ -88,19 +88,19 @@ class TurnStatement:
         return {
             "speed_limit": self.plan.limits.speed,
             "head_speed": None if fastest else self.plan.walk.speed,
-            "least_radius": TurnEvaluator(self.plan, goal).narrowest,
+            "least_radius": TurnFamily(self.plan, goal).narrowest,
             "longest": finite_or_none(goal.longest),
             "longest_way": finite_or_none(goal.longest_way),
         }
 
     def as_json(self) -> dict[str, Any]:
         """It as plain data, in SI units."""
-        evaluator, family = TurnEvaluator(self.plan, self.goal), self.plan.turn.family
+        turns, family = TurnFamily(self.plan, self.goal), self.plan.turn.family
         ranges = ranges_of(family, self.low, self.high)
         return {
             "about": "turns", "objective": self.goal.objective, "family": family,
             "ranges": {name: list(ends) for name, ends in ranges.items()},
-            "pitch": evaluator.pitch, "disc": evaluator.disc, "benches": len(self.plan.links),
+            "pitch": turns.pitch, "disc": turns.disc, "benches": len(self.plan.links),
             "limits": self.kept(), "bound": self.bound,
         }  # fmt: skip
 

@@ -797,6 +797,87 @@ export const TURN_FAMILIES = {
   LOOK: 0.02,
 };
 
+export const TURN_QUESTION = {
+  STREWN: 300,
+  STARTS: 8,
+  APART: 0.1,
+  SOFT: 3,
+  STEPS: [0.125, 0.06],
+  TRUST: [0.05, 0.01],
+  MOST_STEPS: [20, 60],
+  WORK: 100000,
+  ALL: 0,
+  NEAR: 1,
+  STREWING: 0,
+  DOWNHILL: 1,
+  CLOSELY: 2,
+  ENDED: 3,
+  DONE: 1,
+  EXCEEDS: 2,
+  TRIED: 3,
+  SHARE: 4,
+  DOING: 5,
+  NUMBER: 6,
+  FIGURES: 7,
+  BASE: 80,
+  END_SLOT: 137,
+};
+
+export const TURN_TRIAL = {
+  RATES: 5,
+  APART: 5,
+  BESIDE: 6,
+  REACH: 7,
+  BEND: 8,
+  LONG: 9,
+  WAY: 10,
+  KINDS: 11,
+  TWO_ARCS: 0,
+  LINE_BETWEEN: 1,
+  ARC_BETWEEN: 2,
+  UNKNOWNS: 6,
+  FAMILY: 0,
+  EASE: 1,
+  PITCH: 2,
+  DISC: 3,
+  NARROWEST: 4,
+  LONGEST: 5,
+  LONGEST_WAY: 6,
+  HEAD: 7,
+  MARGIN: 8,
+  SOUGHT: 9,
+  LIMIT: 10,
+  TOLD: 15,
+  KIND: 0,
+  ONE: 1,
+  TWO: 2,
+  PLACE: 3,
+  VALUE: 4,
+  MEASURE: 5,
+  PEAK: 6,
+  MOST_NOTED: 256,
+  MOST_KEPT: 48,
+  NEAR_GREATEST: 0.08,
+  ROUTE: 0,
+  PIECES: 1,
+  NOTED: 2,
+  FIRST: 3,
+  SECOND: 4,
+  PLACED: 5,
+  COUNTS: 6,
+  MOST_ROWS: 64,
+  FEW: 16,
+  MORE: 40,
+  SLOTS: 64,
+  MOST_LOOKS: 4096,
+  CLEAR_SHARE: 0.35,
+  REACH_STEP: 0.1,
+  JUDGED: 2,
+  HOPELESS: 10000,
+  SECTION: 0.6180339887498949,
+  NARROWED: 44,
+};
+
 export const WALK_SEARCH = {
   CROWDED: 9,
   ASTRAY: 10,
@@ -1101,15 +1182,6 @@ export const SOLVE_HEAD_SPEED = {
   AT_ONCE: 1000000,
 };
 
-export const SOLVE_MINIMA = {
-  MEMBERS: 10,
-  GENERATIONS: 22,
-  SEEDS: [1, 2],
-  SPREAD: 0.0001,
-  SIMPLEX: 0.02,
-  LOCAL: 200,
-};
-
 export const SOLVE_RANDOM_DANCE = {
   HINT_STEP: 0.3,
   SHRINKS: 4,
@@ -1169,31 +1241,21 @@ export const SOLVE_TOLERANCE = {
 };
 
 export const SOLVE_TURN = {
-  SEARCHED: 0.8,
-  ANCHORS: [0, 0.5, 1],
-  SKETCH: 100,
-  SKETCHED: 0.4,
+  SEARCHED: 0.7,
   NARROWINGS: 8,
-  PRUDENCE: 5e-5,
   DEEP: 0.001,
   ACTIVE: 0.002,
-  HOPELESS: 10000,
+  RATE: 1e-7,
+  DISTANCE: 1e-5,
 };
 
-export const SOLVE_TURN_TRIALS = {
-  BENCHES: 16,
-  STEPS: [0.2, 0.08],
-  CLEAR_BENCHES: 40,
-  CLEAR_STEP: 0.6,
+export const SOLVE_TURN_GOAL = {
   EXCEEDED: 1e-7,
-  NOWHERE: 1000000,
-  WORSE: 1000,
+  PRUDENCE: 1e-8,
   DEEPEST: 0.3,
   WIDEST: 0.75,
   LONGEST_EASE: 4,
   WIDER: 1.001,
-  JUDGED: 4,
-  PLACED: 64,
 };
 
 export const SURVEYS_CLOTHOIDS = {

@@ -1,29 +1,42 @@
-// Better turns: a global search over a family, then a local one, then exact figures of what it found. Twin of
-// solve/turn.py, but for fronts of turns, which the command line finds.
+// Better turns: the engine's search over a family, then exact figures of what it found. Twin of solve/turn.py,
+// turn_goal.py and turn_question.py, but for fronts of turns, which the command line finds.
 
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
-import { withArenaAsync } from "./arena.js";
+import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { question } from "./budget.js";
-import { SOLVE_MINIMA, SOLVE_TURN } from "./constants.js";
+import { BOX, QUESTION, SOLVE_TURN, SOLVE_TURN_GOAL, TURN_QUESTION, TURN_TRIAL } from "./constants.js";
 import { leastClearance } from "./contact.js";
-import { InputError, NoSolutionError } from "./errors.js";
+import { radians } from "./curves.js";
+import { greatest } from "./dragon.js";
+import { EngineQuestion } from "./engine_question.js";
+import { InputError, NoSolutionError, finite, positive } from "./errors.js";
 import { greatestHeadSpeed } from "./head_speed.js";
-import { constrainedPoint, downhillPoint, lowPoints } from "./minima.js";
 import { leastDistance } from "./obstacles.js";
-import { QUANTITIES } from "./quantities.js";
+import { builtDragon } from "./plan.js";
+import { discOf } from "./plan_routes.js";
+import { QUANTITIES, givenLimits } from "./quantities.js";
 import { greatestOf } from "./speed.js";
 import { part } from "./stages.js";
-import { silent, tick } from "./tick.js";
-import { EXCEEDED, STEPS, TurnEvaluator, WORSE, wholeGoal } from "./turn_trials.js";
+import { silent } from "./tick.js";
+import { builtTurn } from "./turns.js";
 
 /** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./tick.js").Progress} Progress */
-/** @typedef {import("./turn_trials.js").Figures} Figures */
-/** @typedef {import("./turn_trials.js").TurnGoal} TurnGoal */
 /** @typedef {import("./turns.js").Turn} Turn */
+/** @typedef {"length" | "way" | "speed" | "disc" | "acceleration"} Objective */
+
+/**
+ * What is sought of a turn, and what it must keep besides the plan's limits.
+ * @typedef {object} TurnGoal
+ * @property {Objective} [objective]
+ * @property {number} [least_radius] of any bend, m
+ * @property {number} [longest] length of the turn itself, m
+ * @property {number} [longest_way] whole way inside the disc, m
+ */
 
 /**
  * The best turn that was found.
@@ -36,15 +49,182 @@ import { EXCEEDED, STEPS, TurnEvaluator, WORSE, wholeGoal } from "./turn_trials.
  * @property {Answer | null} headSpeed the greatest constant head speed under the plan's limits; null without
  *   a limit
  * @property {Answer} clearance the least over the whole manoeuvre
- * @property {string[]} active names of the limits that it just keeps: keys of `TurnEvaluator.rooms`
+ * @property {string[]} active names of the limits that it just keeps: see LIMITS
  */
 
-const { SEARCHED, NARROWINGS, PRUDENCE, DEEP, ACTIVE, HOPELESS } = SOLVE_TURN;
-const { LOCAL } = SOLVE_MINIMA;
-// Rounds of a local search, as long as each is better than the one before by some share.
-const [ROUNDS, BETTER] = [6, 1e-6];
-const EXACT = 1e-6; // of speeds, as a share
-const CLEAR = [1e-5]; // of distances, m
+/** A turn that was found: its unknowns, what was seen of each of TURN_TRIAL.KINDS, and by what share a limit
+ * is exceeded. @typedef {{ x: number[], figures: number[], exceeds: number }} Seen */
+
+const { SEARCHED, NARROWINGS, DEEP, ACTIVE, RATE, DISTANCE } = SOLVE_TURN;
+const { EXCEEDED, PRUDENCE, DEEPEST, WIDEST, LONGEST_EASE, WIDER } = SOLVE_TURN_GOAL;
+const { APART, BEND, BESIDE, KINDS, LIMIT, LONG, MORE, RATES, REACH, TOLD, WAY } = TURN_TRIAL;
+const FAMILIES = ["arc-arc", "arc-line-arc", "arc-arc-arc"]; // in the order of turn_trial.TWO_ARCS
+/** The figure that is to be small. @type {Record<Objective, number>} */
+const SOUGHT = {
+  way: WAY,
+  length: LONG,
+  disc: REACH,
+  speed: QUANTITIES.speed.kind,
+  acceleration: QUANTITIES.total_acceleration.kind,
+};
+/** Limits by the figures that they limit, in the order in which they are told. @type {Array<[number, string]>} */
+const LIMITS = [
+  [BEND, "radius"],
+  [REACH, "disc"],
+  [LONG, "length"],
+  [WAY, "way"],
+  ...Object.values(QUANTITIES).map(({ kind, name }) => /** @type {[number, string]} */ ([kind, name])),
+  [APART, "clearance"],
+  [BESIDE, "obstacles"],
+];
+
+/** A goal, checked, with what it leaves out. @param {TurnGoal} goal @returns {Required<TurnGoal>} */
+function wholeGoal(goal) {
+  const { objective = "way", least_radius = 0, longest = Infinity, longest_way = Infinity } = goal;
+  if (!(objective in SOUGHT)) {
+    const values = { known: Object.keys(SOUGHT).join(", "), name: objective };
+    throw new InputError(_("wanted one of {known}, not {name}", values));
+  }
+  finite("least_radius", least_radius, "m");
+  for (const [name, value] of Object.entries({ longest, longest_way }))
+    if (Number.isFinite(value)) positive(name, value, "m");
+  return { objective, least_radius, longest, longest_way };
+}
+
+/** The engine's question about the best turn of a plan's family: kernels/turn_question.py. */
+class TurnQuestion extends EngineQuestion {
+  /** @param {Engine} engine @param {Plan} plan @param {Required<TurnGoal>} goal */
+  constructor(engine, plan, goal) {
+    const { route, dragon, turn } = plan.tables;
+    if (route.kind !== "turn")
+      throw new InputError(_("a best turn is sought for plans whose route is a turn"));
+    const narrowest = withArena(engine, (arena) =>
+      Math.max(WIDER * 0.5 * greatest(builtDragon(arena, dragon).link), goal.least_radius),
+    );
+    const bounds = boundsOf(turn, goal, discOf(plan.tables), narrowest);
+    const opened = (/** @type {import("./arena.js").Arena} */ arena, /** @type {any} */ open) => {
+      const whole = builtDragon(arena, dragon);
+      const { sizes, links } = whole.first(arena, Math.min(MORE, whole.benches));
+      const obstacles = plan.obstacles().map((obstacle) => unplaced(obstacle, route));
+      const boxes = obstacles.map((obstacle) => Array.from(doubles(obstacle.boxes(arena))));
+      const border = [0];
+      for (const rows of boxes) border.push(border[border.length - 1] + rows.length / BOX.BOX_COLUMNS);
+      const standing = arena.array("d", border[boxes.length], BOX.BOX_COLUMNS);
+      doubles(standing).set(boxes.flat());
+      const keep = obstacles.map(({ kind, radius, margin }) => [radius + margin, sideOf(kind)]);
+      return open(
+        arena.vector(toldOf(plan, goal, narrowest)), arena.vector(bounds.map(([low]) => low)),
+        arena.vector(bounds.map(([, high]) => high)), sizes, links,
+        standing, arena.whole(border), arena.table(keep, 2),
+      ); // prettier-ignore
+    };
+    const told = [[TURN_QUESTION.FIGURES], [bounds.length], [KINDS]];
+    super(engine, "bd_turn_question_*_turn", opened, told);
+    this.plan = plan;
+    this.goal = goal;
+    /** What is seen is corrected by: rates are so many times that, distances so many m less. */
+    this.factors = Array(KINDS)
+      .fill(1)
+      .fill(1 + PRUDENCE, 0, RATES)
+      .fill(0, APART, BESIDE + 1);
+  }
+
+  /** How many turns were tried. */
+  get tried() {
+    return this.numbers(0)[TURN_QUESTION.TRIED];
+  }
+
+  /** The best turn all over the family, or downhill from some unknowns. @param {number[] | null} x @param {Progress} progress @param {string} text @returns {Promise<Seen>} */
+  async sought(x, progress, text) {
+    const what = x ? TURN_QUESTION.NEAR : TURN_QUESTION.ALL;
+    withArena(this.engine, (arena) =>
+      this.call("seek", this.handle, what, arena.vector(x ?? Array.from(this.numbers(1))), arena.vector(this.factors)),
+    ); // prettier-ignore
+    while ((await this.step()) === QUESTION.MORE) progress(this.numbers(0)[TURN_QUESTION.SHARE], text);
+    const [figures, found, seen] = [0, 1, 2].map((n) => Array.from(this.numbers(n)));
+    return { x: found, figures: seen, exceeds: figures[TURN_QUESTION.EXCEEDS] };
+  }
+
+  /** Tell the engine by how much what is seen flatters a turn like this, and somewhat more. @param {number[]} seen @param {number[]} exact @param {number} prudence */
+  correct(seen, exact, prudence) {
+    seen.forEach((value, kind) => {
+      if (!Number.isFinite(value) || !Number.isFinite(exact[kind])) return;
+      if (kind < RATES) this.factors[kind] = (exact[kind] / value) * (1 + prudence);
+      else if (kind === APART || kind === BESIDE)
+        this.factors[kind] = Math.max(exact[kind] - value + prudence, 0);
+    });
+  }
+
+  /** By what share exact figures exceed their limits, by the limits' names; where there are such. @param {number[]} exact @returns {Array<[string, number]>} */
+  exceeded(exact) {
+    return withArena(this.engine, (arena) => {
+      const exceeds = arena.array("d", KINDS);
+      this.call("judge", this.handle, arena.vector(exact), exceeds);
+      const shares = /** @type {Float64Array} */ (exceeds.view);
+      return LIMITS.filter(([kind]) => shares[kind] > -1).map(([kind, name]) => [name, shares[kind]]);
+    });
+  }
+}
+
+/** Ranges of the unknowns: joints, what the family has, and the clothoids' length if free. @param {Record<string, any>} turn @param {Required<TurnGoal>} goal @param {number} disc @param {number} narrowest m */
+function boundsOf(turn, goal, disc, narrowest) {
+  const joints = [turn.entry_radius, turn.exit_radius].map((radius) =>
+    radius === null ? [DEEPEST * disc, disc] : [radius, radius],
+  );
+  const radius = [narrowest, Math.max(WIDEST * disc, 1.01 * narrowest)];
+  /** @type {Record<string, number[][]>} */
+  const inner = {
+    "arc-arc": [[Math.log(0.2), Math.log(5)]],
+    "arc-line-arc": [radius, radius],
+    "arc-arc-arc": [radius, [-1 / narrowest, 1 / narrowest], radius],
+  };
+  const ease = goal.objective === "acceleration" ? [[0, LONGEST_EASE]] : [];
+  return [...joints, ...inner[turn.family], ...ease];
+}
+
+/** What the engine is told, as kernels/turn_trial.py says. @param {Plan} plan @param {Required<TurnGoal>} goal @param {number} narrowest m */
+function toldOf({ tables }, goal, narrowest) {
+  const { turn, limits } = tables;
+  const [told, sought] = [Array(TOLD).fill(Infinity), SOUGHT[goal.objective]];
+  told[TURN_TRIAL.FAMILY] = FAMILIES.indexOf(turn.family);
+  told[TURN_TRIAL.EASE] = goal.objective === "acceleration" ? NaN : turn.ease;
+  told[TURN_TRIAL.PITCH] = tables.route.pitch;
+  told[TURN_TRIAL.DISC] = discOf(tables);
+  told[TURN_TRIAL.NARROWEST] = narrowest;
+  told[TURN_TRIAL.LONGEST] = goal.longest;
+  told[TURN_TRIAL.LONGEST_WAY] = goal.longest_way;
+  told[TURN_TRIAL.HEAD] = tables.walk.speed;
+  told[TURN_TRIAL.MARGIN] = limits.margin;
+  told[TURN_TRIAL.SOUGHT] = sought;
+  for (const [name, limit] of Object.entries(givenLimits(limits)))
+    told[LIMIT + QUANTITIES[/** @type {import("./quantities.js").QuantityName} */ (name)].kind] = limit;
+  if (sought < RATES) told[LIMIT + sought] = Infinity;
+  return told;
+}
+
+/** Where no bench may be: 1 inside, -1 outside, 0: nowhere but at the boxes. @param {string} kind */
+function sideOf(kind) {
+  return /** @type {Record<string, number>} */ ({ venue: -1, line: 0, circle: 0 })[kind] ?? 1;
+}
+
+/** An obstacle as it lies to the route before that is moved to its place. @param {Obstacle} obstacle @param {{ at: [number, number] | null, turned: number }} route */
+function unplaced(obstacle, { at, turned }) {
+  const back = -radians(turned);
+  const [x, y] = at ?? [0, 0];
+  const [c, s] = [Math.cos(back), Math.sin(back)];
+  return obstacle.moved(back, [s * y - c * x, -s * x - c * y]);
+}
+
+/** What unknowns say in a plan's [turn]. @param {number[]} x @param {string} family @param {boolean} eased */
+function tableOf(x, family, eased) {
+  const [entry_radius, exit_radius, ...inner] = x;
+  /** @type {Record<string, unknown>} */
+  const said = { "turn.entry_radius": entry_radius, "turn.exit_radius": exit_radius };
+  if (eased) said["turn.ease"] = inner.pop();
+  if (family === "arc-arc") return { ...said, "turn.ratio": Math.exp(inner[0]) };
+  if (family === "arc-arc-arc") [said["turn.curvature"]] = inner.splice(1, 1);
+  return { ...said, "turn.radii": inner };
+}
 
 /**
  * The best turn of the plan's family for a wish, under the plan's limits.
@@ -65,202 +245,90 @@ export function bestTurn(engine, plan, goal = {}, { progress = silent } = {}) {
   if (wished.objective === "speed" && plan.tables.limits.speed === null)
     throw new InputError(_("the plan has no limit of speed: set limits.speed=2, for example"));
   plan.pace(engine); // a wrong one is told before the search, not after it
-  const ask = async (/** @type {import("./arena.js").Arena} */ arena) => {
-    const search = new TurnSearch(new TurnEvaluator(arena, plan, wished), progress);
-    const starts = await search.globalStarts();
-    return search.settled(starts, began);
-  };
-  return question(() => withArenaAsync(engine, ask));
+  return question(async () => {
+    const asked = new TurnQuestion(engine, plan, wished);
+    try {
+      const seen = await asked.sought(null, part(progress, 0, SEARCHED, ""), _("global search"));
+      return await settled(asked, seen, part(progress, SEARCHED, 1, ""), began);
+    } finally {
+      asked.free();
+    }
+  });
 }
 
-/** A search for a turn: what judges turns, and who is told how far it is. */
-class TurnSearch {
-  /** @param {TurnEvaluator} evaluator @param {Progress} progress */
-  constructor(evaluator, progress) {
-    this.evaluator = evaluator;
-    this.progress = progress;
-    this.done = SEARCHED;
+/** The best turn near one that was seen, by exact figures. @param {TurnQuestion} asked @param {Seen} seen @param {Progress} progress @param {number} began @returns {Promise<BestTurn>} */
+async function settled(asked, seen, progress, began) {
+  for (let n = 0; n < NARROWINGS && seen.exceeds <= EXCEEDED; n++) {
+    const { best, exact } = await exactTurn(asked, seen, began);
+    if (!exact) return best;
+    asked.correct(seen.figures, exact, PRUDENCE * 4 ** n);
+    seen = await asked.sought(seen.x, part(progress, n / NARROWINGS, 1, ""), _("local search"));
   }
+  throw new NoSolutionError(_("no turn of this family was found that keeps the limits"));
+}
 
-  /** The best turns that are found all over the family. */
-  async globalStarts() {
-    const { evaluator } = this;
-    const told = part(this.progress, 0, SEARCHED, _("global search"));
-    const found = await lowPoints(
-      (x) => evaluator.score(x),
-      evaluator.bounds,
-      (share) => {
-        told(share, "");
-        return tick();
-      },
-    );
-    const starts = found.filter(({ score }) => score < WORSE).map(({ x }) => x);
-    if (!starts.length) throw this.#none();
-    return starts;
-  }
+/** A turn with its exact figures; these, too, if one of them exceeds a limit. @param {TurnQuestion} asked @param {Seen} seen @param {number} began @returns {Promise<{ best: BestTurn, exact: number[] | null }>} */
+async function exactTurn(asked, { x, figures }, began) {
+  const { engine, goal } = asked;
+  const { objective } = goal;
+  let plan = asked.plan.withValues(
+    tableOf(x, asked.plan.tables.turn.family, objective === "acceleration"),
+  );
+  const disc = discOf(plan.tables);
+  const { exact, clearance } = await exactFigures(engine, plan, figures, SOUGHT[objective]);
+  const exceeds = asked.exceeded(exact);
+  let [value, unit] = [exact[SOUGHT[objective]], "m"];
+  if (objective === "disc") plan = plan.withValues({ "disc.radius": value });
+  const limited = plan.tables.limits.speed !== null;
+  const headSpeed = limited ? await greatestHeadSpeed(engine, plan) : null;
+  if (objective === "speed") [value, unit] = [headSpeed?.value ?? NaN, "m/s"];
+  if (objective === "acceleration") [value, unit] = [value * plan.tables.walk.speed ** 2, "m/s^2"];
+  const told = {
+    assumptions: [_("best that was found in this family; better ones may exist")],
+    evaluations: asked.tried,
+    seconds: now() - began,
+  };
+  const turn = builtTurn(engine, plan.tables.turn, plan.tables.route.pitch, disc);
+  const best = {
+    plan,
+    turn,
+    objective: answered(value, value, value, unit, told),
+    length: turn.length,
+    way: turn.way(plan.tables.disc.radius ?? disc),
+    headSpeed,
+    clearance,
+    active: exceeds
+      .filter(([name, over]) => over >= -ACTIVE && name !== objective)
+      .map(([name]) => name),
+  };
+  return { best, exact: exceeds.some(([, over]) => over > EXCEEDED) ? exact : null };
+}
 
-  #none() {
-    return new NoSolutionError(_("no turn of this family was found that keeps the limits"));
-  }
-
-  /** @param {string} text */
-  #pause(text) {
-    this.progress(this.done, text);
-    return tick();
-  }
-
-  /** The local optimum near the best of these, by exact figures. @param {number[][]} starts @param {number} began */
-  async settled(starts, began) {
-    const { evaluator } = this;
-    [, evaluator.step] = STEPS;
-    const ends = [];
-    for (const start of starts) ends.push(await this.#local(start));
-    let x = this.#best(ends);
-    for (let narrowing = 0; narrowing < NARROWINGS; narrowing++) {
-      this.done = SEARCHED + ((1 - SEARCHED) * (narrowing + 1)) / (NARROWINGS + 1);
-      x = await this.#local(x);
-      await this.#pause(_("exact figures"));
-      const { best, exceeded } = await this.#exact(x, began, PRUDENCE * 2 ** narrowing);
-      if (!exceeded) return best;
+/** What was seen made exact, on the safe side, and the least clearance. @param {Engine} engine @param {Plan} plan @param {number[]} seen @param {number} sought */
+function exactFigures(engine, plan, seen, sought) {
+  const within = Math.max(-1.2 * seen[APART], plan.tables.limits.margin, 0.05); // somewhat farther than was seen
+  return withArenaAsync(engine, async (arena) => {
+    const walk = plan.build(arena);
+    const { joints } = walk.route;
+    const [first, last] = [joints[1], walk.headWhereTail(joints[joints.length - 2])];
+    const exact = [...seen];
+    const limits = givenLimits(plan.tables.limits);
+    for (const quantity of Object.values(QUANTITIES))
+      if (quantity.name in limits || quantity.kind === sought)
+        exact[quantity.kind] = (
+          await greatestOf(walk, quantity, first, last, { tolerance: RATE })
+        ).upper;
+    const [start, end] = [walk.timeAt(first), walk.timeAt(last)];
+    const clearance = await leastClearance(walk, start, end, { within, tolerances: [DISTANCE] });
+    exact[APART] = -sure(clearance);
+    const rooms = [];
+    for (const obstacle of plan.obstacles()) {
+      const told = { tolerances: [DISTANCE], progress: silent };
+      rooms.push(obstacle.margin - sure(await leastDistance(walk, obstacle, start, end, told)));
     }
-    throw this.#none();
-  }
-
-  /** The point of the best score. @param {number[][]} points */
-  #best(points) {
-    const scores = points.map((x) => this.evaluator.score(x));
-    return points[scores.indexOf(Math.min(...scores))];
-  }
-
-  /** A local optimum within limits, and downhill from there, over the edges where one takes over. @param {number[]} x */
-  async #local(x) {
-    const { evaluator } = this;
-    const names = Object.keys(evaluator.rooms(this.#complete(x)));
-    const figures = (/** @type {number[]} */ point) => {
-      const found = this.#tried(point);
-      const values = evaluator.valuesOfParts(found);
-      return { values, rooms: evaluator.roomsOfParts(found, names) };
-    };
-    const pause = () => this.#pause(_("local search"));
-    const { bounds } = evaluator;
-    const score = (/** @type {number[]} */ point) => evaluator.score(point);
-    for (let round = 0; round < ROUNDS; round++) {
-      const before = score(x);
-      const found = await constrainedPoint(figures, bounds, x, LOCAL, pause);
-      const best = this.#best([x, found]);
-      x = this.#best([best, await downhillPoint(score, bounds, best, LOCAL, pause)]);
-      if (!(before - score(x) > BETTER * Math.abs(before))) break;
-    }
-    return x;
-  }
-
-  /** All figures; of a turn that does not exist, hopeless ones. @param {number[]} x */
-  #complete(x) {
-    return this.#tried(x).figures;
-  }
-
-  /** The same with parts. @param {number[]} x @returns {import("./turn_trials.js").Tried} */
-  #tried(x) {
-    const { evaluator } = this;
-    const names = ["length", "way", "disc", ...evaluator.quantities.map(({ name }) => name)];
-    const bad = Object.fromEntries(names.map((name) => [name, HOPELESS]));
-    /** @type {Figures} */
-    const none = { ...bad, radius: 0, clearance: -1 };
-    if (evaluator.obstacles.length) none.obstacles = -1;
-    const found = evaluator.tried(x, true);
-    const peaks = Object.fromEntries(names.slice(2).map((name) => [name, evaluator.hopeless(name)]));
-    return { figures: { ...none, ...found?.figures }, peaks: { ...peaks, ...found?.peaks } };
-  }
-
-  /**
-   * The turn's exact figures, and whether one exceeds a limit; the evaluator is corrected by them.
-   * @param {number[]} x @param {number} began @param {number} prudence
-   * @returns {Promise<{ best: BestTurn, exceeded: boolean }>}
-   */
-  async #exact(x, began, prudence) {
-    const { evaluator } = this;
-    const sampled = this.#complete(x);
-    const said = Object.entries(evaluator.table(x)).map(([key, value]) => [`turn.${key}`, value]);
-    let plan = evaluator.plan.withValues(Object.fromEntries(said));
-    const { exact, clearance } = await this.#exactFigures(plan, sampled);
-    const rooms = evaluator.rooms(exact);
-    this.#correct(sampled, exact, prudence);
-    if (evaluator.goal.objective === "disc") plan = plan.withValues({ "disc.radius": exact.disc });
-    const limited = plan.tables.limits.speed !== null;
-    const headSpeed = limited ? await greatestHeadSpeed(evaluator.engine, plan) : null;
-    const turn = evaluator.turn(x);
-    const best = {
-      plan,
-      turn,
-      objective: this.#objective(exact, headSpeed, began),
-      length: turn.length,
-      way: turn.way(plan.tables.disc.radius ?? evaluator.disc),
-      headSpeed,
-      clearance,
-      active: Object.keys(rooms).filter((name) => rooms[name] <= ACTIVE),
-    };
-    return { best, exceeded: Object.values(rooms).some((room) => room < -EXCEEDED) };
-  }
-
-  /** @param {Figures} exact @param {Answer | null} headSpeed @param {number} began */
-  #objective(exact, headSpeed, began) {
-    const { goal, plan, sought, evaluations } = this.evaluator;
-    let [value, unit] = [exact[sought], "m"];
-    if (goal.objective === "speed") [value, unit] = [headSpeed?.value ?? NaN, "m/s"];
-    else if (goal.objective === "acceleration")
-      [value, unit] = [value * plan.tables.walk.speed ** 2, "m/s^2"];
-    const assumptions = [_("best that was found in this family; better ones may exist")];
-    return answered(value, value, value, unit, { assumptions, evaluations, seconds: now() - began });
-  }
-
-  /** Sampled figures made exact, on the safe side, and the least clearance. @param {Plan} plan @param {Figures} sampled */
-  #exactFigures(plan, sampled) {
-    const { engine } = this.evaluator;
-    // How far to look for the least clearance, m: somewhat farther than what sampling saw.
-    const within = Math.max(1.2 * sampled.clearance, plan.tables.limits.margin, 0.05);
-    return withArenaAsync(engine, async (arena) => {
-      const walk = plan.build(arena);
-      const { joints } = walk.route;
-      const [first, last] = [joints[1], walk.headWhereTail(joints[joints.length - 2])];
-      /** @type {Figures} */
-      const exact = { ...sampled };
-      for (const quantity of this.#judged(sampled)) {
-        const peak = await greatestOf(walk, quantity, first, last, { tolerance: EXACT });
-        exact[quantity.name] = peak.upper;
-      }
-      const [start, end] = [walk.timeAt(first), walk.timeAt(last)];
-      const clearance = await leastClearance(walk, start, end, { within, tolerances: CLEAR });
-      const rooms = [];
-      for (const obstacle of plan.obstacles())
-        rooms.push(
-          sure(
-            await leastDistance(walk, obstacle, start, end, { tolerances: CLEAR, progress: silent }),
-          ) - obstacle.margin,
-        );
-      if (rooms.length) exact.obstacles = Math.min(...rooms);
-      exact.clearance = sure(clearance);
-      return { exact, clearance };
-    });
-  }
-
-  /** Which of the sampled figures can be made exact: speeds and what else is limited or sought. @param {Figures} sampled */
-  #judged(sampled) {
-    return Object.values(QUANTITIES).filter(({ name }) => (sampled[name] ?? HOPELESS) < HOPELESS);
-  }
-
-  /** Tell the judge by how much sampling flatters a turn like this, and somewhat more. @param {Figures} sampled @param {Figures} exact @param {number} prudence */
-  #correct(sampled, exact, prudence) {
-    const { factors } = this.evaluator;
-    for (const { name } of this.#judged(sampled)) {
-      const change = (exact[name] / sampled[name]) * (1 + prudence);
-      factors[name] = (factors[name] ?? 1) * change;
-    }
-    for (const name of ["clearance", "obstacles"])
-      if (name in exact) {
-        const less = Math.min(exact[name] - sampled[name] - prudence, 0);
-        factors[name] = (factors[name] ?? 0) + less;
-      }
-  }
+    exact[BESIDE] = rooms.length ? Math.max(...rooms) : NaN;
+    return { exact, clearance };
+  });
 }
 
 /** At most a distance, m; where benches touch, as if they were DEEP in one another. @param {Answer} distance */

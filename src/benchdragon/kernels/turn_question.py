@@ -1,0 +1,361 @@
+"""The best turn of a family, as a question: `open, seek, step, read, close`.
+
+A search begins with points that are strewn evenly over all of the unknowns' ranges, each the same in
+every search. From the best few of them it goes downhill, and then, with closer looks, from the best of
+where that ends. Given a point, it goes downhill from there alone.
+"""
+
+import math
+from typing import NamedTuple
+
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.box import BOX_COLUMNS
+from benchdragon.kernels.curve import COLUMNS as ROUTE_COLUMNS
+from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.memory import (
+    ADDRESS,
+    HEADER,
+    OWNED,
+    copy_row,
+    copy_table,
+    floats_at,
+    group_at,
+    integers_at,
+    lay_from,
+    lay_row,
+    lay_table,
+    new_block,
+    recall,
+    release_block,
+    remember,
+    slot_count,
+    take,
+)
+from benchdragon.kernels.own_room import lay_placements
+from benchdragon.kernels.question import CLOSED, MORE, SPENT
+from benchdragon.kernels.question import TOLD as OWN
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.route_parts import PART_COLUMNS
+from benchdragon.kernels.turn_descent import (
+    COLUMNS,
+    EXCESS,
+    KNOWN,
+    LINE,
+    MERIT,
+    MOST_LINES,
+    STATE,
+    Descent,
+    begin_at,
+    descend,
+)
+from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
+from benchdragon.kernels.turn_trial import (
+    COUNTS,
+    FEW,
+    KIND,
+    KINDS,
+    MOST_KEPT,
+    MOST_NOTED,
+    MOST_ROWS,
+    PEAK,
+    PLACED,
+    RATES,
+    SLOTS,
+    TOLD,
+    UNKNOWNS,
+    VALUE,
+    Trial,
+    exceeding,
+    figures_of,
+    greatest,
+    look,
+)
+
+# Points that are strewn for each unknown with a range, the best of them that are gone on from, how far
+# apart those are, as a share of ranges, and what a limit counts that is exceeded by all of itself.
+STREWN, STARTS, APART, SOFT = 300, 8, 0.1, 3.0
+# How closely rates are looked at, as a share of the shortest link: everywhere, downhill; how far lines
+# are trusted at first, downhill and from a given point; how many steps that takes at most.
+STEPS, TRUST, MOST_STEPS = (0.125, 0.06), (0.05, 0.01), (20, 60)
+# Handles placed in one step of the question, at least.
+WORK = 100_000
+# What is sought: the best of all, or the best near a point. What a question is doing.
+ALL, NEAR = 0, 1
+STREWING, DOWNHILL, CLOSELY, ENDED = 0, 1, 2, 3
+# How a step ends when all is done.
+DONE = 1
+# What is told, a row of floats that begins as kernels/question.py says: by what share of them limits
+# are exceeded at most (infinite: there is no turn), how many turns were tried, and what share of the
+# search is done; besides, what is done now, and how many points or steps of it.
+EXCEEDS, TRIED, SHARE, DOING, NUMBER, FIGURES = OWN, OWN + 1, OWN + 2, OWN + 3, OWN + 4, OWN + 5
+
+
+class Asked(NamedTuple):
+    """A question: what is told, what is found, and all that searches need."""
+
+    trial: Trial
+    descent: Descent
+    starts: Table  # (STARTS, UNKNOWNS + 1): points, and what each is worth
+    figures: Vector
+
+
+BASE, END_SLOT = 8 * HEADER, HEADER + slot_count(Asked)
+
+
+@kernel
+def lay_asked(slots: IntArray, address: int, x: int, benches: int, boxes: int, obstacles: int) -> int:
+    """Lay all of a question from an address on; the bytes that takes."""
+    few = min(FEW, benches)
+    lay_from(slots, HEADER, address)
+    lay_row(slots, TOLD)
+    lay_row(slots, x)
+    lay_row(slots, x)
+    lay_row(slots, KINDS)
+    lay_table(slots, 4, benches)
+    lay_row(slots, benches)
+    lay_table(slots, boxes, BOX_COLUMNS)
+    lay_row(slots, obstacles + 1)
+    lay_table(slots, obstacles, 2)
+    lay_table(slots, ARCS, 2)
+    lay_table(slots, MOST_PIECES, 3)
+    lay_table(slots, MOST_PIECES + 2, PART_COLUMNS)
+    lay_table(slots, MOST_ROWS, ROUTE_COLUMNS)
+    lay_row(slots, SLOTS)
+    lay_placements(slots, few + 1, SLOTS)
+    lay_table(slots, benches + 1, SLOTS)
+    lay_table(slots, benches + 1, SLOTS)
+    lay_placements(slots, benches + 1, 1)
+    lay_table(slots, 2, BOX_COLUMNS)
+    lay_table(slots, 2 * RATES, few + 1)
+    lay_row(slots, 2)
+    lay_table(slots, MOST_NOTED, PEAK)
+    lay_row(slots, COUNTS)
+    lay_row(slots, x)
+    lay_row(slots, x)
+    lay_row(slots, COLUMNS)
+    lay_table(slots, MOST_KEPT, PEAK)
+    lay_table(slots, MOST_KEPT, UNKNOWNS)
+    lay_table(slots, MOST_LINES, LINE)
+    lay_table(slots, COLUMNS, COLUMNS + 1)
+    lay_row(slots, STATE)
+    lay_table(slots, STARTS, UNKNOWNS + 1)
+    lay_row(slots, FIGURES)
+    return slots[ADDRESS] - address
+
+
+@entry
+def open_turn(
+    told: Vector, low: Vector, high: Vector, sizes: Table, links: Vector, standing: Table,
+    border: IntVector, keep: Table,
+) -> int:  # fmt: skip
+    """Open a question about turns with unknowns from low to high; its handle, 0 without memory.
+
+    `told` is as turn_trial.TOLD says, sizes (4, benches) and links those of the first MORE benches.
+    `standing` has the boxes of all obstacles, border[o] the first of each and last their number, `keep`
+    (obstacles, 2) what benches keep from each, m, and 1 if its inside is forbidden, -1 if its outside.
+    """
+    block = new_block(END_SLOT - HEADER)
+    if block == 0:
+        return 0
+    slots, x, benches = integers_at(block, END_SLOT), low.shape[0], links.shape[0]
+    boxes, obstacles = standing.shape[0], keep.shape[0]
+    size = lay_asked(slots, 0, x, benches, boxes, obstacles)
+    if take(slots, 0, size):
+        address = slots[OWNED]
+        lay_asked(slots, address, x, benches, boxes, obstacles)
+        everything = floats_at(address, size // 8)
+        for n in range(size // 8):
+            everything[n] = 0.0
+        trial = group_at(Asked, block + BASE).trial
+        copy_row(trial.told, told)
+        copy_row(trial.low, low)
+        copy_row(trial.high, high)
+        copy_table(trial.sizes, sizes)
+        copy_row(trial.links, links)
+        copy_table(trial.standing, standing)
+        copy_row(trial.border, border)
+        copy_table(trial.keep, keep)
+        handle = remember(block)
+        if handle:
+            return handle
+    release_block(block)
+    return 0
+
+
+@entry
+def seek_turn(handle: int, what: int, x: Vector, factors: Vector) -> bool:
+    """Seek ALL or NEAR x, from the next step on; False if there is no such question.
+
+    True figures are `factors`, (turn_trial.KINDS,), times what is seen, distances so many m less.
+    """
+    block = recall(handle)
+    if block == 0:
+        return False
+    asked = group_at(Asked, block + BASE)
+    copy_row(asked.trial.factors, factors)
+    copy_row(asked.descent.x, x)
+    asked.figures[NUMBER], asked.figures[SHARE] = 0.0, 0.0
+    asked.figures[DOING] = STREWING if what == ALL else CLOSELY
+    for n in range(STARTS):
+        asked.starts[n, UNKNOWNS] = math.inf
+    return True
+
+
+@entry
+def step_turn(handle: int, left: float) -> int:
+    """Go on for some hundredths of a second, or `left` handles: MORE, DONE, or CLOSED."""
+    block = recall(handle)
+    if block == 0:
+        return CLOSED
+    asked = group_at(Asked, block + BASE)
+    figures, counts = asked.figures, asked.trial.counts
+    counts[PLACED] = 0
+    while counts[PLACED] < min(WORK, left) and figures[DOING] != ENDED:
+        if figures[DOING] == STREWING:
+            strew(asked)
+        else:
+            go_down(asked)
+    figures[SPENT] = counts[PLACED]
+    return DONE if figures[DOING] == ENDED else MORE
+
+
+@entry
+def read_turn(handle: int, figures: Vector, x: Vector, seen: Vector) -> bool:
+    """Fill what was found: the unknowns, and the greatest that is seen of each of turn_trial.KINDS.
+
+    What is not seen is NaN. False if there is no such question.
+    """
+    block = recall(handle)
+    if block == 0:
+        return False
+    asked = group_at(Asked, block + BASE)
+    copy_row(figures, asked.figures)
+    copy_row(x, asked.descent.x)
+    for kind in range(KINDS):
+        seen[kind] = math.nan
+    if asked.figures[DOING] == ENDED and asked.figures[EXCEEDS] < math.inf:
+        figures_of(asked.trial, x, seen)
+        peaks = asked.descent.known
+        for n in range(int(asked.descent.state[KNOWN])):
+            kind = int(peaks[n, KIND])
+            if not seen[kind] >= peaks[n, VALUE]:
+                seen[kind] = peaks[n, VALUE]
+    return True
+
+
+@entry
+def judge_turn(handle: int, exact: Vector, exceeds: Vector) -> bool:
+    """Fill by what share the exact figures of a turn, of turn_trial.KINDS, exceed their limits.
+
+    NaN where a figure is. False if there is no such question.
+    """
+    block = recall(handle)
+    if block == 0:
+        return False
+    for kind in range(KINDS):
+        exceeds[kind] = exceeding(group_at(Asked, block + BASE).trial, kind, exact[kind])
+    return True
+
+
+@kernel
+def spread(unknowns: int) -> float:
+    """Whose powers, upside down, spread points evenly: the root of y^(unknowns + 1) = y + 1."""
+    y = 2.0
+    for _ in range(60):
+        y = (1.0 + y) ** (1.0 / (unknowns + 1))
+    return y
+
+
+@kernel
+def strew(asked: Asked) -> None:
+    """Try the next point, and go downhill from the best after the last of them."""
+    trial, x, figures = asked.trial, asked.descent.x, asked.figures
+    free = 0
+    for k in range(x.shape[0]):
+        free += 1 if trial.high[k] > trial.low[k] else 0
+    number, base, power = figures[NUMBER], spread(free), 1.0
+    for k in range(x.shape[0]):
+        if trial.high[k] > trial.low[k]:
+            power /= base
+        share = (0.5 + number * power) % 1.0
+        x[k] = trial.low[k] + (trial.high[k] - trial.low[k]) * share
+    figures[TRIED] += 1.0
+    if look(trial, x, STEPS[0], False):
+        worth = greatest(trial, True) + SOFT * max(greatest(trial, False), 0.0)
+        enlist(asked, worth)
+    figures[NUMBER] += 1.0
+    figures[SHARE] = 0.5 * figures[NUMBER] / (STREWN * max(free, 1))
+    if figures[NUMBER] >= STREWN * max(free, 1) or free == 0:
+        figures[DOING], figures[NUMBER] = DOWNHILL, 0.0
+
+
+@kernel
+def enlist(asked: Asked, worth: float) -> None:
+    """Take x for a start instead of one near it that is worth less, or instead of the worst."""
+    trial, x, starts = asked.trial, asked.descent.x, asked.starts
+    place, unknowns = STARTS - 1, x.shape[0]
+    for n in range(STARTS):
+        apart = 0.0
+        for k in range(unknowns):
+            width = max(trial.high[k] - trial.low[k], 1e-9)
+            apart = max(apart, abs(starts[n, k] - x[k]) / width)
+        if apart < APART and starts[n, UNKNOWNS] < math.inf:
+            if starts[n, UNKNOWNS] <= worth:
+                return
+            place = n
+            break
+    if worth < starts[place, UNKNOWNS]:
+        for k in range(unknowns):
+            starts[place, k] = x[k]
+        starts[place, UNKNOWNS] = worth
+        sort_starts(starts)
+
+
+@kernel
+def sort_starts(starts: Table) -> None:
+    """Let the best start be the first."""
+    for n in range(1, STARTS):
+        for m in range(n, 0, -1):
+            if starts[m, UNKNOWNS] < starts[m - 1, UNKNOWNS]:
+                for k in range(UNKNOWNS + 1):
+                    starts[m, k], starts[m - 1, k] = starts[m - 1, k], starts[m, k]
+
+
+@kernel
+def go_down(asked: Asked) -> None:
+    """Go one step downhill; at the end of a way to the next start, or to a closer look."""
+    figures, descent, trial, starts = asked.figures, asked.descent, asked.trial, asked.starts
+    fine = 1 if figures[DOING] == CLOSELY else 0
+    start, steps = (
+        int(figures[NUMBER]) // (MOST_STEPS[1] + 2),
+        int(figures[NUMBER]) % (MOST_STEPS[1] + 2),
+    )
+    figures[TRIED] += 1.0
+    figures[NUMBER] += 1.0
+    if steps == 0:
+        descent.state[MERIT] = math.inf
+        if fine == 0 and not starts[start, UNKNOWNS] < math.inf:
+            return
+        if fine == 0:
+            for k in range(descent.x.shape[0]):
+                descent.x[k] = starts[start, k]
+        begin_at(trial, descent, TRUST[fine], STEPS[fine])
+        return
+    if steps <= MOST_STEPS[fine] and descend(trial, descent, STEPS[fine]):
+        return
+    if fine == 1:
+        figures[DOING], figures[SHARE] = ENDED, 1.0
+        figures[EXCEEDS] = descent.state[EXCESS] if descent.state[MERIT] < math.inf else math.inf
+        return
+    for k in range(descent.x.shape[0]):
+        starts[start, k] = descent.x[k]
+    starts[start, UNKNOWNS] = descent.state[MERIT]
+    figures[NUMBER], figures[SHARE] = (
+        (start + 1) * (MOST_STEPS[1] + 2),
+        0.5 + 0.4 * (start + 1) / STARTS,
+    )
+    if start + 1 == STARTS:
+        sort_starts(starts)
+        figures[DOING], figures[NUMBER] = CLOSELY, 0.0
+        for k in range(descent.x.shape[0]):
+            descent.x[k] = starts[0, k]

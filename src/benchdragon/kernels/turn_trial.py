@@ -1,0 +1,499 @@
+"""What a turn comes to, for a search of the best: its figures, their peaks, and what limits leave.
+
+A turn's figures are judged by looking along it: where one is greatest among its neighbours is a peak,
+whose place is then narrowed. Each peak counts by itself, as what is greatest of all has edges where one
+peak takes over from another. Only the first benches are looked at: later ones walk through as they do.
+"""
+
+import math
+from typing import NamedTuple
+
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.box import (
+    BOX_COLUMNS,
+    CX,
+    CY,
+    box_distance,
+    half_diagonal,
+    inside,
+    nearest_pair,
+    place_box,
+)
+from benchdragon.kernels.chain import Placements, rates_in_slot
+from benchdragon.kernels.curve import S_START, FloatArray, curvature, place, spiral_length
+from benchdragon.kernels.drive import SPEEDS, TOTAL, TURNING, value_at
+from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.family import pieces_fit
+from benchdragon.kernels.route import locate
+from benchdragon.kernels.route_parts import Pose, farthest, lay_rows, row_count
+from benchdragon.kernels.standing import centre_distance
+from benchdragon.kernels.status import TurnStatus
+from benchdragon.kernels.step_bounds import place_chain
+from benchdragon.kernels.turn_families import (
+    LOOK,
+    NOTHING,
+    PIECE_END,
+    PIECE_LENGTH,
+    PIECE_START,
+    three_pieces,
+    turn_parts,
+    two_arcs,
+)
+
+# What a turn is judged by: drive.SPEEDS to drive.ALONG with the head at 1 m/s, then how near benches
+# come to one another and to obstacles (less than nothing, and less what they must keep, m), how far the
+# turn reaches from the middle, m, how it bends, 1/m, its length, and the whole way in the disc, m.
+RATES, APART, BESIDE, REACH, BEND, LONG, WAY, KINDS = 5, 5, 6, 7, 8, 9, 10, 11
+# Families of turns, by what stands between the joints' radii and the clothoids' length in the unknowns:
+# the logarithm of the ratio; two radii; a radius, a curvature and a radius. Unknowns there are at most.
+TWO_ARCS, LINE_BETWEEN, ARC_BETWEEN, UNKNOWNS = 0, 1, 2, 6
+# What is told of a question, a row of floats; NaN for clothoids whose length is an unknown.
+FAMILY, EASE, PITCH, DISC, NARROWEST, LONGEST, LONGEST_WAY, HEAD, MARGIN, SOUGHT = range(10)
+LIMIT = 10  # the greatest that is allowed of each rate, infinite where anything is
+TOLD = LIMIT + RATES
+# A peak: what of, of which bench or handle (or obstacle and bench), where, how great; as `measured`.
+KIND, ONE, TWO, PLACE, VALUE, MEASURE, PEAK = 0, 1, 2, 3, 4, 5, 6
+# Peaks that are noted at most, and of which so many are kept whose measure is so near the greatest.
+MOST_NOTED, MOST_KEPT, NEAR_GREATEST = 256, 48, 0.08
+# Counts of a trial, and its rows at most.
+ROUTE, PIECES, NOTED, FIRST, SECOND, PLACED, COUNTS = 0, 1, 2, 3, 4, 5, 6
+MOST_ROWS = 64
+# Benches whose rates are looked at, and whose distances: one turn farther out is some 17 benches away.
+FEW, MORE = 16, 40
+# Head positions that are looked at in one block, and at most; how far apart they are for distances, as
+# a share of the shortest link, and places for the turn's reach, m.
+SLOTS, MOST_LOOKS, CLEAR_SHARE, REACH_STEP = 64, 4096, 0.35, 0.1
+# What a handle at a place costs in handles, with its rates.
+JUDGED = 2
+# What is told of a turn on which the dragon cannot stand.
+HOPELESS = 1e4
+# How often a place is narrowed by the golden section to some 1e-10 m.
+SECTION, NARROWED = 0.6180339887498949, 44
+
+
+class Trial(NamedTuple):
+    """Turns that are tried, the last one laid, and what it came to."""
+
+    told: Vector
+    low: Vector  # ranges of the unknowns
+    high: Vector
+    factors: Vector  # (KINDS,): a true figure is so many times what is seen; of distances, m less
+    sizes: Table  # (4, benches) of the first benches, MORE at most
+    links: Vector
+    standing: Table  # boxes of all obstacles, one after another, as the turn lies
+    border: IntVector  # (obstacles + 1,): where those of each begin
+    keep: Table  # (obstacles, 2): what benches keep from the boxes, m; 1: none inside, -1: none outside
+    arcs: Table
+    pieces: Table
+    parts: Table
+    rows: Table
+    at: Vector  # (SLOTS,)
+    places: Placements  # of the first FEW benches
+    change: Table
+    turn: Table
+    alone: Placements  # of all, at one place
+    boxes: Table  # (2, BOX_COLUMNS)
+    latest: Table  # (2 * RATES, handles): the rates seen before, and before that
+    joints: Vector  # the radii of both, m
+    peaks: Table  # (MOST_NOTED, PEAK)
+    counts: IntVector
+
+
+@kernel
+def exceeding(trial: Trial, kind: int, value: float) -> float:
+    """By what share a figure exceeds its limit; of distances, of a bench's width."""
+    told = trial.told
+    if kind < RATES:
+        power = 1.0 if kind <= TURNING else 2.0  # of the head's speed
+        return value * told[HEAD] ** power / told[LIMIT + kind] - 1.0
+    if kind in (APART, BESIDE):
+        return (value + (told[MARGIN] if kind == APART else 0.0)) / trial.sizes[1, 0]
+    if kind == REACH:
+        return value / told[DISC] - 1.0
+    if kind == BEND:
+        return value * told[NARROWEST] - 1.0
+    return value / (told[LONGEST] if kind == LONG else told[LONGEST_WAY]) - 1.0
+
+
+@kernel
+def measured(trial: Trial, kind: int, value: float) -> float:
+    """How great what is sought is, in numbers of about 1; of others, what exceeds their limits."""
+    told, factor = trial.told, trial.factors[kind]
+    if kind != told[SOUGHT]:
+        return exceeding(trial, kind, value + factor if kind in (APART, BESIDE) else value * factor)
+    scale = told[NARROWEST] if kind == TOTAL else 1.0 if kind == SPEEDS else 1.0 / told[DISC]
+    return factor * value * scale
+
+
+@kernel
+def note(trial: Trial, kind: int, one: int, two: int, s: float, value: float) -> None:
+    """Note a peak, in the place of the least one if there is no room."""
+    peaks, counts, measure = trial.peaks, trial.counts, measured(trial, kind, value)
+    if kind != trial.told[SOUGHT] and not measure > -2.0 * NEAR_GREATEST:
+        return
+    n = counts[NOTED]
+    if n < MOST_NOTED:
+        counts[NOTED] += 1
+    else:
+        n = 0
+        for m in range(1, MOST_NOTED):
+            if peaks[m, MEASURE] < peaks[n, MEASURE]:
+                n = m
+        if measure <= peaks[n, MEASURE]:
+            return
+    peaks[n, KIND], peaks[n, ONE], peaks[n, TWO], peaks[n, PLACE] = kind, one, two, s
+    peaks[n, VALUE], peaks[n, MEASURE] = value, measure
+
+
+@kernel
+def greatest(trial: Trial, sought: bool) -> float:
+    """The greatest measure noted: of what is sought, or of what is limited, -1 or more."""
+    most = -1.0
+    for n in range(trial.counts[NOTED]):
+        if (trial.peaks[n, KIND] == trial.told[SOUGHT]) == sought:
+            most = max(most, trial.peaks[n, MEASURE])
+    return most
+
+
+@kernel
+def keep_greatest(trial: Trial) -> None:
+    """Forget peaks that are far less than the greatest, and all but MOST_KEPT."""
+    peaks, counts, kept = trial.peaks, trial.counts, 0
+    best, worst = greatest(trial, True), max(greatest(trial, False), 0.0)
+    for n in range(counts[NOTED]):
+        sought = peaks[n, KIND] == trial.told[SOUGHT]
+        near = best * (1.0 - NEAR_GREATEST) if sought else worst - NEAR_GREATEST
+        if peaks[n, MEASURE] >= near:
+            swap(peaks, kept, n)
+            for m in range(kept, 0, -1):
+                if rank(trial, m) > rank(trial, m - 1):
+                    swap(peaks, m, m - 1)
+            kept += 1
+    counts[NOTED] = min(kept, MOST_KEPT)
+
+
+@kernel
+def rank(trial: Trial, n: int) -> float:
+    """How worth keeping a peak is: what is sought comes first."""
+    first = MOST_NOTED if trial.peaks[n, KIND] == trial.told[SOUGHT] else 0
+    return first + trial.peaks[n, MEASURE]
+
+
+@kernel
+def swap(table: FloatArray, i: int, j: int) -> None:
+    """Change two rows for one another."""
+    for k in range(table.shape[1]):
+        table[i, k], table[j, k] = table[j, k], table[i, k]
+
+
+@kernel
+def shape_figure(trial: Trial, kind: int, n: int) -> float:
+    """How piece n bends, or how long the turn laid is, or the whole way."""
+    pieces, length = trial.pieces, 0.0
+    if kind == BEND:
+        return max(abs(pieces[n, PIECE_START]), abs(pieces[n, PIECE_END]))
+    for m in range(trial.counts[PIECES]):
+        length += pieces[m, PIECE_LENGTH]
+    k, disc = trial.told[PITCH] / (2.0 * math.pi), trial.told[DISC]
+    for joint in trial.joints if kind == WAY else trial.joints[:0]:
+        if disc - joint > NOTHING:
+            length += spiral_length(k, disc / k) - spiral_length(k, joint / k)
+    return length
+
+
+@kernel
+def lay_trial(trial: Trial, x: FloatArray) -> bool:
+    """Lay the turn of these unknowns; whether there is one."""
+    told, pieces, links = trial.told, trial.pieces, trial.links
+    trial.counts[ROUTE] = 0
+    ease = told[EASE] if told[EASE] == told[EASE] else x[x.shape[0] - 1]
+    if told[FAMILY] == TWO_ARCS:
+        count, status = two_arcs(told[PITCH], x[0], x[1], math.exp(x[2]), ease, trial.arcs, pieces)
+    else:
+        bend, last = (0.0, x[3]) if told[FAMILY] == LINE_BETWEEN else (x[3], x[4])
+        count, status = three_pieces(
+            told[PITCH], x[0], x[1], x[2], bend, last, ease, trial.arcs, pieces
+        )
+    whole, longest = 0.0, 0.0
+    for link in links:
+        whole, longest = whole + link, max(longest, link)
+    if status != TurnStatus.OK or not pieces_fit(pieces, count, longest):
+        return False
+    parts = trial.parts[: count + 2]
+    turn_parts(told[PITCH], x[0], x[1], whole + 1.0, 2.0 * whole + 1.0, pieces[:count], parts)
+    wanted = row_count(parts)
+    if wanted > MOST_ROWS:
+        return False
+    lay_rows(parts, Pose(0.0, 0.0, 0.0), 1, count + 1, trial.rows[:wanted])
+    trial.counts[ROUTE], trial.counts[PIECES] = wanted, count
+    trial.joints[0], trial.joints[1] = x[0], x[1]
+    return True
+
+
+@kernel
+def distance_beside(trial: Trial, obstacle: int) -> float:
+    """How near the bench in `boxes` is to the boxes of an obstacle, m; minus that on the wrong side."""
+    boxes, least = trial.boxes, math.inf
+    first, last = trial.border[obstacle], trial.border[obstacle + 1]
+    x, y, around = boxes[0, CX], boxes[0, CY], half_diagonal(boxes, 0)
+    for n in range(first, last):
+        if centre_distance(trial.standing, n, x, y) - around < least:
+            for k in range(BOX_COLUMNS):
+                boxes[1, k] = trial.standing[n, k]
+            least = min(least, box_distance(boxes, 0, 1))
+    side = trial.keep[obstacle, 1]
+    wrong = side != 0.0 and inside(trial.standing, first, last, x, y) == (side > 0.0)
+    return -abs(least) if wrong else least
+
+
+@kernel
+def figure_at(trial: Trial, rows: FloatArray, kind: int, one: int, two: int, s: float) -> float:
+    """A figure at a place: with the head at s, m, or of obstacles with the bench's front handle there.
+
+    APART of bench -1 is the nearest pair of all, in counts[FIRST] and [SECOND].
+    """
+    alone = trial.alone
+    if kind >= BEND:
+        return shape_figure(trial, kind, one)
+    if kind == REACH:
+        j, u, _status = locate(rows, s)
+        x, y, _tx, _ty = place(rows, j, u)
+        return math.hypot(x, y)
+    first, last = (two, two + 1) if kind == BESIDE else (0, one)
+    if kind == APART:
+        last = trial.links.shape[0] if one < 0 else two + 1
+    elif kind == TURNING:  # of a bench, not of a handle
+        last = one + 1
+    links = trial.links[first:last]
+    trial.at[0] = s
+    trial.counts[PLACED] += last - first + 1
+    if not place_chain(rows, links, trial.at, 0, 1, alone):
+        return HOPELESS
+    if kind in (APART, BESIDE):
+        return shortfall(trial, kind, one, two)
+    if kind != SPEEDS:
+        set_rates(trial, rows, links, alone, 0)
+    return known_rate(trial, rows, alone, kind, one, 0)
+
+
+@kernel
+def shortfall(trial: Trial, kind: int, one: int, two: int) -> float:
+    """How much nearer benches of the chain alone are than nothing, or than obstacles allow, m."""
+    x, y, counts = trial.alone.x, trial.alone.y, trial.counts
+    if kind == BESIDE:
+        place_box(trial.sizes, two, 0, x, y, 0, trial.boxes, 0)
+        return trial.keep[one, 0] - distance_beside(trial, one)
+    if one < 0:
+        distance, _time, counts[FIRST], counts[SECOND] = nearest_pair(trial.sizes, x, y)
+        return -distance
+    place_box(trial.sizes, one, one, x, y, 0, trial.boxes, 0)
+    place_box(trial.sizes, two, two, x, y, 0, trial.boxes, 1)
+    return -box_distance(trial.boxes, 0, 1)
+
+
+@kernel
+def set_rates(trial: Trial, rows: FloatArray, links: FloatArray, places: Placements, t: int) -> None:
+    """Fill slot t of the rates' changes and turnings."""
+    rates_in_slot(
+        rows, links, t, places.row, places.u, places.x, places.y, places.ratio, trial.change, trial.turn
+    )
+
+
+@kernel
+def known_rate(trial: Trial, rows: FloatArray, places: Placements, kind: int, i: int, t: int) -> float:
+    """A rate of a handle, or of the bench behind it, in slot t, whose changes are known."""
+    if kind == SPEEDS:
+        return places.ratio[i, t]
+    bend = curvature(rows, places.row[i, t], places.u[i, t])
+    return value_at(places.ratio[i, t], trial.change[i, t], trial.turn[i, t], bend, 1.0, 0.0, kind)
+
+
+@kernel
+def judges(trial: Trial, kind: int) -> bool:
+    """Whether a rate is limited or sought."""
+    return kind == trial.told[SOUGHT] or trial.told[LIMIT + kind] < math.inf
+
+
+@kernel
+def look_at_rates(trial: Trial, rows: FloatArray, first: float, last: float, step: float) -> bool:
+    """Note peaks of rates with the head from first to last, m; whether the dragon can stand there."""
+    places, at, latest = trial.places, trial.at, trial.latest
+    handles = places.x.shape[0]
+    links, count, curved = trial.links[: handles - 1], looks(first, last, step), False
+    for kind in range(1, RATES):
+        curved = curved or judges(trial, kind)
+    for n in range(2 * RATES):
+        for i in range(handles):
+            latest[n, i] = -math.inf
+    for start in range(0, count, SLOTS):
+        stop = min(SLOTS, count - start)
+        for t in range(stop):
+            at[t] = first + (last - first) * (start + t) / (count - 1)
+        trial.counts[PLACED] += stop * handles * (JUDGED if curved else 1)
+        if not place_chain(rows, links, at, 0, stop, places):
+            return False
+        for t in range(stop):
+            if curved:
+                set_rates(trial, rows, links, places, t)
+            before = first + (last - first) * (start + t - 1) / (count - 1)
+            note_rates(trial, rows, t, before)
+    return True
+
+
+@kernel
+def looks(first: float, last: float, step: float) -> int:
+    """How many places are looked at from first to last, m, about a step apart."""
+    return int(min(math.ceil((last - first) / step) + 2, MOST_LOOKS))
+
+
+@kernel
+def note_rates(trial: Trial, rows: FloatArray, t: int, before: float) -> None:
+    """Note peaks of rates at the place before that of slot t, m."""
+    places, latest = trial.places, trial.latest
+    handles = places.x.shape[0]
+    for kind in range(RATES):
+        if judges(trial, kind):
+            for i in range(handles - 1 if kind == TURNING else handles):
+                value = (
+                    places.ratio[i, t]
+                    if kind == SPEEDS
+                    else known_rate(trial, rows, places, kind, i, t)
+                )
+                if latest[2 * kind, i] >= max(latest[2 * kind + 1, i], value):
+                    note(trial, kind, i, 0, before, latest[2 * kind, i])
+                latest[2 * kind + 1, i], latest[2 * kind, i] = latest[2 * kind, i], value
+
+
+@kernel
+def look_along(
+    trial: Trial,
+    rows: FloatArray,
+    kind: int,
+    one: int,
+    two: int,
+    first: float,
+    last: float,
+    step: float,
+) -> float:
+    """Note peaks of a figure from first to last, m; the greatest that is seen."""
+    count, before, value, at, i, j = looks(first, last, step), -math.inf, -math.inf, first, one, two
+    most = -math.inf
+    for n in range(count + 1):
+        s = first + (last - first) * n / (count - 1)
+        ahead = figure_at(trial, rows, kind, one, two, s) if n < count else -math.inf
+        if value >= max(before, ahead) and value > -math.inf:
+            note(trial, kind, i, j, at, value)
+        before, value, at, most = value, ahead, s, max(most, ahead)
+        if kind == APART:
+            i, j = trial.counts[FIRST], trial.counts[SECOND]
+    return most
+
+
+@kernel
+def narrow(trial: Trial, rows: FloatArray, n: int, half: float, times: int) -> None:
+    """Let peak n be the greatest that a golden section finds up to `half` metres from its place."""
+    peaks = trial.peaks
+    kind, one, two = int(peaks[n, KIND]), int(peaks[n, ONE]), int(peaks[n, TWO])
+    if kind >= BEND:
+        half, times = 0.0, 0
+    low, high = peaks[n, PLACE] - half, peaks[n, PLACE] + half
+    if kind == REACH:
+        low, high = max(low, rows[1, S_START]), min(high, rows[rows.shape[0] - 1, S_START])
+    a, b = high - SECTION * (high - low), low + SECTION * (high - low)
+    at_a, at_b = figure_at(trial, rows, kind, one, two, a), figure_at(trial, rows, kind, one, two, b)
+    for _ in range(times):
+        if at_a >= at_b:
+            high, b, at_b = b, a, at_a
+            a = high - SECTION * (high - low)
+            at_a = figure_at(trial, rows, kind, one, two, a)
+        else:
+            low, a, at_a = a, b, at_b
+            b = low + SECTION * (high - low)
+            at_b = figure_at(trial, rows, kind, one, two, b)
+    if max(at_a, at_b) >= peaks[n, VALUE]:
+        peaks[n, PLACE] = a if at_a >= at_b else b
+    peaks[n, VALUE] = max(at_a, at_b, peaks[n, VALUE])
+    peaks[n, MEASURE] = measured(trial, kind, peaks[n, VALUE])
+
+
+@kernel
+def same_before(sizes: FloatArray, i: int) -> bool:
+    """Whether a bench before bench i has its sizes."""
+    for j in range(i):
+        same = 0
+        for n in range(4):
+            same += 1 if sizes[n, i] == sizes[n, j] else 0
+        if same == 4:
+            return True
+    return False
+
+
+@kernel
+def measures(links: FloatArray) -> tuple[float, float]:
+    """The sum of some links, and the shortest, m."""
+    whole, shortest = 0.0, math.inf
+    for link in links:
+        whole, shortest = whole + link, min(shortest, link)
+    return whole, shortest
+
+
+@kernel
+def look_apart(trial: Trial, rows: FloatArray) -> float:
+    """Note where benches come near one another; minus the least distance that is seen, m."""
+    first, last = rows[1, S_START], rows[rows.shape[0] - 1, S_START]
+    whole, shortest = measures(trial.links)
+    return look_along(trial, rows, APART, -1, 0, first, last + whole, CLEAR_SHARE * shortest)
+
+
+@kernel
+def figures_of(trial: Trial, x: FloatArray, seen: FloatArray) -> None:
+    """Fill what the turn of these unknowns comes to as far as it is seen without rates: see KINDS."""
+    if lay_trial(trial, x):
+        rows, trial.counts[NOTED], seen[BEND] = trial.rows[: trial.counts[ROUTE]], 0, 0.0
+        first, last = rows[1, S_START], rows[rows.shape[0] - 1, S_START]
+        for n in range(trial.counts[PIECES]):
+            seen[BEND] = max(seen[BEND], shape_figure(trial, BEND, n))
+        seen[LONG], seen[WAY] = shape_figure(trial, LONG, 0), shape_figure(trial, WAY, 0)
+        seen[REACH] = farthest(rows, first, last, LOOK)
+        seen[APART] = look_apart(trial, rows)
+
+
+@kernel
+def look_at_distances(trial: Trial, rows: FloatArray) -> None:
+    """Note where benches come near one another, and obstacles."""
+    first, last, few = rows[1, S_START], rows[rows.shape[0] - 1, S_START], trial.places.x.shape[0] - 1
+    fore, shortest = measures(trial.links[:few])
+    look_apart(trial, rows)
+    for obstacle in range(trial.keep.shape[0]):
+        for i in range(few):
+            if not same_before(trial.sizes, i):
+                step = CLEAR_SHARE * shortest
+                look_along(trial, rows, BESIDE, obstacle, i, first - fore, last, step)
+
+
+@kernel
+def look(trial: Trial, x: FloatArray, step: float, whole: bool) -> bool:
+    """Note what the turn of these unknowns comes to; whether the dragon can walk through it.
+
+    Rates are looked at each `step` of the shortest link. Peaks are narrowed if the `whole` is wanted;
+    else distances are looked at only where all other limits are kept.
+    """
+    if not lay_trial(trial, x):
+        return False
+    rows, peaks, trial.counts[NOTED] = trial.rows[: trial.counts[ROUTE]], trial.peaks, 0
+    first, last = rows[1, S_START], rows[rows.shape[0] - 1, S_START]
+    fore, shortest = measures(trial.links[: trial.places.x.shape[0] - 1])
+    for kind in range(BEND, KINDS):
+        for n in range(trial.counts[PIECES] if kind == BEND else 1):
+            note(trial, kind, n, 0, first, shape_figure(trial, kind, n))
+    look_along(trial, rows, REACH, 0, 0, first, last, REACH_STEP)
+    if not look_at_rates(trial, rows, first, last + fore, step * shortest):
+        return False
+    if whole or greatest(trial, False) <= 0.0:
+        look_at_distances(trial, rows)
+    if whole:
+        keep_greatest(trial)
+        for n in range(trial.counts[NOTED]):
+            half = (step if peaks[n, KIND] < RATES else CLEAR_SHARE) * shortest
+            narrow(trial, rows, n, REACH_STEP if peaks[n, KIND] == REACH else half, NARROWED)
+    return True
