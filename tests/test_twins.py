@@ -34,7 +34,8 @@ def answer():
     text = "{low} to {high}"
     return [
         bool([]), bool(""), bool(0.0), bool({}), bool("0"), [1, [2]] == [1, [2]], (1, 2) in pairs,
-        pairs[(3, 4)], pairs.get((9, 9), "none"), len(seen), name, rest, "𠮷野家"[-1], "𠮷野家"[1:],
+        pairs[(3, 4)], pairs.get((9, 9), "none"), len(seen), len(set("aab")), name, rest, "𠮷野家"[-1],
+        "𠮷野家"[1:],
         found, total, list(numbers(7)), text.format(low=f"{2.675:.2f}", high=f"{1e-7:g}"),
         f"{255:04X}{-7 % 5}",
         sorted([(2, "b"), (1, "z"), (2, "a")]), max(["bb", "a", "cc"], key=len), max([], default="-"),
@@ -105,7 +106,8 @@ def test_patterns_match_the_same() -> None:
 @pytest.mark.parametrize(
     "code",
     ["import os", "with open(x) as y: pass", "for n in x: pass\nelse: pass", "lambda *a: a", "f(**x)",
-     "x[::2]", "x @ y", "async def f(): pass", 're.sub(x, "", y)', '"{}".format(1)', "f(b=1)"],
+     "x[::2]", "*a, b = x", "x @ y",
+     "async def f(): pass", 're.sub(x, "", y)', '"{}".format(1)', "f(b=1)"],
 )  # fmt: skip
 def test_what_is_not_translated_is_an_error(code: str) -> None:
     with pytest.raises(UntranslatableError):

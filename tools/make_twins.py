@@ -43,6 +43,7 @@ TWINS = {
         "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
     ),
     "model.numbering": ("numbering", "handle_words"),
+    "plans.idle": ("idle", "drop", "drop_replaced", "idle_keys"),
     "plans.people": ("people", "called", "village"),
     "rosters.names": ("roster_names", "like_two"),
     "rosters.words": (

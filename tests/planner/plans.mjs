@@ -20,6 +20,11 @@ function tried(make) {
   }
 }
 
+/** Boxes one after another as rows of 6. */
+function rowsOf(flat) {
+  return Array.from({ length: flat.length / 6 }, (_row, n) => flat.slice(6 * n, 6 * n + 6));
+}
+
 function walked(arena, plan) {
   const walk = plan.build(arena);
   const { rows, length } = walk.route;
@@ -30,7 +35,7 @@ function walked(arena, plan) {
     const tables = [placed.s, placed.x, placed.y, placed.ratio, placed.rates.ratioRate];
     return tables.map((table) => Array.from(doubles(table)));
   });
-  const boxes = plan.obstacles().map((one) => one.boxRows().map((row) => Array.from(row)));
+  const boxes = plan.obstacles().map((one) => rowsOf(Array.from(doubles(one.boxes(arena)))));
   const { times, speeds } = walk.profile;
   const moments = tried(() =>
     plan.moments().map(({ time, way, until }) => [time, way, until].map(String)),

@@ -52,6 +52,8 @@ class Expressions:
             case ast.Name() | ast.Attribute():
                 return self.expr(target)
             case ast.Tuple(elts=elts) | ast.List(elts=elts):
+                if any(isinstance(one, ast.Starred) for one in elts[:-1]):
+                    raise UntranslatableError(target, "with more after the rest")
                 return f"[{', '.join(map(self.pattern, elts))}]"
             case ast.Starred(value=value):
                 return f"...{self.pattern(value)}"
@@ -305,6 +307,8 @@ class Expressions:
             case "_" | "N_":
                 self.use(name)
                 return f"{name}({self.expr(node.args[0])})"
+            case "set":
+                return f"py.set_of({self._given(node)})"
             case _ if name in FUNCTIONS:
                 return f"py.{name}({self._given(node, BUILTIN.get(name))})"
         self.use(name)

@@ -94,7 +94,7 @@ def with_drawings(data: dict[str, Any], source: Source) -> tuple[dict[str, Any],
         return data, ()  # the plan's own check says what is wrong
     except InputError as error:
         raise PlanError(source.sentences([Fault("survey", str(error))])) from None
-    clashes = [str(clash) for name in named for clash in _clashes(name, data[name])]
+    clashes = [clash.text for name in named for clash in _clashes(name, data[name])]
     if clashes:
         raise PlanError(source.sentences([Fault("", text) for text in clashes]))
     found, told = dict(data), list[str]()

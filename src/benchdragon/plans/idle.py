@@ -28,7 +28,9 @@ class Idle:
         """The dotted key."""
         return ".".join(map(str, self.path))
 
-    def __str__(self) -> str:
+    @property
+    def text(self) -> str:
+        """The same in a sentence, in the language in use."""
         if self.missing:
             return _(
                 "{key} has no effect without one of {because}: take it out, or say one of them"
@@ -144,11 +146,10 @@ def _said(table: object) -> dict[str, Any]:
 def drop(data: dict[str, Any], idle: Sequence[Idle]) -> None:
     """Take keys out of a plan's tables."""
     for one in idle:
-        *folders, name = one.path
         table: Any = data
-        for folder in folders:
+        for folder in one.path[:-1]:
             table = table[folder]
-        del table[name]
+        del table[one.path[-1]]
 
 
 def drop_replaced(data: dict[str, Any], keys: Sequence[str]) -> None:

@@ -358,7 +358,7 @@ def checked(data: dict[str, Any], source: Source | str) -> Plan:
         route.setdefault("kind", "parts")
     data, passed = with_drawings(data, where)
     where = replace(where, passed=(*where.passed, *passed))
-    faults, others = [Fault(idle.key, str(idle)) for idle in idle_keys(data)], 0
+    faults, others = [Fault(idle.key, idle.text) for idle in idle_keys(data)], 0
     try:
         plan = Plan.model_validate(data)
     except ValidationError as error:

@@ -1,5 +1,6 @@
 // A whole plan: what it says, its hash, its walk and its span. Twin of plans/schema.py.
 
+import { drop, dropReplaced, idleKeys } from "../made/idle.js";
 import { _, language } from "../words.js";
 import { MODEL_DRAGON, PLANS_CUES, PLANS_SOURCE } from "./constants.js";
 import { Paced, paced } from "./cues.js";
@@ -9,15 +10,7 @@ import { general } from "./number_format.js";
 import { builtObstacles } from "./obstacle.js";
 import { checkedTables, filledTable, jsonOfTable, withoutDefaults } from "./plan_check.js";
 import { builtRoute, lastPosition } from "./plan_routes.js";
-import {
-  dropKeys,
-  dropReplaced,
-  idleKey,
-  idleKeys,
-  idleText,
-  setValue,
-  withBase,
-} from "./plan_tables.js";
+import { setValue, withBase } from "./plan_tables.js";
 import { Profile } from "./profile.js";
 import { sha256 } from "./sha256.js";
 import { Walk } from "./walk.js";
@@ -115,7 +108,7 @@ export class Plan {
       if (own[name]) data[name] = own[name];
       else delete data[name];
     }
-    dropKeys(data, idleKeys(data));
+    drop(data, idleKeys(data));
     return data;
   }
 
@@ -149,7 +142,7 @@ export class Plan {
     const [table, name = ""] = key.split(/\.(.*)/s);
     const at = this.tables[table]?.[name] ?? null;
     const said = { ...this.said, [table]: { ...this.said[table], [name]: at ?? 0 } };
-    const idle = idleKeys(said).filter((one) => idleKey(one) === key);
+    const idle = idleKeys(said).filter((/** @type {any} */ one) => one.key === key);
     let because = idle.length ? idle[0].because : "";
     if (table === "route" && !(name in this.tables.route))
       because = `route.kind = "${this.tables.route.kind}"`;
@@ -357,7 +350,7 @@ export function checkedPlan(data, source = "plan") {
   const { route } = tables;
   if (typeof route === "object" && route !== null && "part" in route && !("kind" in route))
     tables.route = { ...route, kind: "parts" };
-  const idle = idleKeys(tables).map((one) => new Fault(idleKey(one), idleText(one)));
+  const idle = idleKeys(tables).map((/** @type {any} */ one) => new Fault(one.key, one.text));
   const files = ["venue", "route"].filter((name) => typeof tables[name]?.file === "string");
   const outside = files.map((name) => new Fault(`${name}.file`, fileText(tables[name].file)));
   const { said, faults } = checkedTables(tables);

@@ -5,7 +5,7 @@
 
 import { decimals, general } from "./number_format.js";
 import { rint, rounded } from "./numbers.js";
-import { pythonRepr } from "./python_text.js";
+import { pythonRepr, pythonText } from "./python_text.js";
 
 const WHITE = "\\t-\\r\\x1c-\\x20\\x85\\xa0\\u1680\\u2000-\\u200a\\u2028\\u2029\\u202f\\u205f\\u3000";
 const LINE_END = /\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]/u;
@@ -322,7 +322,7 @@ export const py = {
   int: (a) => Math.trunc(Number(a)),
   float: Number,
   // Texts.
-  str: (a) => (a === null ? "None" : String(a)),
+  str: (a) => (typeof a === "number" ? String(a) : pythonText(a)),
   repr: (a) => (typeof a === "string" ? pythonRepr(a) : String(a)),
   ord: (a) => a.codePointAt(0),
   chr: String.fromCodePoint,
