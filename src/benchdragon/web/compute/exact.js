@@ -94,18 +94,3 @@ export class Exact {
     return whole < 0n ? -1 : Number(whole > 0n);
   }
 }
-
-/**
- * |value| times a power of ten, rounded to a whole number: of two as near the even one, as Python does.
- * @param {number} value finite
- * @param {number} digits the power
- */
-export function wholeOf(value, digits) {
-  const { whole, power } = Dyadic.of(Math.abs(value));
-  const scale = 10n ** BigInt(Math.abs(digits));
-  const over = digits < 0 ? whole : whole * scale;
-  const under = (digits < 0 ? scale : 1n) << -power;
-  const twice = 2n * (over % under);
-  const found = over / under;
-  return twice > under || (twice === under && found & 1n) ? found + 1n : found;
-}

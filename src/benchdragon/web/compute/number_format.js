@@ -2,7 +2,6 @@
 // digit rounded to even as there.
 
 import { NUMBER_FORMAT } from "./constants.js";
-import { wholeOf } from "./exact.js";
 
 const { FIGURES, TIME_DECIMALS, DECIMALS, SMALL_DECIMALS, MOST_DECIMALS, DUST, BESIDE } = NUMBER_FORMAT;
 
@@ -10,6 +9,21 @@ const { FIGURES, TIME_DECIMALS, DECIMALS, SMALL_DECIMALS, MOST_DECIMALS, DUST, B
 function unlimited(value) {
   if (Number.isFinite(value)) return null;
   return Number.isNaN(value) ? "nan" : value > 0 ? "inf" : "-inf";
+}
+
+/**
+ * |value| times a power of ten, rounded to a whole number: of two as near the even one, as Python does.
+ * @param {number} value finite
+ * @param {number} digits the power
+ */
+function wholeOf(value, digits) {
+  let [whole, halves] = [Math.abs(value), 0n];
+  for (; !Number.isInteger(whole); whole *= 2) halves++; // which loses nothing
+  const scale = 10n ** BigInt(Math.abs(digits));
+  const over = BigInt(whole) * (digits < 0 ? 1n : scale);
+  const under = (digits < 0 ? scale : 1n) << halves;
+  const [found, twice] = [over / under, 2n * (over % under)];
+  return twice > under || (twice === under && found & 1n) ? found + 1n : found;
 }
 
 /** So many decimals, without the sign of a zero: "z.6f". @param {number} value @param {number} count */
