@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from pyclothoids import Clothoid as OtherClothoid
 
 from benchdragon.errors import InputError
-from benchdragon.model.curves import Clothoid, Route
-from benchdragon.surveys.clothoids import circle_headings
-from benchdragon.surveys.corners import Corners, rounded, shapes
+from benchdragon.kernels import fitting as kernel
+from benchdragon.kernels.route_parts import PART_COLUMNS
+from benchdragon.model.curves import Clothoid, Route, curves_of
 from benchdragon.surveys.fitting import fitted
 from benchdragon.surveys.lines import DrawnLine, corners_of
 
@@ -68,17 +68,22 @@ def ours(smooth: str) -> Callable[[FloatArray], Found]:
 
 def fillets(points: FloatArray) -> Found:
     """Chords with arcs of one radius, the largest with which all keep the deviation and fit."""
-    corners = Corners.of(points, False)
-    shape = shapes(corners.turns, smooth=False)
-    tangent = np.roll(shape.tangent, 1) + shape.tangent
-    radius = min((corners.lengths / tangent).min(), (DEVIATION / shape.reach[:-1]).min())
-    bends = np.where(corners.turns != 0.0, 0.9 * radius, np.inf)
-    return Route(tuple(rounded(corners, shape, bends))), math.nan
+    count = len(points) - 1
+    sides = np.empty((count, kernel.SIDE_COLUMNS))
+    kernel.set_sides(points, False, np.arange(count + 1), np.zeros(count), kernel.Smoothing.G1, sides)
+    tangent = np.roll(sides[:, kernel.TANGENT], 1) + sides[:, kernel.TANGENT]
+    reach = DEVIATION / sides[:-1, kernel.REACH]
+    radius = min((sides[:, kernel.SIDE_LENGTH] / tangent).min(), reach.min())
+    sides[:, kernel.RADIUS] = np.where(sides[:, kernel.TURN] != 0.0, 0.9 * radius, np.inf)
+    parts = np.empty((4 * count, PART_COLUMNS))
+    made, _bound = kernel.rounded_sides(sides, False, parts)
+    return Route(curves_of(parts[:made])), math.nan
 
 
 def pyclothoids(points: FloatArray) -> Found:
     """Clothoids of the other solver between the poses that ours has."""
-    poses = np.column_stack([points, circle_headings(points, False)])
+    poses = np.column_stack([points, np.empty(len(points))])
+    kernel.set_headings(points, False, poses)
     curves = []
     for start, end in pairwise(poses.tolist()):
         other = OtherClothoid.G1Hermite(*start, *end)

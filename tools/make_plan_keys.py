@@ -17,6 +17,7 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator
 from pydantic.fields import FieldInfo
 
 import benchdragon
+from benchdragon.model.formations import FORMATIONS
 from benchdragon.plans import idle, people, toml
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.schema import Plan
@@ -124,6 +125,28 @@ def key_spec(field: FieldInfo, tables: dict[str, Any]) -> Spec:
     return {**kind, "default": default}
 
 
+def formations() -> dict[str, Any]:
+    """What kernels and checks of sizes want to know of each formation."""
+    return {
+        name: {
+            "kind": kind.kind(),
+            "clockwise": kind.defaults().get("clockwise"),
+            "sizes": {
+                size: {
+                    "default": kind.defaults()[size],
+                    "least": of.least,
+                    "most": of.most,
+                    "unit": of.unit,
+                }
+                for size, of in kind.sizes.items()
+            },
+            "smaller": kind.smaller,
+            "tightest": kind.tightest,
+        }
+        for name, kind in FORMATIONS.items()
+    }
+
+
 def built_in() -> dict[str, Any]:
     """The built-in plans as their files say them."""
     return {name: toml.read_toml(name)[0] for name in toml.built_in_names()}
@@ -140,6 +163,7 @@ def plan_keys() -> str:
         exported("PLAN_UNITS", {name: getattr(toml, name) for name in UNITS}, NUMBERS),
         exported("TURN_KEYS", idle.FAMILIES, NAMES),
         exported("FORMATION_SIZES", idle.FORMATION_SIZES, NAMES),
+        exported("FORMATIONS", formations(), 'Record<string, import("./formations.js").Formation>'),
         exported("DRAWN_KEYS", idle.DRAWN, NAMES),
         exported("BUILT_IN_PLANS", built_in(), "Record<string, Record<string, any>>"),
     ]

@@ -26,13 +26,19 @@ from benchdragon.analysis.swept import swept_area
 from benchdragon.kernels import entries
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.step_bounds import place_chain
+from benchdragon.model.connections import Step, connections, programme
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
+from benchdragon.model.formations import CoilIn, FigureEight, TailSwing
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.traversal import first_overlap
+from benchdragon.plans.schema import checked, read_plan
 from benchdragon.plans.schema import read_plan
 from benchdragon.player.scene import Span, plain_dance
 from benchdragon.solve.head_speed import slowed
 from benchdragon.solve.tolerance import CASES, Draw, random_dance
+from benchdragon.surveys.clothoids import g1_clothoids
+from benchdragon.surveys.fitting import fitted
+from benchdragon.surveys.lines import DrawnLine, corners_of
 from tests.solve.asked_in_python import in_python
 
 # Its plain functions call its entries, which no compiled function does.
@@ -96,5 +102,14 @@ def questions() -> None:
     route.point([1.0, 17.0])
     assert route.start_pose != route.end_pose
     Spiral(0.55, 40.0, 0.0).angle(1.0)
+    assert len(connections(((0.0, 0.0), 0.0), ((9.0, 4.0), 2.0), 1.5)) >= 4
+    steps = [Step(FigureEight(6.0)), Step(CoilIn(), (40.0, 0.0), 1.0), Step(TailSwing(run=0.0))]
+    programme(steps, 2.0)
+    swung = {"kind": "formation", "name": "tail-swing"}
+    checked({"schema": 1, "dragon": {"benches": 5}, "route": swung}, "plan").build()
+    drawn = DrawnLine("", corners_of([(0.0, 0.0), (20.0, 1.0), (25.0, 12.0), (40.0, 12.0)]))
+    for smooth in ("none", "G1", "G2"):
+        fitted(drawn, smooth, 9.0)
+    g1_clothoids(np.array([(0.0, 0.0, 0.3), (5.0, 1.0, -0.2), (9.0, 1.0, 0.4)]))
     coiled = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20", "walk.start=225"])
     random_dance(coiled, Draw(CASES["all"].deviations, 7, 1)).least()

@@ -10,7 +10,7 @@ from benchdragon.kernels import route_parts
 from benchdragon.kernels.curve import ARC, CLOTHOID, LINE, LOG_SPIRAL, SPIRAL, FloatArray
 from benchdragon.kernels.route import evaluate
 from benchdragon.kernels.route_parts import PART_COLUMNS, Pose, lay_rows, row_count
-from benchdragon.model.curves import Arc, Clothoid, Line, LogSpiral, Route, Spiral, curve_of
+from benchdragon.model.curves import Arc, Clothoid, Line, LogSpiral, Route, Spiral, curves_of
 from tests.kernels.reference import points
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
@@ -45,7 +45,7 @@ def test_rows_lie_where_formulas_of_another_kind_put_the_part(numbers: tuple[flo
     parts = np.array([numbers])
     rows = laid(parts, Pose(9.0, 9.0, 9.0), 0, 0)
     assert (parts == [numbers]).all()  # it stays where it is
-    curve = curve_of(numbers)
+    (curve,) = curves_of(np.array([numbers]))
     s = np.linspace(0.0, length(rows), 15)
     found = places(rows, s)
     wanted = points(Route((curve,)), s)
@@ -55,7 +55,7 @@ def test_rows_lie_where_formulas_of_another_kind_put_the_part(numbers: tuple[flo
 def test_the_numbers_of_a_part_are_those_of_its_curve() -> None:
     kinds = Line, Arc, Clothoid, Spiral, LogSpiral, Spiral
     for numbers, kind in zip(PARTS, kinds, strict=True):
-        curve = curve_of(numbers)
+        (curve,) = curves_of(np.array([numbers]))
         assert type(curve) is kind
         assert curve.parts.tolist() == [list(numbers)]
 
@@ -126,3 +126,26 @@ def test_the_farthest_place_is_that_of_a_dense_scan() -> None:
     far = float(np.hypot(*places(rows, s)[:, :2].T).max())
     assert route_parts.farthest(rows, 2.0, 11.0, 0.02) == pytest.approx(far, abs=1e-4)
     assert route_parts.farthest(rows, 2.0, 2.5, 0.1) == pytest.approx(math.hypot(3.5, 1.0), rel=1e-15)
+
+
+def test_a_route_that_is_moved_is_the_same_turned_and_then_moved() -> None:
+    parts = np.array(PARTS)
+    rows = laid(parts, ORIGIN, 0, len(parts))
+    s = np.linspace(0.0, length(rows), 40)
+    before = places(rows, s)
+    route_parts.move_parts(parts, 0.7, 30.0, -4.0)
+    after = places(laid(parts, ORIGIN, 0, 0), s)
+    there = (before[:, 0] + 1j * before[:, 1]) * np.exp(0.7j) + 30.0 - 4.0j
+    np.testing.assert_allclose(after[:, 0] + 1j * after[:, 1], there, rtol=0.0, atol=1e-12)
+    np.testing.assert_allclose(after[:, 2], before[:, 2] + 0.7, rtol=0.0, atol=1e-12)
+
+
+def test_the_tightest_bend_is_the_first_place_of_the_greatest_curvature() -> None:
+    parts = np.array(PARTS)
+    rows = laid(parts, ORIGIN, 0, len(parts))
+    bend, where = route_parts.tightest_bend(rows)
+    s = np.linspace(0.0, length(rows), 20_001)
+    bends = np.abs(places(rows, s)[:, 3])
+    assert bends.max() <= bend * (1.0 + 1e-12)
+    near = places(rows, np.array([where - 1e-9, where + 1e-9]).clip(0.0, length(rows)))
+    assert np.abs(near[:, 3]).max() == pytest.approx(bend, rel=1e-6)

@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from scipy import optimize
 
 from benchdragon.errors import InputError
-from benchdragon.model.connections import Connection, Pose, Step, connections, crossings, programme
+from benchdragon.kernels.connections import crossings
+from benchdragon.model.connections import Connection, Pose, Step, connections, programme
 from benchdragon.model.curves import Arc, Line, Route
 from benchdragon.model.formations import (
     CoilIn,
@@ -39,7 +40,7 @@ def test_each_connection_leads_from_the_one_pose_to_the_other_in_bends_of_the_ra
 ) -> None:
     found = connections(start, end, radius)
     assert {"LSL", "RSR"} <= {one.word for one in found}
-    assert [one.length for one in found] == sorted(one.length for one in found)
+    assert all(a.length <= b.length * (1.0 + 1e-9) for a, b in pairwise(found))
     for one in (one for one in found if one.curves):
         route = Route(one.curves)  # which refuses gaps and kinks
         assert missed(route.start_pose, start) < 1e-11

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import LANGUAGES, _, spoken_in
-from benchdragon.model.connections import crossings
+from benchdragon.kernels.connections import crossings
 from benchdragon.model.curves import JOINT_GAP, JOINT_KINK, Arc, Line, Route
 from benchdragon.model.formations import (
     FORMATIONS,

@@ -9,14 +9,10 @@ import shapely
 from numpy.typing import NDArray
 
 from benchdragon.errors import InputError
+from benchdragon.kernels.fitting import bound_to_chord, set_headings, simplified
 from benchdragon.model.curves import Arc, Clothoid, Line, Route
-from benchdragon.surveys.clothoids import (
-    bound_between,
-    bound_to_chord,
-    circle_headings,
-    g1_clothoids,
-)
-from benchdragon.surveys.fitting import Fit, Smooth, fitted, simplified
+from benchdragon.surveys.clothoids import bound_between, g1_clothoids
+from benchdragon.surveys.fitting import Fit, Smooth, fitted
 from benchdragon.surveys.lines import DrawnLine, corners_of
 
 FloatArray = NDArray[np.float64]
@@ -27,9 +23,9 @@ def polyline(points: FloatArray, closed: bool = False) -> DrawnLine:
     return DrawnLine("", corners_of(points, closed), (), closed)
 
 
-def scribble(rng: np.random.Generator) -> DrawnLine:
-    """A line as a hand or a receiver draws it: 2 to 60 points, sharp or smooth, open or closed."""
-    count = int(rng.integers(2, 60))
+def scribble(rng: np.random.Generator, most: int = 60) -> DrawnLine:
+    """A line as a hand or a receiver draws it: few or many points, sharp or smooth, open or closed."""
+    count = int(rng.integers(2, most))
     kind = rng.integers(3)
     if kind == 0:
         points = rng.uniform(-20.0, 20.0, (count, 2))
@@ -44,15 +40,20 @@ def scribble(rng: np.random.Generator) -> DrawnLine:
 
 def sampled(fit: Fit, line: DrawnLine) -> float:
     """The largest distance that is found from places on either to the other, m."""
-    joints = fit.route.joints
+    return sampled_points(fit.route, line)
+
+
+def sampled_points(along: Route, line: DrawnLine) -> float:
+    """The same of a route along a line."""
+    joints = along.joints
     s = np.unique(np.concatenate([np.linspace(a, b, 20) for a, b in pairwise(joints)]))
-    route = shapely.LineString(fit.route.point(s))
+    route = shapely.LineString(along.point(s))
     corners = line.points()[0]
     drawn = shapely.LineString(np.vstack([corners, corners[:1]]) if line.closed else corners)
     there = shapely.distance(shapely.points(np.asarray(route.coords)), drawn).max()
     dense = shapely.points(np.asarray(drawn.segmentize(drawn.length / 150.0).coords))
     # The sampled route is made of chords, which keep within k h^2 / 8 of it; twice that, as k varies.
-    bends = np.abs(fit.route.curvature(0.5 * (s[1:] + s[:-1])))
+    bends = np.abs(along.curvature(0.5 * (s[1:] + s[:-1])))
     off = float((bends * np.diff(s) ** 2).max()) / 4.0
     return float(max(there, shapely.distance(dense, route).max() - off))
 
@@ -137,8 +138,11 @@ def test_points_are_met_and_clothoids_are_those_of_an_independent_solver() -> No
 def test_points_of_a_circle_give_that_circle() -> None:
     angle = np.linspace(0.0, 2.0 * math.pi, 13)[:-1]
     points = 7.0 * np.column_stack([np.cos(angle), np.sin(angle)])
-    off = circle_headings(points, True) - angle - 0.5 * math.pi
+    poses = np.empty((13, 3))
+    set_headings(points, True, poses)
+    off = poses[:-1, 2] - angle - 0.5 * math.pi
     assert np.allclose(np.remainder(off + 1.0, 2.0 * math.pi), 1.0, atol=1e-12)
+    assert poses[-1, 2] == poses[0, 2]
     fit = fitted(polyline(points, True), "none", 1.0)
     assert math.isclose(fit.least_radius, 7.0, rel_tol=1e-12)
     assert math.isclose(fit.route.length, 14.0 * math.pi, rel_tol=1e-12)
@@ -148,7 +152,9 @@ def test_bounds_hold_between_the_places_that_are_looked_at() -> None:
     arc = Arc(2.0, 3.0)
     (x, y), _heading = arc.end_pose
     # The farthest point of an arc from its chord is r (1 - cos(sweep / 2)).
-    assert 2.0 * (1.0 - math.cos(1.5)) <= bound_to_chord(arc) <= 2.0 * (1.0 - math.cos(1.5)) + 2e-3
+    assert (
+        2.0 * (1.0 - math.cos(1.5)) <= bound_to_chord(arc.parts) <= 2.0 * (1.0 - math.cos(1.5)) + 2e-3
+    )
     line = Line(math.hypot(x, y), (0.0, 0.0), math.atan2(y, x))
     s = np.linspace(0.0, 1.0, 20001)
     apart = np.hypot(*(arc.point(s * arc.length) - line.point(s * line.length)).T).max()
@@ -160,10 +166,13 @@ def test_what_is_simplified_stays_near_either_way() -> None:
     for n in range(100):
         points = np.cumsum(rng.normal(0.0, 1.0, (80, 2)), axis=0)
         closed = bool(n % 2)
-        kept, strays = simplified(points, closed, 0.8)
+        kept, strays = np.empty(81, np.int64), np.empty(81)
+        count = simplified(points, closed, 0.8, kept, strays)
+        kept, strays = kept[: count + 1], strays[:count]
         ring = np.vstack([points, points[:1]]) if closed else points
         whole = shapely.LineString(ring)
-        fewer = shapely.LineString(ring[[*kept, len(ring) - 1]] if closed else ring[kept])
+        fewer = shapely.LineString(ring[kept])
+        assert kept[-1] == len(ring) - 1
         assert (
             shapely.hausdorff_distance(whole, fewer, densify=0.05)
             <= strays.max() + 1e-12

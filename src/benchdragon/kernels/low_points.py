@@ -153,3 +153,18 @@ def head_where_tail(rows: Table, links: Vector, s: float, at: Vector, places: Pl
         side = -0.4 if ahead >= 0.0 else 0.4
         head += side * TAIL_TOLERANCE - ahead / places.ratio[tail, 0] if stands else math.inf
     return high
+
+
+@entry
+def whole_dragon(
+    rows: Table, links: Vector, at: Vector, places: Placements
+) -> tuple[float, float, int]:
+    """The head's route position, m, with the last handle where the route starts; where that then is.
+
+    And the `Status` of that placement. Scratch is as for `head_where_tail`.
+    """
+    at[0] = head_where_tail(rows, links, 0.0, at, places)
+    march(rows, links, at, 0, 1, places)
+    j = places.row[links.shape[0], 0]
+    tail = rows[j, S_START] + length_at(rows, j, places.u[links.shape[0], 0])
+    return at[0], tail, places.failed[0, 0]

@@ -31,6 +31,7 @@ from benchdragon.kernels.curve import (
     Q,
     X,
     Y,
+    curvature,
     heading,
     length_at,
     place,
@@ -48,6 +49,8 @@ LAST = 6  # curvature at the end, 1/m; of a spiral the last theta, rad
 HAND = 7  # of a spiral: +1, or -1 if mirrored
 PART_COLUMNS = 8
 
+# What is greater by no more than this share is as great: of equals the first is meant, on every engine.
+EQUAL = 1.0 + 1e-9
 # Places at which a route's reach is looked at; a turn has some 1e3.
 MOST_PLACES = 1e6
 
@@ -205,6 +208,39 @@ def end_pose(rows: Table, j: int) -> Pose:
     return pose_at(rows, j, rows[j, U_END])
 
 
+@kernel
+def part_start(parts: FloatArray, i: int, row: FloatArray) -> Pose:
+    """The pose at the start of part i; `row` is scratch, (1, COLUMNS)."""
+    write_row(parts, i, row, 0, 0.0)
+    return start_pose(row, 0)
+
+
+@kernel
+def part_end(parts: FloatArray, i: int, row: FloatArray) -> Pose:
+    """The pose at the end of part i, which fills one row; `row` is scratch, (1, COLUMNS)."""
+    write_row(parts, i, row, 0, 0.0)
+    return end_pose(row, 0)
+
+
+@kernel
+def put_part(parts: FloatArray, i: int, pose: Pose, row: FloatArray) -> Pose:
+    """Let part i, which fills one row, begin at a pose; the pose at its end."""
+    write_row(parts, i, row, 0, 0.0)
+    move_row(row, 0, pose)
+    parts[i, PART_X], parts[i, PART_Y], parts[i, PART_ANGLE] = row[0, X], row[0, Y], row[0, ANGLE]
+    return end_pose(row, 0)
+
+
+@entry
+def move_parts(parts: Table, turned: float, x: float, y: float) -> None:
+    """Turn parts about the origin by an angle, rad, and then move them, m."""
+    c, s = math.cos(turned), math.sin(turned)
+    for i in range(parts.shape[0]):
+        at_x, at_y = parts[i, PART_X], parts[i, PART_Y]
+        parts[i, PART_X], parts[i, PART_Y] = c * at_x - s * at_y + x, s * at_x + c * at_y + y
+        parts[i, PART_ANGLE] += turned
+
+
 @entry
 def settle_rows(rows: Table, x: float, y: float) -> None:
     """Let (x, y) be the origin of a route's rows, and each row begin where the one before it ends.
@@ -231,6 +267,19 @@ def misfits(rows: Table, out: Table) -> None:
         out[i, 0] = math.hypot(after.x - before.x, after.y - before.y)
         kink = after.heading - before.heading
         out[i, 1] = abs(kink - 2.0 * math.pi * math.floor(kink / (2.0 * math.pi) + 0.5))
+
+
+@entry
+def tightest_bend(rows: Table) -> tuple[float, float]:
+    """The greatest curvature at either end of any row, in size, 1/m; and at which route position, m."""
+    most, there, where = 0.0, 0.0, 0.0
+    for j in range(rows.shape[0]):
+        for n in range(2):
+            bend = abs(curvature(rows, j, rows[j, U_END if n else U_START]))
+            most = max(most, bend)
+            if bend > there * EQUAL:
+                there, where = bend, rows[j, S_START] + n * rows[j, LENGTH]
+    return most, where
 
 
 @entry

@@ -17,7 +17,7 @@ from benchdragon.errors import InputError, brief, finite, not_negative
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.route_parts import PART_ANGLE, PART_X, PART_Y, misfits, settle_rows
+from benchdragon.kernels.route_parts import misfits, move_parts, settle_rows
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import (
     Curve,
@@ -282,13 +282,13 @@ CURVES: dict[float, type[AnyCurve]] = {
 }
 
 
-def curve_of(part: PartNumbers) -> AnyCurve:
-    """The curve of a row of `parts`.
+def curves_of(parts: FloatArray) -> tuple[AnyCurve, ...]:
+    """The curves of rows of `parts`.
 
     Raises:
         InputError: for sizes that no such curve has.
     """
-    return CURVES[part[0]]._from(part)
+    return tuple(CURVES[part[0]]._from(part) for part in parts.tolist())
 
 
 def _checked_curves(curves: object) -> tuple[AnyCurve, ...]:
@@ -311,8 +311,7 @@ def joined_curves(curves: Sequence[AnyCurve], first: int, stop: int) -> tuple[An
     """These curves, those from number `first` to before `stop` moved to where the one before ends."""
     parts = np.concatenate([curve.parts for curve in curves])
     laid_rows(parts, moved=(first, stop))
-    moved = (curve_of(part) for part in parts[first:stop].tolist())
-    return (*curves[:first], *moved, *curves[stop:])
+    return (*curves[:first], *curves_of(parts[first:stop]), *curves[stop:])
 
 
 @dataclass(frozen=True)
@@ -355,11 +354,9 @@ class Route(Curve):
     def moved(self, turned: float, by: Point) -> "Route":
         """The same route turned about the origin by an angle, rad, and then moved, m."""
         check_pose(by, turned)
-        parts, c, s = self.parts, math.cos(turned), math.sin(turned)
-        x, y = parts[:, PART_X].copy(), parts[:, PART_Y].copy()
-        parts[:, PART_X], parts[:, PART_Y] = c * x - s * y + by[0], s * x + c * y + by[1]
-        parts[:, PART_ANGLE] += turned
-        return Route(tuple(curve_of(part) for part in parts.tolist()), self.kinks)
+        parts = self.parts
+        move_parts(parts, turned, *by)
+        return Route(curves_of(parts), self.kinks)
 
     def seen_from(self, origin: Point) -> "Route":
         """The same route, the numbers that kernels see counted from an origin, m, near the dance.

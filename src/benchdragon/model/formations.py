@@ -7,14 +7,17 @@ contest, it is this project's own, and each `source` says so.
 """
 
 import math
-from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
 
 from benchdragon.errors import InputError, finite
 from benchdragon.i18n import N_, _
-from benchdragon.model.curves import AnyCurve, Arc, Line, Route, Spiral
+from benchdragon.kernels.formations import MOST_PARTS, FormationKind, formation_parts
+from benchdragon.kernels.route_parts import PART_COLUMNS, tightest_bend
+from benchdragon.model.curves import Route, curves_of
 
 
 @dataclass(frozen=True)
@@ -34,10 +37,24 @@ class Size:
     unit: str = "m"
 
 
+class Smaller(NamedTuple):
+    """That one size must be smaller than another, times a factor; and how that is written."""
+
+    size: str
+    factor: float
+    than: str
+    written: str
+
+
 PITCH = Size(N_("distance between neighbouring turns of the spiral"), 0.1, 100.0)
 OUTER = Size(N_("radius at the outer end of the coil"), 1.0, 1000.0)
 INNER = Size(N_("radius at the inner end of the coil"), 0.5, 1000.0)
 ROUNDS = Size(N_("how many times it is walked round"), 1, 20, "")
+# Of coils.
+COILED = (
+    Smaller("inner_radius", 1.0, "outer_radius", "outer_radius"),
+    Smaller("pitch", 1.0, "outer_radius", "outer_radius"),
+)
 
 
 class SizeError(InputError):
@@ -53,7 +70,7 @@ class SizeError(InputError):
 
 
 @dataclass(frozen=True)
-class Formation(ABC):
+class Formation:
     """A formation of given sizes, m; its centre is the origin.
 
     Attributes:
@@ -64,6 +81,7 @@ class Formation(ABC):
         shape: what it looks like, in words.
         source: who names it, and whose its geometry is.
         sizes: what each size means, by its name.
+        smaller: which of them must be smaller than others.
         tightest: the sizes of which the smallest makes its tightest bend; none where it has no bend.
     """
 
@@ -74,6 +92,7 @@ class Formation(ABC):
     shape: ClassVar[str]
     source: ClassVar[str]
     sizes: ClassVar[Mapping[str, Size]]
+    smaller: ClassVar[tuple[Smaller, ...]] = ()
     tightest: ClassVar[tuple[str, ...]] = ()
 
     def __post_init__(self) -> None:
@@ -94,15 +113,34 @@ class Formation(ABC):
                         name=name, formation=self.name, value=f"{value:g}"
                     ),
                 )
+        for name, factor, other, than in self.smaller:
+            value, most = getattr(self, name), factor * getattr(self, other)
+            if value >= most:
+                raise SizeError(
+                    name,
+                    _(
+                        "{name} of {formation} ({value} m) must be smaller than {than} ({most} m)"
+                    ).format(
+                        name=name, formation=self.name, value=f"{value:g}", than=than, most=f"{most:g}"
+                    ),
+                )
 
     @classmethod
     def defaults(cls) -> dict[str, Any]:
         """Each size and, where it has two hands, `clockwise`, as they are if nothing is said."""
         return {field.name: field.default for field in fields(cls)}
 
-    @abstractmethod
+    @classmethod
+    def kind(cls) -> FormationKind:
+        """Which it is to the kernels."""
+        return FormationKind[cls.name.upper().replace("-", "_")]
+
     def build(self) -> Route:
         """Its route, about the origin."""
+        parts = np.empty((MOST_PARTS, PART_COLUMNS))
+        sizes = np.array([getattr(self, name) for name in self.sizes], np.float64)
+        count = formation_parts(self.kind(), sizes, getattr(self, "clockwise", False), parts)
+        return Route(curves_of(parts[:count]))
 
     @property
     def narrowest(self) -> str:
@@ -114,54 +152,15 @@ class Formation(ABC):
         """The radius of its tightest bend, m; infinite where it has none."""
         return least_radius(self.build())
 
-    def _must_be_smaller(self, name: str, most: float, than: str) -> None:
-        """Refuse a size that is not smaller than `most`, m, which is the size or sizes `than`."""
-        if getattr(self, name) >= most:
-            raise SizeError(
-                name,
-                _("{name} of {formation} ({value} m) must be smaller than {than} ({most} m)").format(
-                    name=name, formation=self.name, value=f"{getattr(self, name):g}", than=than,
-                    most=f"{most:g}",
-                ),
-            )  # fmt: skip
-
 
 def least_radius(route: Route) -> float:
     """The radius of a route's tightest bend, m: of lines, arcs and Archimedean spirals."""
-    bend = max(float(abs(curve.curvature([0.0, curve.length])).max()) for curve in route)
+    bend, _where = tightest_bend(route.rows)
     return 1.0 / bend if bend > 0.0 else math.inf
 
 
-def coil(
-    pitch: float, start_radius: float, end_radius: float, outer_angle: float, clockwise: bool
-) -> Spiral:
-    """A coil about the origin whose outer end lies at a polar angle, rad; m."""
-    mirrored = (end_radius < start_radius) != clockwise
-    winding = max(start_radius, end_radius) * 2.0 * math.pi / pitch
-    rotation = outer_angle + (winding if mirrored else -winding)
-    return Spiral.between(pitch, start_radius, end_radius, rotation=rotation, mirrored=mirrored)
-
-
-class Coiled(Formation):
-    """A formation of coils, whose outer radius exceeds their inner one and the pitch.
-
-    The sizes are fields of each formation, which takes them in its own order: so this is no dataclass.
-    """
-
-    tightest: ClassVar = ("inner_radius",)
-
-    pitch: float
-    inner_radius: float
-    outer_radius: float
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        self._must_be_smaller("inner_radius", self.outer_radius, "outer_radius")
-        self._must_be_smaller("pitch", self.outer_radius, "outer_radius")
-
-
 @dataclass(frozen=True)
-class CoilIn(Coiled):
+class CoilIn(Formation):
     """In along a spiral, from its outer end at (outer_radius, 0)."""
 
     name: ClassVar = "coil-in"
@@ -174,19 +173,17 @@ class CoilIn(Coiled):
         "2025), where the heads are the centre; the sizes are this project's own"
     )
     sizes: ClassVar = {"pitch": PITCH, "outer_radius": OUTER, "inner_radius": INNER}
+    smaller: ClassVar = COILED
+    tightest: ClassVar = ("inner_radius",)
 
     pitch: float = 0.8
     outer_radius: float = 12.0
     inner_radius: float = 3.0
     clockwise: bool = True
 
-    def build(self) -> Route:
-        """Its route, about the origin."""
-        return Route((coil(self.pitch, self.outer_radius, self.inner_radius, 0.0, self.clockwise),))
-
 
 @dataclass(frozen=True)
-class CoilOut(Coiled):
+class CoilOut(Formation):
     """Out along a spiral, to its outer end at (outer_radius, 0)."""
 
     name: ClassVar = "coil-out"
@@ -202,19 +199,17 @@ class CoilOut(Coiled):
         "sizes are this project's own"
     )
     sizes: ClassVar = {"pitch": PITCH, "inner_radius": INNER, "outer_radius": OUTER}
+    smaller: ClassVar = COILED
+    tightest: ClassVar = ("inner_radius",)
 
     pitch: float = 0.8
     inner_radius: float = 3.0
     outer_radius: float = 12.0
     clockwise: bool = True
 
-    def build(self) -> Route:
-        """Its route, about the origin."""
-        return Route((coil(self.pitch, self.inner_radius, self.outer_radius, 0.0, self.clockwise),))
-
 
 @dataclass(frozen=True)
-class DoubleDoor(Coiled):
+class DoubleDoor(Formation):
     """Out of one coil, straight across, into its mirror image; centres on the axis of x."""
 
     name: ClassVar = "double-door"
@@ -235,22 +230,14 @@ class DoubleDoor(Coiled):
         "inner_radius": INNER,
         "between": Size(N_("distance between the outer circles of the two coils"), 0.0, 1000.0),
     }
+    smaller: ClassVar = COILED
+    tightest: ClassVar = ("inner_radius",)
 
     pitch: float = 0.8
     outer_radius: float = 9.0
     inner_radius: float = 2.5
     between: float = 2.0
     clockwise: bool = True
-
-    def build(self) -> Route:
-        """Its route, about the origin."""
-        out = coil(self.pitch, self.inner_radius, self.outer_radius, 0.0, self.clockwise)
-        into = coil(self.pitch, self.outer_radius, self.inner_radius, 0.0, self.clockwise)
-        # Turned about its centre so that it leaves along the axis of x, then moved to the left.
-        half = self.outer_radius + 0.5 * self.between
-        leaving = Route((out,)).moved(-out.end_pose[1], (-half, 0.0))
-        (x, _y), _heading = leaving.end_pose
-        return Route.joined([*leaving.curves, Line(-2.0 * x), into])
 
 
 @dataclass(frozen=True)
@@ -287,16 +274,6 @@ class FigureEight(Formation):
         """Length from the crossing round one loop back to it, m."""
         return (2.0 + 1.5 * math.pi) * self.radius
 
-    def build(self) -> Route:
-        """Its route, about the origin."""
-        side, r = (-1.0 if self.clockwise else 1.0), self.radius
-        tip = (1.0 + math.sqrt(2.0)) * r
-        half, whole = 0.75 * math.pi * side, -1.5 * math.pi * side
-        first = Arc(r, half, (tip, 0.0), 0.5 * math.pi * side)
-        turn: list[AnyCurve] = [Line(2.0 * r), Arc(r, whole), Line(2.0 * r)]
-        between = [*turn, Arc(r, -whole)] * (int(self.rounds) - 1)
-        return Route.joined([first, *between, *turn, Arc(r, half)])
-
 
 @dataclass(frozen=True)
 class ThreePlumBlossoms(Formation):
@@ -323,27 +300,16 @@ class ThreePlumBlossoms(Formation):
         "waist": Size(N_("radius of the bends between the petals"), 0.5, 1000.0),
         "rounds": ROUNDS,
     }
+    # Petals whose centres lie 3 ** 0.5 * (radius + waist) apart must not meet.
+    smaller: ClassVar = (
+        Smaller("radius", math.sqrt(3.0) / (2.0 - math.sqrt(3.0)), "waist", "6.46 * waist"),
+    )
     tightest: ClassVar = ("waist", "radius")
 
     radius: float = 18.0
     waist: float = 6.0
     rounds: int = 1
     clockwise: bool = True
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        # Petals whose centres lie 3 ** 0.5 * (radius + waist) apart must not meet.
-        self._must_be_smaller("radius", self.waist * math.sqrt(3.0) / (2.0 - math.sqrt(3.0)),
-                              "6.46 * waist")  # fmt: skip
-
-    def build(self) -> Route:
-        """Its route, about the origin."""
-        side, r = (-1.0 if self.clockwise else 1.0), self.radius
-        petal, waist = Arc(r, math.radians(240.0) * side), Arc(self.waist, -math.radians(120.0) * side)
-        start = (2.0 * r + self.waist, 0.0), 0.5 * math.pi * side
-        half = Arc(r, math.radians(120.0) * side)
-        inner: list[AnyCurve] = [petal, waist] * (3 * int(self.rounds) - 1)
-        return Route.joined([half.moved(*start), waist, *inner, half])
 
 
 @dataclass(frozen=True)
@@ -361,10 +327,6 @@ class StraightDragon(Formation):
     sizes: ClassVar = {"length": Size(N_("length of the line"), 1.0, 10_000.0)}
 
     length: float = 300.0
-
-    def build(self) -> Route:
-        """Its route, about the origin."""
-        return Route((Line(self.length, (-0.5 * self.length, 0.0)),))
 
 
 @dataclass(frozen=True)
@@ -390,6 +352,7 @@ class TailSwing(Formation):
         "swings": Size(N_("how many times it swings from one side to the other"), 1, 100, ""),
         "run": Size(N_("length of the straight lines before and behind the bends"), 0.0, 10_000.0),
     }
+    smaller: ClassVar = (Smaller("swing", 2.0, "radius", "2 * radius"),)
     tightest: ClassVar = ("radius",)
 
     swing: float = 4.5
@@ -397,22 +360,6 @@ class TailSwing(Formation):
     swings: int = 6
     run: float = 260.0
     clockwise: bool = True
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        self._must_be_smaller("swing", 2.0 * self.radius, "2 * radius")
-
-    def build(self) -> Route:
-        """Its route, about the origin."""
-        side, r, count = (-1.0 if self.clockwise else 1.0), self.radius, int(self.swings)
-        angle = math.acos(1.0 - 0.5 * self.swing / r)
-        start = -count * r * math.sin(angle) - self.run, -0.5 * side * self.swing
-        signs = [side if n % 2 else -side for n in range(-1, count)]
-        halves = [1.0, *[2.0] * (count - 1), 1.0]
-        bends = [Arc(r, half * angle * sign) for half, sign in zip(halves, signs, strict=True)]
-        lines = [Line(self.run)] if self.run > 0.0 else []
-        first, *rest = Route.joined([*lines, *bends, *lines])
-        return Route.joined([first.moved(start, 0.0), *rest])
 
 
 FORMATIONS: Mapping[str, type[Formation]] = {

@@ -29,7 +29,7 @@ from benchdragon.kernels.turn_families import (
 )
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import Point, checked_bend, checked_size, laid_rows
-from benchdragon.model.curves import AnyCurve, Arc, Route, curve_of, joined_curves
+from benchdragon.model.curves import AnyCurve, Arc, Route, curves_of, joined_curves
 
 
 @dataclass(frozen=True)
@@ -147,8 +147,7 @@ class Turn:
                     value=brief(self.pieces)
                 )
             )
-        for part in self._parts(self.pitch, self.pitch)[1:-1].tolist():
-            curve_of(part)
+        curves_of(self._parts(self.pitch, self.pitch)[1:-1])
 
     def _parts(self, lead: float, trail: float) -> FloatArray:
         """Parts of the route: the first spiral is `lead` metres long, the last one `trail`."""
@@ -195,7 +194,7 @@ class Turn:
     def route(self, lead: float = LEAD, trail: float = TRAIL) -> Route:
         """In along the spiral for `lead` metres, the turn, and out for `trail` metres."""
         parts = self._parts(positive("lead", lead, "m"), positive("trail", trail, "m"))
-        curves = [curve_of(part) for part in parts.tolist()]
+        curves = curves_of(parts)
         return Route(joined_curves(curves, 1, len(curves) - 1))
 
 

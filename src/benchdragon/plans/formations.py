@@ -8,10 +8,10 @@ from pydantic import Field
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.kernels.chain import empty_placements, march
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.low_points import head_where_tail
-from benchdragon.kernels.route import END_SLACK, positions
+from benchdragon.kernels.low_points import whole_dragon
+from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.status import Status
 from benchdragon.model.connections import Step
 from benchdragon.model.curves import Route
@@ -93,18 +93,15 @@ def whole_dragon_on(route: Route, links: FloatArray) -> float:
     Raises:
         KeyedError: if the dragon is longer than the route.
     """
-    at, places = np.empty(1), empty_placements(len(links) + 1, 1)
-    head = at[0] = head_where_tail(route.rows, links, 0.0, at, places)
-    march(route.rows, links, at, 0, 1, places)
-    tail = np.empty(1)
-    positions(route.rows, places.row[-1], places.u[-1], tail)
-    if places.failed[0, 0] == Status.ROUTE_TOO_SHORT or tail[0] < -END_SLACK:
+    places = empty_placements(len(links) + 1, 1)
+    head, tail, status = whole_dragon(route.rows, links, np.empty(1), places)
+    if status == Status.ROUTE_TOO_SHORT or tail < -END_SLACK:
         text = _(
             "the dragon, {dragon} m long, does not fit on a route of {route} m, at whose start its "
             "tail stands at time 0: make the sizes larger, take fewer benches, or set walk.position"
         ).format(dragon=f"{links.sum():.6g}", route=f"{route.length:.6g}")
         raise KeyedError([Fault("route", text)])
-    return float(head)
+    return head
 
 
 class StepTable(FormationTable):

@@ -5,7 +5,7 @@
 import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
 import { CURVE, MODEL_BASE_CURVE, MODEL_CURVES, ROUTE_PARTS } from "./constants.js";
-import { InputError, finite, notNegative, positive } from "./errors.js";
+import { InputError, finite, positive } from "./errors.js";
 import { general } from "./number_format.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
@@ -61,121 +61,64 @@ function checkPose(point, heading) {
   finite("heading", heading, "rad");
 }
 
-/** A straight line. @param {number} length m @param {Point} [start] @param {number} [heading] rad @returns {Part} */
-export function linePart(length, start = [0, 0], heading = 0) {
-  checkedSize("length", length);
-  checkPose(start, heading);
-  return [CURVE.LINE, ...start, heading, length, 0, 0, 0];
+/**
+ * A curve of sizes as kernels/route_parts.py has them, in place, checked.
+ * @param {number} kind
+ * @param {number[]} sizes size, and where the kind has them first, last and hand
+ * @param {Point} [start] of a spiral the centre, m
+ * @param {number} [heading] of a spiral the polar axis, rad
+ */
+export function partOf(kind, [size, first = 0, last = 0, hand = 0], start = [0, 0], heading = 0) {
+  return checkedPart([kind, ...start, heading, size, first, last, hand]);
 }
 
-/**
- * A circular arc; a positive sweep, rad, turns left.
- * @param {number} radius m
- * @param {number} sweep
- * @param {Point} [start]
- * @param {number} [heading] rad
- * @returns {Part}
- */
-export function arcPart(radius, sweep, start = [0, 0], heading = 0) {
-  checkedBend("radius", radius);
-  if (finite("sweep", sweep, "rad") === 0) throw new InputError(_("the angle of an arc must not be 0"));
-  checkedSize("length", radius * Math.abs(sweep));
-  checkPose(start, heading);
-  return [CURVE.ARC, ...start, heading, radius, sweep, 0, 0];
-}
-
-/**
- * An Archimedean spiral between two angles, rad: see Spiral in model/curves.py.
- * @param {number} pitch m
- * @param {number} startAngle
- * @param {number} endAngle
- * @param {{ centre?: Point, rotation?: number, mirrored?: boolean }} [placed]
- * @returns {Part}
- */
-export function spiralPart(pitch, startAngle, endAngle, placed = {}) {
-  const { centre = [0, 0], rotation = 0, mirrored = false } = placed;
+/** The spiral from one radius, m, to another. @param {number} pitch m @param {number} from @param {number} to @param {boolean} mirrored */
+export function spiralBetween(pitch, from, to, mirrored) {
   const k = checkedBend("pitch", pitch) / (2 * Math.PI);
-  for (const [name, angle] of /** @type {Array<[string, number]>} */ ([
-    ["start_angle", startAngle],
-    ["end_angle", endAngle],
-  ]))
-    if (finite(name, angle, "rad") < 0)
-      throw new InputError(
-        _("{name} must not be negative, but is {value}", { name, value: `${general(angle)} rad` }),
-      );
-  if (startAngle === endAngle)
-    throw new InputError(_("a spiral must end at another angle than it starts at"));
-  const outer = Math.max(startAngle, endAngle);
+  return partOf(CURVE.SPIRAL, [pitch, from / k, to / k, mirrored ? -1 : 1]);
+}
+
+/** The same part, if there are such curves: for all that are made or moved. @param {Part} part @returns {Part} */
+export function checkedPart(part) {
+  const [kind, x, y, heading, size, first, last] = part;
+  checkPose([x, y], heading);
+  switch (kind) {
+    case CURVE.LINE:
+      checkedSize("length", size);
+      break;
+    case CURVE.ARC:
+      checkedBend("radius", size);
+      if (finite("sweep", first, "rad") === 0)
+        throw new InputError(_("the angle of an arc must not be 0"));
+      checkedSize("length", size * Math.abs(first));
+      break;
+    case CURVE.SPIRAL:
+      checkSpiral(checkedBend("pitch", size) / (2 * Math.PI), first, last);
+      break;
+    case CURVE.CLOTHOID:
+      checkBent(_("a clothoid"), size, first, last);
+      break;
+    default:
+      checkWinding(first, last);
+      checkBent(_("a logarithmic spiral"), size, first, last);
+  }
+  return part;
+}
+
+/** @param {number} k radius gained per radian, m @param {number} first @param {number} last angles, rad */
+function checkSpiral(k, first, last) {
+  if (first === last) throw new InputError(_("a spiral must end at another angle than it starts at"));
+  const outer = Math.max(finite("start_angle", first, "rad"), finite("end_angle", last, "rad"));
   checkedSize("radius", outer * k);
   // The arc to the centre is at least this, and hardly more where it matters.
   checkedSize("length", 0.5 * k * outer * outer);
-  checkPose(centre, rotation);
-  return [CURVE.SPIRAL, ...centre, rotation, pitch, startAngle, endAngle, mirrored ? -1 : 1];
 }
 
-/**
- * The spiral from one radius, m, to another.
- * @param {number} pitch m
- * @param {number} startRadius
- * @param {number} endRadius
- * @param {{ centre?: Point, rotation?: number, mirrored?: boolean }} [placed]
- */
-export function spiralBetween(pitch, startRadius, endRadius, placed = {}) {
-  const k = checkedBend("pitch", pitch) / (2 * Math.PI);
-  notNegative("start_radius", startRadius, "m");
-  notNegative("end_radius", endRadius, "m");
-  return spiralPart(pitch, startRadius / k, endRadius / k, placed);
-}
-
-/**
- * A clothoid: its curvature, 1/m, changes evenly.
- * @param {number} length m
- * @param {number} startCurvature
- * @param {number} endCurvature
- * @param {Point} [start]
- * @param {number} [heading] rad
- * @returns {Part}
- */
-export function clothoidPart(length, startCurvature, endCurvature, start = [0, 0], heading = 0) {
-  checkBent(length, startCurvature, endCurvature, start, heading);
-  checkTurn(_("a clothoid"), length, startCurvature, endCurvature);
-  return [CURVE.CLOTHOID, ...start, heading, length, startCurvature, endCurvature, 0];
-}
-
-/**
- * A logarithmic spiral: its radius of curvature changes evenly.
- * @param {number} length m
- * @param {number} a curvature at its start, 1/m
- * @param {number} b at its end
- * @param {Point} [start]
- * @param {number} [heading] rad
- * @returns {Part}
- */
-export function logSpiralPart(length, a, b, start = [0, 0], heading = 0) {
-  checkBent(length, a, b, start, heading);
-  const most = MODEL_CURVES.MOST_WINDING;
-  if (b === 0 || !(1 / most <= a / b && a / b <= most))
-    throw new InputError(
-      _(
-        "the curvatures of a logarithmic spiral must have the same sign and differ by a factor of at most {most}, not be {start} and {end} 1/m",
-        { most: general(most), start: general(a), end: general(b) },
-      ),
-    );
-  checkTurn(_("a logarithmic spiral"), length, a, b);
-  return [CURVE.LOG_SPIRAL, ...start, heading, length, a, b, 0];
-}
-
-/** @param {number} length @param {number} a @param {number} b @param {Point} start @param {number} heading */
-function checkBent(length, a, b, start, heading) {
+/** @param {string} kind @param {number} length m @param {number} a curvature at the start, 1/m @param {number} b at the end */
+function checkBent(kind, length, a, b) {
   checkedSize("length", length);
-  finite("start_curvature", a, "1/m");
-  finite("end_curvature", b, "1/m");
-  checkPose(start, heading);
-}
-
-/** @param {string} kind @param {number} length @param {number} a @param {number} b */
-function checkTurn(kind, length, a, b) {
-  const turn = length * Math.max(Math.abs(a), Math.abs(b)); // or less
+  const ends = [finite("start_curvature", a, "1/m"), finite("end_curvature", b, "1/m")];
+  const turn = length * Math.max(...ends.map(Math.abs)); // or less
   if (turn > CURVE.MOST_TURN)
     throw new InputError(
       _("{kind} may sweep at most {most} rad, not {value} rad", {
@@ -186,20 +129,24 @@ function checkTurn(kind, length, a, b) {
     );
 }
 
-/** The same part, checked as when it was made: for parts that were moved. @param {Part} part @returns {Part} */
-export function checkedPart([kind, x, y, angle, size, first, last, hand]) {
-  switch (kind) {
-    case CURVE.LINE:
-      return linePart(size, [x, y], angle);
-    case CURVE.ARC:
-      return arcPart(size, first, [x, y], angle);
-    case CURVE.SPIRAL:
-      return spiralPart(size, first, last, { centre: [x, y], rotation: angle, mirrored: hand < 0 });
-    case CURVE.CLOTHOID:
-      return clothoidPart(size, first, last, [x, y], angle);
-    default:
-      return logSpiralPart(size, first, last, [x, y], angle);
-  }
+/** @param {number} a curvature at the start, 1/m @param {number} b at the end */
+function checkWinding(a, b) {
+  const most = MODEL_CURVES.MOST_WINDING;
+  if (b === 0 || !(1 / most <= a / b && a / b <= most))
+    throw new InputError(
+      _(
+        "the curvatures of a logarithmic spiral must have the same sign and differ by a factor of at most {most}, not be {start} and {end} 1/m",
+        { most: general(most), start: general(a), end: general(b) },
+      ),
+    );
+}
+
+/** The first parts of a table. @param {Numbers} table @param {number} count @returns {Part[]} */
+export function partsOf(table, count) {
+  const [view, columns] = [doubles(table), ROUTE_PARTS.PART_COLUMNS];
+  return Array.from({ length: count }, (_part, i) =>
+    Array.from(view.subarray(i * columns, (i + 1) * columns)),
+  );
 }
 
 /**
@@ -213,15 +160,12 @@ export function checkedPart([kind, x, y, angle, size, first, last, hand]) {
  */
 export function laidRows(arena, parts, moved = [0, 0], start = NOWHERE) {
   const { engine } = arena;
-  const columns = ROUTE_PARTS.PART_COLUMNS;
-  const table = arena.table(parts, columns);
+  const table = arena.table(parts, ROUTE_PARTS.PART_COLUMNS);
   try {
     const [count] = engine.call("bd_route_parts_row_count", table);
     const rows = arena.full([count, CURVE.COLUMNS], 0);
     engine.call("bd_route_parts_lay_rows", table, start, ...moved, rows);
-    const view = doubles(table);
-    const laid = parts.map((_part, i) => Array.from(view.subarray(i * columns, (i + 1) * columns)));
-    return { rows, parts: laid };
+    return { rows, parts: partsOf(table, parts.length) };
   } finally {
     arena.drop(table);
   }
@@ -247,15 +191,6 @@ export function startPose(engine, part) {
   return withArena(engine, (arena) => {
     const { rows } = laidRows(arena, [part]);
     const [x, y, heading] = engine.call("bd_route_parts_start_pose", rows, 0);
-    return { x, y, heading };
-  });
-}
-
-/** The pose at which a part ends. @param {Engine} engine @param {Part} part @returns {Pose} */
-export function endPose(engine, part) {
-  return withArena(engine, (arena) => {
-    const { rows } = laidRows(arena, [part]);
-    const [x, y, heading] = engine.call("bd_route_parts_end_pose", rows, rows.shape[0] - 1);
     return { x, y, heading };
   });
 }
@@ -304,10 +239,10 @@ export class Route {
    */
   moved(arena, turned, by) {
     checkPose(by, turned);
-    const [c, s] = [Math.cos(turned), Math.sin(turned)];
-    const parts = this.parts.map(([kind, x, y, angle, ...sizes]) =>
-      checkedPart([kind, c * x - s * y + by[0], s * x + c * y + by[1], angle + turned, ...sizes]),
-    );
+    const table = arena.table(this.parts, ROUTE_PARTS.PART_COLUMNS);
+    arena.engine.call("bd_route_parts_move_parts", table, turned, ...by);
+    const parts = partsOf(table, this.parts.length).map(checkedPart);
+    arena.drop(table);
     return new Route(arena, parts);
   }
 

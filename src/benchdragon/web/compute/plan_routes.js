@@ -2,24 +2,12 @@
 // plans/routes.py.
 
 import { _ } from "../words.js";
-import { checkStep, programme } from "./connections.js";
 import { CURVE, PLANS_ROUTES, SURVEYS_LINES, TURN_FAMILIES } from "./constants.js";
-import {
-  Route,
-  arcPart,
-  clothoidPart,
-  joinedParts,
-  linePart,
-  logSpiralPart,
-  radians,
-  spiralBetween,
-  spiralPart,
-  startPose,
-} from "./curves.js";
+import { Route, joinedParts, partOf, radians, spiralBetween, startPose } from "./curves.js";
 import { greatest } from "./dragon.js";
 import { Faults, InputError, KeyedError, keyed } from "./errors.js";
 import { fitted, withoutRepeats } from "./fitting.js";
-import { builtFormation, refuseTight, wholeDragonOn } from "./formations.js";
+import { builtFormation, checkStep, programme, refuseTight, wholeDragonOn } from "./formations.js";
 import { general } from "./number_format.js";
 import { builtTurn } from "./turns.js";
 
@@ -44,10 +32,8 @@ function spiralIn(arena, { route: { pitch, start_turn, clockwise }, disc: { radi
         start: general(start * k),
       }),
     );
-  return {
-    route: new Route(arena, [spiralPart(pitch, start, end, { mirrored: !clockwise })]),
-    start: 0,
-  };
+  const spiral = partOf(CURVE.SPIRAL, [pitch, start, end, clockwise ? 1 : -1]);
+  return { route: new Route(arena, [spiral]), start: 0 };
 }
 
 /** Radius of the turning space, m: the paper's, if the plan does not say. @param {Tables} data */
@@ -116,21 +102,18 @@ function turnRoute(arena, data, dragon) {
 }
 
 /** The curve of a part of a plan, at the origin. @param {Tables} part */
-function builtPart(part) {
-  switch (part.kind) {
+function builtPart({ kind, length, start_curvature: a, end_curvature: b, ...part }) {
+  switch (kind) {
     case "line":
-      return linePart(part.length);
+      return partOf(CURVE.LINE, [length]);
     case "arc":
-      return arcPart(part.radius, radians(part.angle));
-    case "clothoid":
-      return clothoidPart(part.length, part.start_curvature, part.end_curvature);
+      return partOf(CURVE.ARC, [part.radius, radians(part.angle)]);
     case "spiral": {
-      const inward = part.end_radius < part.start_radius;
-      const mirrored = inward !== part.clockwise;
-      return spiralBetween(part.pitch, part.start_radius, part.end_radius, { mirrored });
+      const { pitch, start_radius: from, end_radius: to, clockwise } = part;
+      return spiralBetween(pitch, from, to, to < from !== clockwise);
     }
     default:
-      return logSpiralPart(part.length, part.start_curvature, part.end_curvature);
+      return partOf(kind === "clothoid" ? CURVE.CLOTHOID : CURVE.LOG_SPIRAL, [length, a, b]);
   }
 }
 
@@ -203,11 +186,9 @@ function drawnRoute(arena, { route: table }, dragon) {
   }
   if (kind === CURVE.LINE) return { route: new Route(arena, parts), start: 0 };
   const { RUN_UP } = PLANS_ROUTES;
-  const before = linePart(
-    RUN_UP,
-    [x - RUN_UP * Math.cos(heading), y - RUN_UP * Math.sin(heading)],
-    heading,
-  );
+  /** @type {[number, number]} */
+  const behind = [x - RUN_UP * Math.cos(heading), y - RUN_UP * Math.sin(heading)];
+  const before = partOf(CURVE.LINE, [RUN_UP], behind, heading);
   return { route: new Route(arena, [before, ...parts]), start: RUN_UP };
 }
 

@@ -3,7 +3,7 @@
 import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
 import { CURVE, PLANS_TABLES, ROUTE_PARTS, TURN_FAMILIES, TurnStatus } from "./constants.js";
-import { Route, checkedPart, joinedParts, laidRows } from "./curves.js";
+import { Route, checkedPart, joinedParts, laidRows, partsOf } from "./curves.js";
 import { InputError, finite, positive } from "./errors.js";
 import { general, pythonFloat } from "./number_format.js";
 
@@ -32,15 +32,11 @@ export class Turn {
   #parts(lead, trail) {
     return withArena(this.engine, (arena) => {
       const count = this.pieces.length + 2;
-      const columns = ROUTE_PARTS.PART_COLUMNS;
-      const parts = arena.array("d", count, columns);
+      const parts = arena.array("d", count, ROUTE_PARTS.PART_COLUMNS);
       const { pitch, entry, exit } = this.joints;
       const pieces = arena.table(this.pieces, 3);
       this.engine.call("bd_turn_families_turn_parts", pitch, entry, exit, lead, trail, pieces, parts);
-      const view = doubles(parts);
-      return Array.from({ length: count }, (_part, i) =>
-        Array.from(view.subarray(i * columns, (i + 1) * columns)),
-      );
+      return partsOf(parts, count);
     });
   }
 
