@@ -20,6 +20,7 @@ from pyclothoids import Clothoid as OtherClothoid
 from benchdragon.errors import InputError
 from benchdragon.kernels import fitting as kernel
 from benchdragon.kernels.route_parts import PART_COLUMNS
+from benchdragon.kernels.status import Smoothing
 from benchdragon.model.curves import Clothoid, Route, curves_of
 from benchdragon.surveys.fitting import fitted
 from benchdragon.surveys.lines import DrawnLine, corners_of
@@ -70,7 +71,7 @@ def fillets(points: FloatArray) -> Found:
     """Chords with arcs of one radius, the largest with which all keep the deviation and fit."""
     count = len(points) - 1
     sides = np.empty((count, kernel.SIDE_COLUMNS))
-    kernel.set_sides(points, False, np.arange(count + 1), np.zeros(count), kernel.Smoothing.G1, sides)
+    kernel.set_sides(points, False, np.arange(count + 1), np.zeros(count), Smoothing.G1, sides)
     tangent = np.roll(sides[:, kernel.TANGENT], 1) + sides[:, kernel.TANGENT]
     reach = DEVIATION / sides[:-1, kernel.REACH]
     radius = min((sides[:, kernel.SIDE_LENGTH] / tangent).min(), reach.min())

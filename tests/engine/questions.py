@@ -32,7 +32,6 @@ from benchdragon.model.formations import CoilIn, FigureEight, TailSwing
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.traversal import first_overlap
 from benchdragon.plans.schema import checked, read_plan
-from benchdragon.plans.schema import read_plan
 from benchdragon.player.scene import Span, plain_dance
 from benchdragon.solve.head_speed import slowed
 from benchdragon.solve.tolerance import CASES, Draw, random_dance

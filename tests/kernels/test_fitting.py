@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from benchdragon.kernels.fitting import FitStatus, Smoothing, fit_points, g1_clothoids
+from benchdragon.kernels.fitting import fit_points, g1_clothoids
 from benchdragon.kernels.route_parts import PART_COLUMNS
+from benchdragon.kernels.status import FitStatus, Smoothing
 from benchdragon.model.curves import Route, curves_of
 from tests.surveys.test_fitting import FloatArray, sampled_points, scribble
 
@@ -32,6 +33,13 @@ def test_drawn_lines_keep_within_their_bound() -> None:
         assert found >= 0.2 * bound - 1e-9
         assert bound <= DEVIATION or n % 3 == Smoothing.NONE
     assert fitted > 30
+
+
+def test_what_a_side_strays_from_the_points_it_replaces_counts() -> None:
+    n = np.arange(12)
+    status, count, bound, _parts = fit(np.column_stack([n, 0.3 * (n % 2)]), False, Smoothing.G1)
+    assert (status, count) == (FitStatus.OK, 1)
+    assert 0.25 < bound < 0.3
 
 
 def test_what_cannot_be_fitted_says_where() -> None:

@@ -217,7 +217,7 @@ def test_chords_that_cross_are_counted() -> None:
     assert crossings(cross, flat) == crossings(flat, cross) == 2
     assert crossings(cross, flat + 5.0) == 0
     assert crossings(cross, cross) == 0
-    beside = np.array([[10.0, 1.0], [15.0, 1.0]])  # whose line, carried on, would be crossed
+    beside = np.array([[3.5, 1.0], [15.0, 1.0]])  # whose line, carried on, would be crossed
     assert crossings(cross, beside) == crossings(beside, cross) == 0
 
 

@@ -32,7 +32,7 @@ function walked(arena, plan) {
   const places = tried(() => {
     const head = walk.start + 0.3 * (length - walk.start);
     const placed = walk.placement(arena, [walk.start, head]);
-    const tables = [placed.s, placed.x, placed.y, placed.ratio, placed.rates.ratioRate];
+    const tables = [placed.s, placed.x, placed.y, placed.ratio];
     return tables.map((table) => Array.from(doubles(table)));
   });
   const boxes = plan.obstacles().map((one) => rowsOf(Array.from(doubles(one.boxes(arena)))));

@@ -83,7 +83,7 @@ def _walked(plan: Plan) -> dict[str, Any]:
 def _places(walk: Walk) -> list[list[float]]:
     head = walk.start + 0.3 * (walk.route.length - walk.start)
     placed = walk.placement([walk.start, head])
-    tables = [placed.s, placed.x, placed.y, placed.speed_ratio, placed.ratio_rate]
+    tables = [placed.s, placed.x, placed.y, placed.speed_ratio]
     return [np.ascontiguousarray(table.T).ravel().tolist() for table in tables]
 
 

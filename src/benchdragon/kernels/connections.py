@@ -134,8 +134,8 @@ def way_parts(start: Pose, ways: Table, n: int, radius: float, parts: Table) -> 
 
 @kernel
 @allocates
-def polyline(parts: FloatArray, spared: int) -> FloatArray:
-    """Points along parts, (n, 2), m, but so many at each end."""
+def polyline(parts: FloatArray, points: FloatArray) -> int:
+    """Fill in points along parts, (n, 2), m, MOST_CHORDS + 1 at most; how many."""
     rows = np.empty((parts.shape[0], COLUMNS))
     lay_rows(parts, Pose(0.0, 0.0, 0.0), 0, 0, rows)
     length = rows[-1, S_START] + rows[-1, LENGTH]
@@ -145,7 +145,9 @@ def polyline(parts: FloatArray, spared: int) -> FloatArray:
         s[n] = n * (length / count)
     s[count] = length
     evaluate(rows, s, found)
-    return found[spared : count + 1 - spared, :2].copy()
+    for n in range(count + 1):
+        points[n, 0], points[n, 1] = found[n, 0], found[n, 1]
+    return count + 1
 
 
 @kernel
@@ -195,13 +197,14 @@ def fitting_way(before: FloatArray, after: FloatArray, radius: float, way: Float
     ways, row = np.empty((MOST_WAYS, WAY_COLUMNS)), np.empty((1, COLUMNS))
     start = part_end(before, before.shape[0] - 1, row)
     count = connections(start, part_start(after, 0, row), radius, ways)
-    one, other = polyline(before, 0), polyline(after, 0)
+    one, other = np.empty((MOST_CHORDS + 1, 2)), np.empty((MOST_CHORDS + 1, 2))
+    ones, others, own = polyline(before, one), polyline(after, other), np.empty((MOST_CHORDS + 1, 2))
     best, least = 0, -1
     for n in range(count):
         pieces, crossed = way_parts(start, ways, n, radius, way), 0
         if pieces:
-            own = polyline(way[:pieces], 1)  # at its ends it touches them
-            crossed = crossings(own, one) + crossings(own, other)
+            inner = own[1 : polyline(way[:pieces], own) - 1]  # at its ends it touches them
+            crossed = crossings(inner, one[:ones]) + crossings(inner, other[:others])
         if least < 0 or crossed < least:
             best, least = n, crossed
     return way_parts(start, ways, best, radius, way)

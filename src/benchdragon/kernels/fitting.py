@@ -4,7 +4,6 @@ Parts are rows as of route_parts.py. How the bounds come about is told in docs/e
 """
 
 import math
-from enum import IntEnum
 
 import numpy as np
 
@@ -36,6 +35,7 @@ from benchdragon.kernels.route_parts import (
     part_end,
     row_count,
 )
+from benchdragon.kernels.status import FitStatus, Smoothing
 
 # Newton's method for the shape of a clothoid: 4 steps are usual; half steps where it would overshoot.
 MOST_STEPS = 60
@@ -77,24 +77,6 @@ STRAIGHT_END = 0.1
 # from what was drawn, m; the radius of the bend, infinite where it does not turn.
 SIDE_X, SIDE_Y, SIDE_LENGTH, HEADING, TURN, TANGENT, REACH, EASED, STRAY, RADIUS = range(10)
 SIDE_COLUMNS = 10
-
-
-class Smoothing(IntEnum):
-    """How a line of points becomes a route."""
-
-    NONE = 0
-    G1 = 1
-    G2 = 2
-
-
-class FitStatus(IntEnum):
-    """How a fit ended."""
-
-    OK = 0
-    ONE_PLACE = 1
-    DOUBLES_BACK = 2
-    NO_ROOM = 3
-    HAIRPIN = 4
 
 
 @kernel

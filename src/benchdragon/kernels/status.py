@@ -1,4 +1,4 @@
-"""How placing a handle, making a turn and a call of a long search end."""
+"""How placing a handle, making a turn, fitting a line and a call of a long search end."""
 
 from enum import IntEnum
 
@@ -33,3 +33,21 @@ class Ended(IntEnum):
     MORE = 1  # the budget is spent: to be called again
     ROOM = 2  # an array is full: to be called again with a larger one that begins with the same
     FALLEN = 3  # the chain cannot stand
+
+
+class Smoothing(IntEnum):
+    """How drawn points become a route: through all, with corners rounded by arcs, or by clothoids."""
+
+    NONE = 0
+    G1 = 1
+    G2 = 2
+
+
+class FitStatus(IntEnum):
+    """Whether there is a route along drawn points, or why not."""
+
+    OK = 0
+    ONE_PLACE = 1  # two points in succession are one
+    DOUBLES_BACK = 2  # no clothoid of a length that is worth it leads from one point to the next
+    NO_ROOM = 3  # the drawing is not known as well as the route is to keep to it
+    HAIRPIN = 4  # a corner turns right back

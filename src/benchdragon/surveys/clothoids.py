@@ -6,8 +6,9 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import fitting as kernel
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.fitting import ROUNDING, STEPS, FitStatus
+from benchdragon.kernels.fitting import ROUNDING, STEPS
 from benchdragon.kernels.route_parts import PART_COLUMNS
+from benchdragon.kernels.status import FitStatus
 from benchdragon.model.curves import AnyCurve, curves_of
 
 

@@ -8,8 +8,9 @@ import numpy as np
 
 from benchdragon.errors import InputError, not_negative
 from benchdragon.i18n import _
-from benchdragon.kernels.fitting import FitStatus, Smoothing, fit_points
+from benchdragon.kernels.fitting import fit_points
 from benchdragon.kernels.route_parts import PART_COLUMNS, tightest_bend
+from benchdragon.kernels.status import FitStatus, Smoothing
 from benchdragon.model.curves import AnyCurve, Route, curves_of
 from benchdragon.surveys.alignment import GAP, KINK, Absorbed, joined_alignment, largest_misfits
 from benchdragon.surveys.clothoids import unfit

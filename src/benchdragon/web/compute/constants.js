@@ -155,6 +155,26 @@ export const BOX = {
   ACROSS: [1, 1, -1, -1],
 };
 
+export const CONNECTIONS = {
+  HANDS: 0,
+  SIZES: 3,
+  WHOLE: 6,
+  WAY_COLUMNS: 7,
+  PIECES: 3,
+  MOST_WAYS: 8,
+  STEP_COUNT: 0,
+  STEP_X: 1,
+  STEP_Y: 2,
+  STEP_TURNED: 3,
+  STEP_COLUMNS: 4,
+  ROUNDING: 1e-13,
+  CHORD: 0.25,
+  LEAST_CHORDS: 8,
+  MOST_CHORDS: 4000,
+  RUN: 32,
+  FULL: 6.283185307179586,
+};
+
 export const CONTACT_MEMORY = {
   SEEN: 4,
   BETWEEN: 5,
@@ -300,6 +320,10 @@ export const FAMILY = {
   FITS: 21,
   NUMBERS: 22,
   UNKNOWN: 1e-6,
+};
+
+export const FORMATIONS = {
+  MOST_PARTS: 128,
 };
 
 export const HOLDS = {
@@ -554,6 +578,7 @@ export const ROUTE_PARTS = {
   LAST: 6,
   HAND: 7,
   PART_COLUMNS: 8,
+  EQUAL: 1.000000001,
   MOST_PLACES: 1000000,
 };
 
@@ -748,6 +773,20 @@ export const TurnStatus = {
   NO_CIRCLE: 4,
   NOT_EASED: 5,
   NO_ROOM: 6,
+};
+
+export const Smoothing = {
+  NONE: 0,
+  G1: 1,
+  G2: 2,
+};
+
+export const FitStatus = {
+  OK: 0,
+  ONE_PLACE: 1,
+  DOUBLES_BACK: 2,
+  NO_ROOM: 3,
+  HAIRPIN: 4,
 };
 
 export const STEP_BOUNDS = {
@@ -996,14 +1035,6 @@ export const MODEL_ANSWER = {
 export const MODEL_BASE_CURVE = {
   NOWHERE: [0, 0, 0],
   LEAST_METRES: 1e-6,
-};
-
-export const MODEL_CONNECTIONS = {
-  ROUNDING: 1e-13,
-  CHORD: 0.25,
-  MOST_CHORDS: 4000,
-  RUN: 32,
-  FULL: 6.283185307179586,
 };
 
 export const MODEL_CURVES = {
@@ -1256,30 +1287,6 @@ export const SOLVE_TURN_GOAL = {
   WIDEST: 0.75,
   LONGEST_EASE: 4,
   WIDER: 1.001,
-};
-
-export const SURVEYS_CLOTHOIDS = {
-  MOST_STEPS: 60,
-  CLOSE: 1e-14,
-  STRAIGHT: 1e-12,
-  ROUNDING: 1e-13,
-  STEPS: 64,
-};
-
-export const SURVEYS_CORNERS = {
-  EASED: 0.5,
-  LEAST_TURN: 1e-12,
-  LEAST_LINE: 1e-10,
-  MOST_RADIUS: 1000000,
-  STRAIGHT_END: 0.1,
-  MOST_CORNER: 3.141591653589793,
-};
-
-export const SURVEYS_FITTING = {
-  SHARES: [0, 0.125, 0.25, 0.5, 0.75],
-  CHORDS: 0.0625,
-  ROUNDING: 1e-14,
-  SLACK: 1e-9,
 };
 
 export const SURVEYS_LINES = {

@@ -1,7 +1,6 @@
 // Numbers without any rounding, as Python's fractions: what doubles, sums, products and quotients of
 // them are exactly.
 
-const BITS = 52n;
 const SHOWN = new Float64Array(1);
 const STORED = new BigInt64Array(SHOWN.buffer);
 
@@ -12,85 +11,53 @@ export function ulp(value) {
   return SHOWN[0] - Math.abs(value);
 }
 
-/** A whole number times a power of two; what is not finite has none. */
-class Dyadic {
-  /** @param {bigint} whole @param {bigint} power of two, never above 0 */
-  constructor(whole, power) {
-    this.whole = whole;
-    this.power = power;
-  }
-
-  /** @param {number} value finite */
-  static of(value) {
-    SHOWN[0] = value;
-    const bits = STORED[0];
-    const stored = (bits >> BITS) & 0x7ffn;
-    const fraction = bits & ((1n << BITS) - 1n);
-    const whole = stored ? fraction | (1n << BITS) : fraction;
-    const power = (stored || 1n) - 1023n - BITS;
-    const sized = bits < 0n ? -whole : whole;
-    return power > 0n ? new Dyadic(sized << power, 0n) : new Dyadic(sized, power);
-  }
-
-  /** @param {Dyadic} other */
-  plus(other) {
-    const power = this.power < other.power ? this.power : other.power;
-    const whole = (this.whole << (this.power - power)) + (other.whole << (other.power - power));
-    return new Dyadic(whole, power);
-  }
-
-  /** @param {Dyadic} other */
-  times(other) {
-    return new Dyadic(this.whole * other.whole, this.power + other.power);
-  }
-}
-
-const ONE = Dyadic.of(1);
-
-/** A quotient of such numbers; what it is divided by is positive. */
+/** One whole number over another, which is positive; not in lowest terms. */
 export class Exact {
-  /** @param {Dyadic} over @param {Dyadic} under */
-  constructor(over, under = ONE) {
+  /** @param {bigint} over @param {bigint} under */
+  constructor(over, under) {
     this.over = over;
     this.under = under;
   }
 
   /** @param {number} value finite */
   static of(value) {
-    return new Exact(Dyadic.of(value));
+    let [whole, halves] = [value, 0];
+    for (; !Number.isInteger(whole); whole *= 2) halves++; // which loses nothing
+    return new Exact(BigInt(whole), 1n << BigInt(halves));
   }
 
-  /** @param {Exact} other */
+  /** @param {Exact} other @returns {Exact} */
   plus(other) {
-    if (this.under === other.under) return new Exact(this.over.plus(other.over), this.under);
-    const over = this.over.times(other.under).plus(other.over.times(this.under));
-    return new Exact(over, this.under.times(other.under));
+    if (this.under < other.under) return other.plus(this);
+    // Powers of two divide each other: sums of many stay short.
+    const share = this.under % other.under === 0n ? this.under / other.under : 0n;
+    if (share) return new Exact(this.over + other.over * share, this.under);
+    const over = this.over * other.under + other.over * this.under;
+    return new Exact(over, this.under * other.under);
   }
 
   /** @param {Exact} other */
   minus(other) {
-    return this.plus(new Exact(new Dyadic(-other.over.whole, other.over.power), other.under));
+    return this.plus(new Exact(-other.over, other.under));
   }
 
   /** @param {Exact} other */
   times(other) {
-    const under = this.under === ONE ? other.under : this.under.times(other.under);
-    return new Exact(this.over.times(other.over), under);
+    return new Exact(this.over * other.over, this.under * other.under);
   }
 
   /** Half of it. */
   half() {
-    return new Exact(new Dyadic(this.over.whole, this.over.power - 1n), this.under);
+    return new Exact(this.over, 2n * this.under);
   }
 
-  /** Divided by a positive one without a divisor of its own. @param {Exact} other */
+  /** Divided by a positive one. @param {Exact} other */
   by(other) {
-    return new Exact(this.over, this.under.times(other.over));
+    return new Exact(this.over * other.under, this.under * other.over);
   }
 
   /** -1, 0 or 1. */
   get sign() {
-    const { whole } = this.over;
-    return whole < 0n ? -1 : Number(whole > 0n);
+    return this.over < 0n ? -1 : Number(this.over > 0n);
   }
 }

@@ -59,8 +59,6 @@ export class Placement {
     this.failedBench = ended.slice(this.count);
     /** @type {Numbers | null} */
     this.positions = null;
-    /** @type {{ ratioRate: Numbers, turn: Numbers } | null} */
-    this.rateTables = null;
   }
 
   /** Route position of every handle, m, (handles, T). */
@@ -71,20 +69,6 @@ export class Placement {
       this.arena.engine.call("bd_route_positions", route.rows, flat(row), flat(u), flat(positions));
     }
     return this.positions;
-  }
-
-  /** d2 s_i / d s_0^2, 1/m, (handles, T), and turn of every bench, rad/m, (benches, T). */
-  get rates() {
-    if (!this.rateTables) {
-      const ratioRate = this.arena.full([this.handles, this.count], NaN);
-      const turn = this.arena.full([this.handles - 1, this.count], NaN);
-      this.arena.engine.call(
-        "bd_chain_rates", this.route.rows, this.dragon.links,
-        this.row, this.u, this.x, this.y, this.ratio, ratioRate, turn,
-      ); // prettier-ignore
-      this.rateTables = { ratioRate, turn };
-    }
-    return this.rateTables;
   }
 
   /** Number of the first position that fails; -1 if none does. */
@@ -129,16 +113,6 @@ export class Motion extends Placement {
     return found;
   }
 
-  /** Rate of change of every handle's speed along the route, m/s^2, (handles, T). */
-  get acceleration() {
-    const headRate = this.times.map((t) => this.walk.profile.acceleration(t));
-    const change = doubles(this.rates.ratioRate);
-    return doubles(this.ratio).map((ratio, i) => {
-      const t = i % this.count;
-      return ratio * headRate[t] + change[i] * this.headSpeed[t] * this.headSpeed[t];
-    });
-  }
-
   /** The WalkError that describes how time number i failed. @param {number} i */
   failure(i) {
     return super.failure(i).at(this.times[i]);
@@ -161,11 +135,6 @@ export class Walk {
     this.start = start;
     if (Math.abs(finite("start", start, "m")) > CURVE.MOST_METRES)
       throw new InputError(_("start must lie within 1e8 m, not at {s} m", { s: general(start) }));
-  }
-
-  /** The same dragon and route with another head: see `Walk`. @param {Profile} profile @param {number} [start] */
-  paced(profile, start = this.start) {
-    return new Walk(this.dragon, this.route, profile, start);
   }
 
   /** The same dragon and head on another route, as long: see `Route.seenFrom`. @param {Route} route */
