@@ -14,15 +14,18 @@ from benchdragon.analysis.bench_walks import bench_walks
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.distance import (
+    boxes,
     low_point,
     nearest_each,
     pair_distances,
     tightest_pairs,
 )
 from benchdragon.analysis.marks import Trail
+from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.analysis.swept import swept_area
+from benchdragon.analysis.tables import kinds_of
 from benchdragon.kernels import entries
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.step_bounds import place_chain
@@ -92,6 +95,10 @@ def questions() -> None:
     motion = walk.motion([0.0, 60.0])
     pair_distances(motion, 0, 4)
     tightest_pairs(motion)
+    kinds_of(walk.dragon.sizes)
+    (thing, *_others) = read_plan("spiral-in", [f"obstacle={well}"]).obstacles()
+    nearest_boxes(boxes(motion, 0), thing)
+    thing.forbids(np.zeros((1, 2)))
     motion.acceleration.sum()
     nearest_each(motion)
     assert first_overlap(walk, np.array([0.0, 9.0])) is None

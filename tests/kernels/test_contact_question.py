@@ -97,6 +97,12 @@ def test_work_is_counted(monkeypatch: pytest.MonkeyPatch) -> None:
         first_contact(BENT, 0.0, 18.0, margin=0.5)
 
 
+def test_tables_take_no_more_memory_than_a_question_may(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(budget, "MEMORY", 10_000)
+    with pytest.raises(budget.OverBudgetError, match="takes more memory than a question may"):
+        first_contact(BENT, 0.0, 18.0, margin=0.5)
+
+
 def test_little_room_is_widened_and_steps_stay_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     """In the bend far along more is wanted than on the line before it."""
     walk = Walk(Dragon.uniform(6, 2.2), Route.joined([Line(40.0), Arc(1.5, 3.0), Line(9.0)]))
