@@ -78,7 +78,7 @@ def box_gap(boxes: Table, i: int, j: int) -> float:
     return max(along_i, across_i, along_j, across_j)
 
 
-@entry
+@kernel
 def corner(boxes: Table, i: int, k: int) -> tuple[float, float]:
     """Corner k of box i, m."""
     a, b = ALONG[k] * boxes[i, HALF_LENGTH], ACROSS[k] * boxes[i, HALF_WIDTH]
