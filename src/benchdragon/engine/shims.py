@@ -10,9 +10,11 @@ from typing import Any
 
 import numba
 from numba.core import types
+from numba.core.errors import NumbaError
 from numba.extending import intrinsic
 
 from benchdragon.engine.blocks import BYTES, block_of, viewer
+from benchdragon.engine.optimise import BuildError
 from benchdragon.engine.pieces import Piece, keep_pieces
 from benchdragon.hosts import built
 from benchdragon.hosts.signature import Parameter, Signature, signature
@@ -113,11 +115,18 @@ def shim_source(shape: Signature, names: dict[str, Any]) -> str:
 
 
 def compiled_shim(function: Any) -> tuple[Signature, Piece, str]:
-    """The signature of an entry, its shim's code, and the shim's name there."""
+    """The signature of an entry, its shim's code, and the shim's name there.
+
+    Raises:
+        BuildError: if it cannot be compiled, with what numba says.
+    """
     shape, names = signature(function.py_func), {**NAMES, "entry": function}
     exec(compile(shim_source(shape, names), shape.symbol, "exec"), names)
     shim = names["shim"]
     shim.__qualname__ = shim.__name__ = f"{shape.symbol}_shim"
-    made: Any = compiler.njit(kinds.void(kinds.int64), **SETTINGS)(shim)
+    try:
+        made: Any = compiler.njit(kinds.void(kinds.int64), **SETTINGS)(shim)
+    except (BuildError, NumbaError) as error:
+        raise BuildError(f"{shape.symbol}, or what it calls: {error}") from error
     (result,) = made.overloads.values()
     return shape, result.library, result.fndesc.mangled_name
