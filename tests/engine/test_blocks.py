@@ -53,7 +53,8 @@ def test_groups_are_read_where_they_lie(tmp_path: Path) -> None:
 
 def test_no_kernel_returns_a_group(tmp_path: Path) -> None:
     done = build("returned", tmp_path / "groups.so")
-    assert done.returncode == 1 and "Traceback" not in done.stderr
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
     assert (
         "bd_groups_returned, or what it calls: a kernel returns a Block[tests.engine.groups.Rows]"
         in done.stderr
@@ -62,5 +63,6 @@ def test_no_kernel_returns_a_group(tmp_path: Path) -> None:
 
 def test_no_kernel_makes_a_group_where_arrays_are_counted(tmp_path: Path) -> None:
     done = build("counted", tmp_path / "groups.so")
-    assert done.returncode == 1 and "Traceback" not in done.stderr
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
     assert "a Block[tests.engine.groups.Rows] is made where arrays are counted" in done.stderr
