@@ -96,7 +96,7 @@ def test_a_wall_that_is_crossed_is_met(bend: Walk) -> None:
 
 def test_what_the_search_overlooks_is_no_proof(bend: Walk, monkeypatch: pytest.MonkeyPatch) -> None:
     answers = obstacle_answers(bend, wall(14.0), 0.0, 9.0)
-    monkeypatch.setattr(proof, "touching", lambda _search: [])
+    monkeypatch.setattr(proof, "touching", lambda *_asked: [])
     with pytest.raises(UnsureError, match="could not be shown"):
         prove_obstacle(bend, answers, 0.0, 9.0)
 

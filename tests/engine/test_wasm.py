@@ -110,14 +110,14 @@ def test_every_entry_gives_in_node_what_plain_python_gives(folder: Path) -> None
 
 # What a script of a page may do wrong, and what it is told.
 WRONG = {
-    "engine.call('bd_box_box_gap', boxes, 0)": "TypeError: bd_box_box_gap takes 3 arguments, not 2",
-    "engine.call('bd_box_box_gap', [1, 2], 0, 1)": (
+    "engine.call('bd_nearness_nearness', boxes, 0)": "TypeError: bd_nearness_nearness takes 4 ",
+    "engine.call('bd_nearness_nearness', [1, 2], 0, 1, row)": (
         "TypeError: boxes must be a 2-dimensional array of float64"
     ),
-    "engine.call('bd_box_box_gap', engine.array('d', [12]), 0, 1)": "TypeError: boxes must be a 2-",
-    "engine.call('bd_box_box_gap', engine.array('q', [2, 6]), 0, 1)": "TypeError: boxes must be a 2-",
-    "engine.call('bd_box_box_gap', boxes, boxes, 1)": "TypeError: i must be a number",
-    "engine.call('bd_box_box_gap', boxes, 0.5, 1)": "RangeError: ",
+    "engine.call('bd_nearness_nearness', engine.array('d', [12]), 0, 1, row)": "TypeError: boxes ",
+    "engine.call('bd_nearness_nearness', engine.array('q', [2, 6]), 0, 1, row)": "TypeError: boxes ",
+    "engine.call('bd_nearness_nearness', boxes, boxes, 1, row)": "TypeError: i must be a number",
+    "engine.call('bd_nearness_nearness', boxes, 0.5, 1, row)": "RangeError: ",
     "engine.call('bd_spiral_bound_corner_none')": "TypeError: there is no bd_spiral_bound_corner_none",
     "engine.call('bd_grid_put_known', 1, boxes)": "TypeError: grid must be an object of its fields",
     "engine.call('bd_grid_put_known', { side: 1 }, boxes)": "TypeError: grid.side must be a 1-",
@@ -142,7 +142,7 @@ said.push(memory.buffer.byteLength - before);
 
 
 def run(script: str) -> list[Any]:
-    """What a script says that has an engine, two boxes and the module's memory."""
+    """What a script says that has an engine, two boxes, a row and the module's memory."""
     program = node()
     assert program is not None
     whole = f"""
@@ -150,6 +150,7 @@ def run(script: str) -> list[Any]:
         import {{ Engine }} from {json.dumps(LOADER.as_uri())};
         const engine = await Engine.load(readFileSync({json.dumps(str(MODULE))}));
         const [said, boxes, {{ memory }}] = [[], engine.array("d", [2, 6]), engine.exports];
+        const row = engine.array("d", [1]);
         {script}
         console.log(JSON.stringify(said));
     """
