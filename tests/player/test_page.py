@@ -126,7 +126,7 @@ def test_too_large_a_file_is_refused_and_not_written(
 ) -> None:
     monkeypatch.setattr(player, "MOST_BYTES", 20_000)
     with pytest.raises(
-        InputError, match=r"would have 0\.2 MB, more than 0\.0 MB: choose a shorter time"
+        InputError, match=r"would have 0\.3 MB, more than 0\.0 MB: choose a shorter time"
     ):
         write_player(tmp_path / "dance.html", small_dance())
     assert list(tmp_path.iterdir()) == []
