@@ -54,7 +54,6 @@ CALLS, BYTES = 12, 4_000_000
 # depends on the last digits, and of equals any may be seen first.
 ANSWERS: dict[str, dict[str, Any]] = {
     "bd_walk_search_search_walk": {"note": [search.LOWER, search.NEAREST]},
-    "bd_standing_look_along": {"note": [search.NEAREST]},
     "bd_bench_nearness_find_tightest": {
         "out": slice(bench_nearness.UPPER, None, bench_nearness.TIGHTEST_COLUMNS)
     },

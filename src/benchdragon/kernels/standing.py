@@ -169,7 +169,7 @@ def search_span(
     return worst
 
 
-@entry
+@kernel
 def look_along(bench: Bench, standing: Standing, search: Search, spans: Table, note: Vector) -> None:
     """Lower note[NEAREST] to the least distance seen at the ends of spans, m; where, and to what.
 

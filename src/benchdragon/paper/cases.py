@@ -37,7 +37,9 @@ class Case:
     """A workbook beside the exact values.
 
     Attributes:
-        plan, walk, other: what the workbook is about, and the walk of the contest's other part.
+        plan: what the workbook is about.
+        walk: that of the plan.
+        other: the walk of the contest's other part.
         span: start and end of `walk`, s.
         times: of the columns, s, (T,); other_times: what stands in the same columns of the other part's
             workbook.

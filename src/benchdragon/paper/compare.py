@@ -101,7 +101,8 @@ class Comparison:
         residual: root mean square of what the mistakes named leave, without single cells beside them.
         beside: how many such cells there are.
         remarks: what else there is to say.
-        places, speeds: cells of positions, and of speeds.
+        places: cells of positions.
+        speeds: cells of speeds.
         tolerance: how far off a cell may be, m and m/s.
     """
 
