@@ -7,8 +7,9 @@ const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const [{ Engine }, { withArenaAsync }, { briefed }, { checkedPlan }] = await Promise.all(
   ["engine", "compute/arena", "compute/briefing", "compute/plan"].map(load),
 );
-const [{ Sayings, markLine }, { called }, { speak, useWords }] =
-  await Promise.all(["bench_sheet", "made/people", "words"].map(load));
+const [{ Sayings, markLine }, { called }, { speak, useWords }] = await Promise.all(
+  ["bench_sheet", "made/people", "words"].map(load),
+);
 const engine = await Engine.load(readFileSync(file));
 
 /** What stands on the sheets of all benches, in a language. */

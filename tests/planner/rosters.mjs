@@ -4,7 +4,13 @@ import { pathToFileURL } from "node:url";
 
 const [modules, , questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const names = ["made/roster", "compute/roster_grid", "made/people", "made/roster_words", "made/roster_names"];
+const names = [
+  "made/roster",
+  "compute/roster_grid",
+  "made/people",
+  "made/roster_words",
+  "made/roster_names",
+];
 const [{ Numbering, rosterOf }, { checkFile, rowsOf, textOf }, { called }, roster, { likeTwo }] =
   await Promise.all(names.map((name) => load(name)));
 const { speak, useWords } = await load("words");
