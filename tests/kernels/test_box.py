@@ -173,6 +173,6 @@ def test_the_nearest_pair_of_all_is_found_however_far_the_others_are(seed: int) 
             found += [(box_distance(table_, j, i), t, i, j) for i in range(j - 1)]
     least = min(one for one in found if not math.isnan(one[0]))
     apart, t, i, j = least
-    assert nearest_pair(sizes, x, y) == (pytest.approx(apart, abs=ROUNDED), t, i, j)
+    assert nearest_pair(sizes, x, y) == pytest.approx((apart, t, i, j), abs=ROUNDED)
     at_once = nearest_pair(sizes, x[:, [t]].copy(), y[:, [t]].copy())
-    assert at_once == (pytest.approx(apart, abs=ROUNDED), 0, i, j)
+    assert at_once == pytest.approx((apart, 0, i, j), abs=ROUNDED)
