@@ -433,14 +433,23 @@ def test_a_floor_is_told_by_a_pass_that_came_to_its_end(
 
 @pytest.mark.parametrize("benches", [3, 40])
 def test_the_least_clearance_of_an_instant_is_that_of_the_nearest_pair(
-    contest: Walk, benches: int, monkeypatch: pytest.MonkeyPatch
+    contest: Walk, benches: int
 ) -> None:
-    in_python(monkeypatch)
-    monkeypatch.setattr(contact_least, "searched_on", None)  # there is nothing to search
     walk = replace(contest, dragon=Dragon.uniform(benches))
     found, nearest = least_clearance(walk, 300.0, 300.0), tightest_pairs(walk.placement([300.0]))[0]
-    # Plain Python does not multiply and add in one step, as the library does.
-    assert found.value == pytest.approx(nearest.distance, abs=1e-14)
+    assert found.value == nearest.distance > 0.0
+    assert found.evaluations == 0  # there is nothing to search
     assert found.value - 2e-13 <= found.lower < found.value < found.upper <= found.value + 2e-13
     assert found.witness is not None
     assert (found.witness.benches, found.witness.s) == (nearest.benches, 300.0)
+
+
+def test_the_nearest_pair_of_uneven_benches_is_found_at_any_instant() -> None:
+    rng = np.random.default_rng(8)
+    dragon = Dragon.of_sizes(rng.uniform(1.0, 2.4, 40), rng.uniform(0.1, 0.4, 40), 0.2, 0.1)
+    walk = Walk(dragon, Route((Spiral(0.9, 40.0, 5.0),)))
+    for t in range(0, 40, 2):
+        nearest = tightest_pairs(walk.placement([float(t)]))[0]
+        found = least_clearance(walk, float(t), float(t))
+        assert found.witness is not None
+        assert (found.value, found.witness.benches) == (nearest.distance, nearest.benches)

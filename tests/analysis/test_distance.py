@@ -19,7 +19,8 @@ from benchdragon.analysis.distance import (
     pairs_within,
     tightest_pairs,
 )
-from benchdragon.kernels.box import box_distance, corner
+from benchdragon.kernels import box
+from benchdragon.kernels.box import corner
 from benchdragon.kernels.contact_memory import BEST, FIRST_BENCH, SECOND_BENCH, SEEN, WHERE
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import read_plan
@@ -120,18 +121,14 @@ def test_the_broad_phase_misses_no_pair() -> None:
     assert near <= set(zip((first + 1).tolist(), (second + 1).tolist(), strict=True))
 
 
-def alike(found: FloatArray, wanted: FloatArray) -> None:
-    """Distances are equal but for what plain Python rounds once more than the library."""
-    np.testing.assert_allclose(found, wanted, rtol=0.0, atol=1e-14)
-
-
 def by_brute_force(table: FloatArray, reach: float) -> tuple[FloatArray, FloatArray]:
     """All distances of pairs that count, and each bench's least one within reach."""
     count = len(table)
     apart = np.full((count, count), math.inf)
-    for i in range(count):
-        for j in range(i + 2, count):
-            apart[i, j] = apart[j, i] = box_distance(table, i, j)
+    first, second = np.triu_indices(count, 2)
+    gap, distance = np.empty(len(first)), np.empty(len(first))
+    box.pair_distances(table, first, second, gap, distance)
+    apart[first, second] = apart[second, first] = distance
     least = apart.min(axis=1)
     return apart, np.where(least <= reach, least, math.inf)
 
@@ -146,10 +143,10 @@ def test_each_bench_finds_its_nearest(walk: Walk, times: list[float], reach: flo
     assert distance.shape == partner.shape == (len(times), len(walk.dragon))
     for t in range(len(times)):
         apart, least = by_brute_force(boxes(motion, t), reach)
-        alike(distance[t], least)
+        np.testing.assert_array_equal(distance[t], least)
         near = np.flatnonzero(partner[t])
         np.testing.assert_array_equal(near, np.flatnonzero(np.isfinite(least)))
-        alike(apart[near, partner[t, near] - 1], least[near])
+        np.testing.assert_array_equal(apart[near, partner[t, near] - 1], least[near])
 
 
 def test_uneven_benches_find_their_nearest() -> None:
@@ -160,7 +157,7 @@ def test_uneven_benches_find_their_nearest() -> None:
     assert distance.min() < 0.0
     for t in range(2):
         least = by_brute_force(boxes(motion, t), 1.0)[1]
-        alike(distance[t], least)
+        np.testing.assert_array_equal(distance[t], least)
 
 
 def test_benches_that_are_near_in_a_straight_line_are_left_out() -> None:
@@ -174,9 +171,9 @@ def test_benches_that_are_near_in_a_straight_line_are_left_out() -> None:
         for t in range(2):
             apart = by_brute_force(boxes(motion, t), 1.0)[0]
             least = np.where(lined > straight, apart, math.inf).min(axis=1)
-            alike(distance[t], np.where(least <= 1.0, least, math.inf))
+            np.testing.assert_array_equal(distance[t], np.where(least <= 1.0, least, math.inf))
             near = np.flatnonzero(partner[t])
-            alike(apart[near, partner[t, near] - 1], least[near])
+            np.testing.assert_array_equal(apart[near, partner[t, near] - 1], least[near])
     assert (nearest_each(motion, 1.0, 6.0)[0] > nearest_each(motion, 1.0)[0]).any()
 
 

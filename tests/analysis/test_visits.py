@@ -45,6 +45,6 @@ def visits(*plan: object) -> list[str]:
     return [module for module, _calls in groupby(name.rpartition(".")[0] for name in calls)]
 
 
-@pytest.mark.parametrize(("plan", "most"), [("spiral-in", 6), ("turn", 10)])
+@pytest.mark.parametrize(("plan", "most"), [("spiral-in", 5), ("turn", 10)])
 def test_a_check_goes_back_up_to_python_a_few_times(plan: str, most: int) -> None:
     assert len(visits(plan)) <= most

@@ -3,7 +3,7 @@
 import numpy as np
 
 from benchdragon.kernels import bench_cells as cells
-from benchdragon.kernels import drive, peak, rate_rounding
+from benchdragon.kernels import box, drive, peak, rate_rounding, standing
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.step_bounds import HANDLE_COLUMNS
@@ -77,3 +77,11 @@ def chains_for(handles: int, seams: FloatArray) -> peak.Chains:
     return peak.Chains(
         empty_placements(handles, peak.SLOTS), change, turn, scratch_for(handles), errors
     )
+
+
+def beside(boxes: FloatArray) -> standing.Standing:
+    """Boxes that stand, with scratch for as many."""
+    count = len(boxes)
+    first, second, number = (np.empty(count, dtype=np.int64) for _list in range(3))
+    near = np.empty((max(count, 2), box.BOX_COLUMNS))
+    return standing.Standing(boxes, near, number, first, second, np.zeros(1, dtype=np.int64))

@@ -19,6 +19,7 @@ from benchdragon.kernels.standing import Bench, Standing
 from benchdragon.kernels.step_bounds import TRAVEL
 from benchdragon.kernels.walk_search import ASTRAY
 from benchdragon.model.obstacle import Obstacle
+from tests.kernels import rooms
 from tests.kernels.quantities import ROUNDING
 
 EAST = Route((Line(100.0),))
@@ -50,7 +51,7 @@ def spans_searched(
     tolerance: float = 1e-13, near: float = math.inf, margin: float = 0.0,
 ) -> tuple[int, FloatArray, FloatArray]:  # fmt: skip
     """How a search ended, its note, and what is told of each span."""
-    standing, note = kernel.scratch_for(boxes), np.zeros(steps.NOTES)
+    standing, note = rooms.beside(boxes), np.zeros(steps.NOTES)
     note[steps.NEAREST], note[steps.FLOOR], note[steps.PAIR] = near, math.inf, -1.0
     found, search = np.full((len(spans), 3), math.nan), room_for(standing)
     limits = steps.Limits(margin, tolerance, 1e-13, most)
@@ -64,7 +65,7 @@ def spans_searched(
 
 def box_at(route: Route, s: float) -> FloatArray:
     """The bench with its front handle at s."""
-    standing = kernel.scratch_for(wall(0.0))
+    standing = rooms.beside(wall(0.0))
     search, out = room_for(standing), np.empty((1, BOX_COLUMNS))
     search.at[0] = search.at[1] = s
     assert kernel.walks_step(bench_on(route), search)
@@ -101,7 +102,7 @@ def test_no_box_that_is_left_out_comes_near_in_the_step(
     start: float, end: float, wanted: float
 ) -> None:
     boxes = random_boxes(np.random.default_rng(7), 60)
-    standing = kernel.scratch_for(boxes)
+    standing = rooms.beside(boxes)
     search = room_for(standing)
     search.at[0], search.at[1] = start, end
     assert kernel.walks_step(bench_on(BEND), search)
@@ -120,7 +121,7 @@ def test_no_box_that_is_left_out_comes_near_in_the_step(
 
 def test_a_box_at_the_very_reach_of_a_step_is_gathered() -> None:
     # The half diagonal and the bench's way from its place at the start, and the distance wanted.
-    standing = kernel.scratch_for(wall(10.0))
+    standing = rooms.beside(wall(10.0))
     search = room_for(standing)
     search.at[0], search.at[1] = 6.0, 6.5
     assert kernel.walks_step(bench_on(EAST), search)
@@ -234,7 +235,7 @@ def test_the_least_distance_of_all_spans_together_is_bracketed() -> None:
 def test_what_is_seen_at_the_ends_of_spans_is_the_least_distance_there() -> None:
     boxes, note = random_boxes(np.random.default_rng(5), 30), np.zeros(steps.NOTES)
     spans = np.array([(4.0, 8.0), (9.0, 14.0)])
-    standing = kernel.scratch_for(boxes)
+    standing = rooms.beside(boxes)
     note[steps.NEAREST] = 1e3
     kernel.look_along(bench_on(BEND), standing, room_for(standing), spans, note)
     seen = np.array([apart(box_at(BEND, s), boxes) for s in spans.ravel()])

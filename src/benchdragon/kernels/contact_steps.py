@@ -2,7 +2,7 @@
 
 import math
 
-from benchdragon.kernels.box import CX, CY, box_distance, half_diagonal, set_box
+from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal, set_box
 from benchdragon.kernels.cells import CELL, RADIUS
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.contact_memory import (
@@ -159,6 +159,8 @@ def tightest(hunt: Hunt) -> float:
             far = hulls[j, RADIUS] + widest + reach
             for n in range(gather(grid, hulls[j, CX], hulls[j, CY], far, crowd.found)):
                 i = crowd.found[n]
+                if box_gap(hulls, i, j) > min(reach, least) + 2.0 / TIES:
+                    continue  # nor is their distance less
                 apart = box_distance(hulls, i, j)
                 level = math.floor(TIES * apart + 0.5)
                 before = i < f[FIRST_BENCH] or (i == f[FIRST_BENCH] and j < f[SECOND_BENCH])

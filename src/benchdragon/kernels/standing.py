@@ -9,8 +9,6 @@ sides of a polygon, the centre of a circle), to the search as benches that do no
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
@@ -210,11 +208,3 @@ def distances_to(boxes: Table, standing: Table, near: Table, out: Vector, which:
                 apart = box_distance(near, 0, 1)
                 if apart < out[i]:
                     out[i], which[i] = apart, n
-
-
-def scratch_for(boxes: FloatArray) -> Standing:
-    """`boxes` with scratch for as many."""
-    count = len(boxes)
-    first, second, number = (np.empty(count, dtype=np.int64) for _list in range(3))
-    near = np.empty((max(count, 2), BOX_COLUMNS))
-    return Standing(boxes, near, number, first, second, np.zeros(1, dtype=np.int64))
