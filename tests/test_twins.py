@@ -8,7 +8,8 @@ from typing import Any
 
 import pytest
 from tools.make_twins import FOLDER, scripts
-from tools.translation.names import UntranslatableError, camel
+from tools.translation.expressions import ASKED
+from tools.translation.names import FUNCTIONS, METHODS, OF_MODULES, UntranslatableError, camel
 from tools.translation.patterns import javascript
 from tools.translation.statements import Code
 
@@ -45,7 +46,7 @@ def answer():
         any(n > 5 for n in numbers(9)), all(n < 5 for n in numbers(9)), [*zip("ab", [1, 2])], -7 // 2,
         [1] + [2], "a" * 3, not found, 1 if rest else 2, dict.fromkeys("aab", 1) == {"a": 1, "b": 1},
         "x" not in "abc", 1 < 2 <= 2, divmod(7, 2), repr("it's"), "Ab".lower().upper(),
-        "a\\tb\\nc".splitlines(),
+        "a\\tb\\nc".splitlines(), "a/b/c".replace("/", "-"), "--a-b--".strip("-"), "  ".strip(),
     ]
 """
 PATTERNS = (
@@ -106,6 +107,7 @@ def test_patterns_match_the_same() -> None:
 @pytest.mark.parametrize(
     "code",
     ["import os", "with open(x) as y: pass", "for n in x: pass\nelse: pass", "lambda *a: a", "f(**x)",
+     "x.rjust(2)",
      "x[::2]", "*a, b = x", "x @ y",
      "async def f(): pass", 're.sub(x, "", y)', '"{}".format(1)', "f(b=1)"],
 )  # fmt: skip
@@ -123,6 +125,22 @@ def test_what_is_not_translated_is_an_error(code: str) -> None:
 )  # fmt: skip
 def test_names_are_those_of_javascript(name: str, said: str) -> None:
     assert camel(name) == said
+
+
+@pytest.mark.skipif(node() is None, reason="no Node here")
+def test_what_translations_may_ask_of_python_is_there_and_asked_for() -> None:
+    there = set(
+        run(
+            f'import {{ py }} from "{made("compute/python.js")}";'
+            "console.log(JSON.stringify(Object.keys(py)));"
+        )
+    )
+    assert {*FUNCTIONS - {"set"}, *METHODS, *OF_MODULES.values(), *ASKED.values()} <= there
+    said = [
+        path.read_text("utf-8") for path in [*FOLDER.iterdir(), FOLDER.parent / "compute/python.js"]
+    ]
+    own = {"union"}  # of what CODE above tries
+    assert there - own <= set(re.findall(r"\bpy\.(\w+)", "".join(said)))
 
 
 def test_no_file_is_made_that_nobody_asks_for() -> None:

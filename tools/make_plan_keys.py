@@ -18,7 +18,7 @@ from pydantic.fields import FieldInfo
 
 import benchdragon
 from benchdragon.model.formations import FORMATIONS
-from benchdragon.plans import idle, people, toml
+from benchdragon.plans import people, toml
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.schema import Plan
 
@@ -161,10 +161,7 @@ def plan_keys() -> str:
             "PLAN_TABLES", tables, 'Record<string, Record<string, import("./plan_check.js").Spec>>'
         ),
         exported("PLAN_UNITS", {name: getattr(toml, name) for name in UNITS}, NUMBERS),
-        exported("TURN_KEYS", idle.FAMILIES, NAMES),
-        exported("FORMATION_SIZES", idle.FORMATION_SIZES, NAMES),
         exported("FORMATIONS", formations(), 'Record<string, import("./formations.js").Formation>'),
-        exported("DRAWN_KEYS", idle.DRAWN, NAMES),
         exported("BUILT_IN_PLANS", built_in(), "Record<string, Record<string, any>>"),
     ]
     return "\n".join([HEADER, *texts])

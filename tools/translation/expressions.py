@@ -9,6 +9,7 @@ from itertools import pairwise
 from tools.translation.names import (
     BUILTIN,
     FUNCTIONS,
+    KNOWN,
     METHODS,
     NUMBERS,
     OF_MODULES,
@@ -336,7 +337,10 @@ class Expressions:
         if attr in METHODS:
             given = self._given(node, ("sep", "maxsplit") if attr == "split" else None)
             return f"py.{attr}({self.expr(value)}{given and ', '}{given})"
-        return f"{self.expr(value)}.{attr}({self._given(node, self.parameters(f'.{attr}'))})"
+        names = self.parameters(f".{attr}")
+        if names is None and attr not in KNOWN:
+            raise UntranslatableError(node, f".{attr}: a method of nothing known")
+        return f"{self.expr(value)}.{attr}({self._given(node, names)})"
 
     def _object(self, keywords: list[ast.keyword]) -> str:
         pairs = (

@@ -13,29 +13,33 @@ KEPT_SPELT = """
 KEPT = frozenset(KEPT_SPELT.split())
 # Functions that `py` holds under the same names, and methods of texts, lists, sets and dicts.
 FUNCTIONS_SPELT = """
-    abs bool chain chr dict divmod enumerate float frozenset groupby int len list max min next ord
-    pairwise range repr reversed round set sorted str sum tuple zip
+    abs bool chr dict divmod enumerate float frozenset groupby int len list max min next ord
+    pairwise range repr round set sorted str sum tuple zip
 """
 FUNCTIONS = frozenset(FUNCTIONS_SPELT.split())
 METHODS_SPELT = """
-    add append capitalize copy count decode endswith extend get index insert isalpha isascii isdigit
-    isspace items join keys lower lstrip partition pop rpartition rstrip setdefault sort split
-    splitlines startswith strip translate update upper values discard remove find
+    add append count decode endswith extend get index isalpha isspace items join keys lower partition
+    pop replace setdefault split splitlines strip translate upper values
 """
 METHODS = frozenset(METHODS_SPELT.split())
+# Methods of regular expressions and of what they match, and of records that pages write by hand.
+KNOWN_SPELT = """
+    end findall finditer fullmatch group groups match search split start sub
+    called obstacles
+"""
+KNOWN = frozenset(KNOWN_SPELT.split())
 # Functions of modules, by their own names.
 OF_MODULES = {
     "unicodedata.normalize": "normalize", "unicodedata.category": "category",
-    "math.isfinite": "isfinite", "math.floor": "floor", "math.ceil": "ceil", "math.dist": "dist",
+    "math.floor": "floor", "math.dist": "dist",
     "math.hypot": "hypot", "math.atan2": "atan2", "math.cos": "cos", "math.sin": "sin",
     "math.degrees": "degrees", "math.remainder": "remainder", "itertools.islice": "islice",
-    "itertools.chain": "chain", "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys",
-    "math.isnan": "isnan", "math.radians": "radians", "math.copysign": "copysign",
+    "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys", "math.radians": "radians",
 }  # fmt: skip
 NUMBERS = {"math.inf": "Infinity", "math.pi": "Math.PI", "math.nan": "NaN"}
 # Calls that answer with a truth.
 TRUTHS_SPELT = """
-    any all isinstance startswith endswith isalpha isspace isdigit isascii bool isfinite
+    any all isinstance endswith isalpha isspace bool
 """
 TRUTHS = frozenset(TRUTHS_SPELT.split())
 # What functions of `py` take by name.

@@ -85,7 +85,7 @@ function widened({ opens, closes }, { upper }) {
  * @param {number} start @param {number} end
  * @param {{ margin?: number, progress?: Progress }} [options]
  */
-export async function firstContact(walk, start, end, { margin = 0, progress = silent } = {}) {
+async function firstContact(walk, start, end, { margin = 0, progress = silent } = {}) {
   const one = (/** @type {ContactSearch} */ search) => windowsOf(search, 1);
   const [first] = await withContactSearch(walk, start, end, margin, progress, one);
   return first ? first.opens : null;
@@ -174,6 +174,6 @@ function clearance(search, floor) {
 }
 
 /** The most, m, that bodies are apart at a distance, or at minus a depth, m, that may be off by `off`. @param {number} gap @param {number} off */
-export function upperEnd(gap, off) {
+function upperEnd(gap, off) {
   return gap > 0 ? gap + off : Math.max(gap + Math.SQRT2 * off, 0);
 }

@@ -170,7 +170,7 @@ export function countText(count) {
  * @param {Float64Array} values
  * @returns {number}
  */
-export function pairwiseSum(values) {
+function pairwiseSum(values) {
   const n = values.length;
   if (n < 8) return values.reduce((sum, value) => sum + value, 0);
   if (n > 128) {

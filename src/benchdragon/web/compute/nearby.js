@@ -2,8 +2,7 @@
 // analysis/nearby.py.
 
 import { _ } from "../words.js";
-import { doubles, withArena } from "./arena.js";
-import { spend } from "./budget.js";
+import { doubles } from "./arena.js";
 import { ANALYSIS_NEARBY, REGIONS, ROUNDING } from "./constants.js";
 import { UnsureError } from "./errors.js";
 import { atMost } from "./number_format.js";
@@ -22,7 +21,7 @@ const { MOST_OFF } = REGIONS;
 const NOWHERE = [0, 0];
 
 /** Whether a point is the origin. @param {Point} point */
-export function isNowhere([x, y]) {
+function isNowhere([x, y]) {
   return x === NOWHERE[0] && y === NOWHERE[1];
 }
 
@@ -53,29 +52,6 @@ export function seamsOf(arena, rows) {
   const seams = arena.array("d", rows.shape[0], ROUNDING.SEAM_COLUMNS);
   arena.engine.call("bd_rounding_find_seams", rows, seams);
   return seams;
-}
-
-/**
- * What the dragon's places may be off by with the head at s, m: handles along the route, and any point of
- * benches, seen from row `seen` of the route or from that of the head.
- * @param {Walk} walk
- * @param {number} s m
- * @param {number} [seen]
- */
-export function errorsAt({ engine, dragon, route }, s, seen = -1) {
-  return withArena(engine, (arena) => {
-    const handles = dragon.benches + 1;
-    const [errors, off] = [arena.full([handles], 0), arena.full([dragon.benches], 0)];
-    const [at, places] = [arena.vector([s]), arena.placements(handles, 1)];
-    const { links, sizes } = dragon;
-    spend(handles);
-    if (engine.call("bd_step_bounds_place_chain", route.rows, links, at, 0, 1, places)[0])
-      engine.call(
-        "bd_rounding_bench_errors", route.rows, links, sizes, seamsOf(arena, route.rows), places, 0,
-        seen, arena.array("d", dragon.benches), errors, off,
-      ); // prettier-ignore
-    return { errors: doubles(errors).slice(), off: doubles(off).slice() };
-  });
 }
 
 /** What distances may be off by, m; throws if that is too much for a search to see all pairs. @param {number} off */

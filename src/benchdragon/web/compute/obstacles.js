@@ -49,7 +49,7 @@ const { SAMPLES, NARROW } = ANALYSIS_OBSTACLE_SEARCH;
 const { MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SLACK, WIDTH } = ANALYSIS_CONTACT_SEARCH;
 
 /** The parts of a walk's route that lead back to where it was, as the engine takes them. @param {Arena} arena @param {Walk} walk */
-export function repeatsOf(arena, { dragon, route }) {
+function repeatsOf(arena, { dragon, route }) {
   const view = doubles(dragon.sizes);
   const reaches = dragon.link.map((_link, i) => Math.hypot(view[i], view[dragon.benches + i]));
   return returns(arena, route.rows, Math.max(...reaches));

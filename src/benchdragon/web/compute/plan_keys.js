@@ -50,14 +50,6 @@ export const PLAN_UNITS = {
   "ANGULAR_SPEEDS": {"deg/s": 1.0, "°/s": 1.0, "rad/s": 57.29577951308232, "度/秒": 1.0},
 };
 
-/** @type {Record<string, string[]>} */
-// prettier-ignore
-export const TURN_KEYS = {"ratio": ["arc-arc"], "radii": ["arc-line-arc", "arc-arc-arc"], "curvature": ["arc-arc-arc"]};
-
-/** @type {Record<string, string[]>} */
-// prettier-ignore
-export const FORMATION_SIZES = {"coil-in": ["pitch", "outer_radius", "inner_radius", "clockwise"], "coil-out": ["pitch", "inner_radius", "outer_radius", "clockwise"], "figure-eight": ["radius", "rounds", "clockwise"], "three-plum-blossoms": ["radius", "waist", "rounds", "clockwise"], "double-door": ["pitch", "outer_radius", "inner_radius", "between", "clockwise"], "straight-dragon": ["length"], "tail-swing": ["swing", "radius", "swings", "run", "clockwise"]};
-
 /** @type {Record<string, import("./formations.js").Formation>} */
 // prettier-ignore
 export const FORMATIONS = {
@@ -69,10 +61,6 @@ export const FORMATIONS = {
   "straight-dragon": {"kind": 5, "clockwise": null, "sizes": {"length": {"default": 300.0, "least": 1.0, "most": 10000.0, "unit": "m"}}, "smaller": [], "tightest": []},
   "tail-swing": {"kind": 6, "clockwise": true, "sizes": {"swing": {"default": 4.5, "least": 0.1, "most": 1000.0, "unit": "m"}, "radius": {"default": 5.0, "least": 0.5, "most": 1000.0, "unit": "m"}, "swings": {"default": 6, "least": 1, "most": 100, "unit": ""}, "run": {"default": 260.0, "least": 0.0, "most": 10000.0, "unit": "m"}}, "smaller": [["swing", 2.0, "radius", "2 * radius"]], "tightest": ["radius"]},
 };
-
-/** @type {Record<string, string[]>} */
-// prettier-ignore
-export const DRAWN_KEYS = {"points": ["piece", "file", "layer", "joint_gap", "joint_kink"], "piece": ["points", "file", "layer"], "file": ["points", "piece"]};
 
 /** @type {Record<string, Record<string, any>>} */
 // prettier-ignore

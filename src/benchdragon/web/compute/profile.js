@@ -27,7 +27,7 @@ export function countUpTo(sorted, value) {
 }
 
 /** How many of increasing numbers are below a value. @param {ArrayLike<number>} sorted @param {number} value */
-export function countBelow(sorted, value) {
+function countBelow(sorted, value) {
   let low = 0;
   let high = sorted.length;
   while (low < high) {

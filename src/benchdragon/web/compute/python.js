@@ -119,11 +119,10 @@ function isTuple(value) {
   return typeof value === "object" && value !== null && Symbol.iterator in value;
 }
 
-/** Signs at both ends, or at one, that are white or of `signs`. */
-function stripped(text, signs, left, right) {
+/** A text without the signs at its ends that are white or of `signs`. */
+function stripped(text, signs) {
   const own = signs ? signs.replace(/[\\\]^-]/g, "\\$&") : WHITE;
-  const start = left ? text.replace(new RegExp(`^[${own}]+`, "u"), "") : text;
-  return right ? start.replace(new RegExp(`[${own}]+$`, "u"), "") : start;
+  return text.replace(new RegExp(`^[${own}]+|[${own}]+$`, "gu"), "");
 }
 
 /** Which comes first: below 0 for `a`. */
@@ -217,7 +216,6 @@ export const py = {
     return found;
   },
   append: (a, one) => void a.push(one),
-  insert: (a, n, one) => void a.splice(n, 0, one),
   index: (a, one) =>
     typeof a === "string"
       ? py.len(a.slice(0, a.indexOf(one)))
@@ -241,9 +239,7 @@ export const py = {
       (_none, n) => start + n * step,
     );
   },
-  reversed: (a) => py.list(a).reverse(),
   pairwise: (a) => py.zip(py.list(a), py.list(a).slice(1)),
-  chain: (...lists) => lists.flatMap(py.list),
   islice: (a, count) => py.list(a).slice(0, count),
   next: (a, otherwise = null) => {
     const [first] = py.iter(a);
@@ -294,23 +290,19 @@ export const py = {
       else py.set(a, one[0], one[1]);
     return a;
   },
-  update: (a, b) => void py.merge(a, b),
   union: (a, b) => py.merge(a instanceof Set ? py.set_of(a) : py.dict(a), b),
   both: (a, b) => py.set_of(py.list(a).filter((one) => py.has(b, one))),
   sub: (a, b) =>
     typeof a === "object" ? py.set_of(py.list(a).filter((one) => !py.has(b, one))) : a - b,
   times: (a, b) => (Array.isArray(a) ? Array.from({ length: b }, () => a).flat() : a.repeat(b)),
-  copy: (a) => (isTuple(a) ? (a instanceof Map ? py.dict(a) : py.list(a)) : { ...a }),
   replaced: (a, changed) => Object.assign(Object.create(Object.getPrototypeOf(a)), a, changed),
   // Numbers.
   abs: Math.abs,
   floor: Math.floor,
-  ceil: Math.ceil,
   hypot: Math.hypot,
   atan2: Math.atan2,
   cos: Math.cos,
   sin: Math.sin,
-  isfinite: Number.isFinite,
   dist: ([a, b], [c, d]) => Math.hypot(a - c, b - d),
   degrees: (a) => (a * 180) / Math.PI,
   radians: (a) => a * (Math.PI / 180),
@@ -347,18 +339,11 @@ export const py = {
       : a
         ? a.split(LINE_END)
         : [],
-  strip: (a, signs = "") => stripped(a, signs, true, true),
-  lstrip: (a, signs = "") => stripped(a, signs, true, false),
-  rstrip: (a, signs = "") => stripped(a, signs, false, true),
+  strip: (a, signs = "") => stripped(a, signs),
   partition(a, by) {
     const n = a.indexOf(by);
     return n < 0 ? [a, "", ""] : [a.slice(0, n), by, a.slice(n + by.length)];
   },
-  rpartition(a, by) {
-    const n = a.lastIndexOf(by);
-    return n < 0 ? ["", "", a] : [a.slice(0, n), by, a.slice(n + by.length)];
-  },
-  startswith: (a, by) => [by].flat().some((one) => a.startsWith(one)),
   endswith: (a, by) => [by].flat().some((one) => a.endsWith(one)),
   decode: (a, encoding) =>
     encoding === "latin-1"

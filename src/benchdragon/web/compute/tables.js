@@ -33,12 +33,6 @@ export function beginnings() {
   ]);
 }
 
-/** Let all of a list of whole numbers be one. @param {Numbers} list @param {bigint} value */
-export function fillWhole(list, value) {
-  /** @type {BigInt64Array} */ (list.view).fill(value);
-  return list;
-}
-
 /**
  * The kind of each bench of a dragon, and the kinds: sizes (4, kinds), and the group of each.
  * @param {Arena} arena

@@ -41,7 +41,7 @@ const { NODE } = SOLVE_RANDOM_DANCE;
 /** Chances of touching for which a pitch is told. @type {number[]} */
 export const RISKS = SOLVE_TOLERANCE.RISKS;
 /** @type {Deviations} */
-export const EXACT = { aside: 0, stray: 0, play: 0, height: 0, length: 0, width: 0 };
+const EXACT = { aside: 0, stray: 0, play: 0, height: 0, length: 0, width: 0 };
 /** What a practised troupe may keep to, all at once: the last of CASES. @type {Deviations} */
 export const ALL = { aside: 0.02, stray: 0.02, play: 0.01, height: 0.1, length: 0.02, width: 0.005 };
 

@@ -82,7 +82,7 @@ export class Turn {
 }
 
 /** How far a turn reaches from the centre, m, by the rows of its route. @param {Arena} arena @param {Numbers} rows */
-export function reachOf({ engine }, rows) {
+function reachOf({ engine }, rows) {
   const [count, columns] = rows.shape;
   const start = (/** @type {number} */ row) => doubles(rows)[row * columns + CURVE.S_START];
   const [first, last] = [start(1), start(count - 1)];

@@ -104,7 +104,7 @@ function _isPlace(low, high, halved) {
   return (py.has(halved, low.number) || (high.number <= py.min((low.number - 1), MOST_PLACES)));
 }
 export function withoutDashes(text) {
-  return DASH.sub("至", text.replace("/", "-"));
+  return DASH.sub("至", py.replace(text, "/", "-"));
 }
 function _ranges(text, halved = []) {
   let ends, found, joined, part, place, said, slash, whole;
@@ -155,7 +155,7 @@ export function numeral(text) {
     return null;
   }
   [total, digit] = py.list([0, null]);
-  for (sign of py.iter(text.replace("廿", "二十").replace("卅", "三十"))) {
+  for (sign of py.iter(py.replace(py.replace(text, "廿", "二十"), "卅", "三十"))) {
     if (py.has(DIGITS, sign)) {
       digit = py.at(DIGITS, sign);
     }
