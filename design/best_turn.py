@@ -3,12 +3,14 @@
 Choice: points strewn evenly over all unknowns, and from the best few of them downhill by straight
 lines of each peak within a range of trust (kernels/turn_descent.py). The best turn lies where limits
 and peaks meet, at a corner; lines find a corner as Newton's method finds a root. The rival is SciPy's
-differential evolution, which ends beside it; `dual_annealing` shows that within two arcs between the
-disc's joints no length is gained, whatever the ratio, though speed is.
+differential evolution. It ends beside that corner, or at a turn that is too fast between its samples;
+`dual_annealing` shows that within two arcs between the disc's joints no length is gained, whatever the
+ratio, though speed is.
 """
 
 import math
 import time
+from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
@@ -67,27 +69,31 @@ def sampled_way(family: TurnFamily, x: Point) -> float:
 
 
 def searches() -> None:
-    """The engine's search against differential evolution, by what both have seen."""
-    print("family       speed, m/s  by                      way, m      turns tried   s")
+    """The engine's search against differential evolution, before figures are made exact."""
+    print("family       speed, m/s  by                      way, m  allows, m/s  turns tried   s")
     for name in ("arc-line-arc", "arc-arc-arc"):
         for speed in (1.3, 1.52, 1.7):
             plan = read_plan("turn", [f"turn.family={name}", f"walk.speed={speed}"])
             family, began = TurnFamily(plan, TurnGoal()), time.perf_counter()
             with TurnQuestion(family) as question:
                 seen = question.best(silent, "")
-                way, tried = family.turn(seen.x).way(family.disc), question.tried
-            told(name, speed, "lines from strewn points", way, tried, began)
+            told(family, seen.x, "lines from strewn points", question.tried, began)
             began = time.perf_counter()
             evolved = differential_evolution(
                 partial(sampled_way, family), Bounds(*np.array(family.bounds).T), popsize=10,
                 maxiter=60, rng=1, polish=False, init="sobol",
             )  # fmt: skip
-            told(name, speed, "differential evolution", evolved.fun, evolved.nfev, began)
+            told(family, evolved.x.tolist(), "differential evolution", evolved.nfev, began)
 
 
-def told(name: str, speed: float, by: str, way: float, tried: int, began: float) -> None:
-    """A line of the table."""
-    print(f"{name:12s} {speed:9g}   {by:24s} {way:9.5f} {tried:12d} {time.perf_counter() - began:6.1f}")
+def told(family: TurnFamily, x: Sequence[float], by: str, tried: int, began: float) -> None:
+    """A line of the table, with the head speed that the turn allows by exact figures."""
+    seconds, plan = time.perf_counter() - began, family.with_turn(x)
+    way, allowed = family.turn(x).way(family.disc), greatest_head_speed(plan).value
+    print(
+        f"{plan.turn.family:12s} {plan.walk.speed:9g}   {by:24s} {way:9.5f} {allowed:12.5f} "
+        f"{tried:12d} {seconds:6.1f}"
+    )
 
 
 def by_hand() -> None:

@@ -1,4 +1,4 @@
-"""Why greatest speeds are sought through a coarse bound over cells, and clearances from a low one seen.
+"""Why greatest speeds are sought through a coarse bound over cells.
 
 A step of the head can be passed over if no handle exceeds in it what has been seen elsewhere. Two
 bounds can say so, and parts of the way are looked at in the order of theirs (kernels/peak.py).
@@ -23,11 +23,7 @@ ratio at one end.
 That share was 0.2 once: with radii of 1.2 to 1 the cells' bound then lay just above the peak all along,
 and 1,658 chains were placed for the greatest speed instead of 140.
 
-Least clearances have the same shape. All pairs that come within some reach must be searched, so that
-the reach should be no more than the answer. Guesses that grow (0.003 m, 0.018 m, ...) end beyond it,
-by up to six times. A low distance, seen at 128 places and about the least of them, ends just at it.
-
-Below: what each costs, and what answers the two ways give.
+Below: what each costs, and what answers they give.
 """
 
 import math
@@ -36,8 +32,8 @@ from collections.abc import Callable
 from functools import partial
 from unittest import mock
 
-from benchdragon import Walk, least_clearance
-from benchdragon.analysis import contact, speed
+from benchdragon import Walk
+from benchdragon.analysis import speed
 from benchdragon.analysis.speed import QUANTITIES, Quantity, greatest
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import read_plan
@@ -79,7 +75,7 @@ def speed_rows(name: str, quantity: Quantity, walk: Walk, span: tuple[float, flo
 
 
 def main() -> None:
-    """Print the two tables."""
+    """Print the table."""
     walks = {}
     for name, (source, *settings) in PLANS.items():
         plan = read_plan(source, settings)
@@ -88,12 +84,6 @@ def main() -> None:
     for name, (walk, span) in walks.items():
         for quantity in WIDTHS:
             speed_rows(name, QUANTITIES[quantity], walk, span)
-    print("\nleast clearance      from a low one seen, ms   from guesses that grow, ms   m")
-    for name, (walk, span) in walks.items():
-        hinted, found = timed(partial(least_clearance, walk, *span))
-        with mock.patch.object(contact, "MOST_SAMPLED", 0):
-            grown, _same = timed(partial(least_clearance, walk, *span), 1)
-        print(f"{name:20s} {hinted:22.1f} {grown:28.1f}   {found.value:.11f}")
 
 
 if __name__ == "__main__":
