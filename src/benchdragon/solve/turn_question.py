@@ -51,8 +51,8 @@ class Seen(NamedTuple):
 def told_of_limits(family: TurnFamily) -> FloatArray:
     """What the engine is told of a family, as kernels/turn_trial.py says."""
     plan, goal, told = family.plan, family.goal, np.full(told_of.TOLD, math.inf)
-    free = goal.objective == "acceleration"
-    told[told_of.FAMILY], told[told_of.EASE] = FAMILIES[plan.turn.family], plan.turn.ease
+    told[told_of.FAMILY] = FAMILIES[plan.turn.family]
+    told[told_of.EASE] = math.nan if goal.objective == "acceleration" else plan.turn.ease
     told[told_of.PITCH], told[told_of.DISC] = family.pitch, family.disc
     told[told_of.NARROWEST], told[told_of.HEAD] = family.narrowest, plan.walk.speed
     told[told_of.LONGEST], told[told_of.LONGEST_WAY] = goal.longest, goal.longest_way
@@ -61,7 +61,6 @@ def told_of_limits(family: TurnFamily) -> FloatArray:
         told[told_of.LIMIT + QUANTITIES[name].kind] = limit
     if SOUGHT[goal.objective] < told_of.RATES:
         told[told_of.LIMIT + SOUGHT[goal.objective]] = math.inf
-    told[told_of.EASE] = math.nan if free else plan.turn.ease
     return told
 
 
