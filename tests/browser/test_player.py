@@ -379,6 +379,14 @@ def test_an_address_says_time_and_bench_and_the_page_writes_it(pages: Pages, tur
     until(page, "benchdragon.time === -7 && benchdragon.chosen === 2")
 
 
+def test_an_address_that_just_arrives_is_not_written_over(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn, where="#t=10")
+    page.evaluate("location.hash = '#t=20'; benchdragon.onSettled()")
+    until(page, "benchdragon.time === 20")
+    page.evaluate("benchdragon.onSettled()")
+    assert page.evaluate("location.hash") == "#t=20"
+
+
 def test_the_address_is_written_once_a_hand_rests(pages: Pages, turn: Scene) -> None:
     """Browsers throw an error at pages that write it a hundred times while a slider is dragged."""
     page = opened(pages, turn)

@@ -2,6 +2,12 @@
 
 /** @typedef {import("./player.js").Player} Player */
 
+/** The address as this page read or wrote it last; another one was just put into the window, and its event is on its way. */
+let known = globalThis.location?.hash;
+globalThis.addEventListener?.("hashchange", () => {
+  known = location.hash;
+});
+
 /** What stands in an address such as #t=192&bench=37. */
 export function addressed() {
   return new URLSearchParams(location.hash.slice(1));
@@ -17,9 +23,10 @@ export function obey(player) {
   if (!values.has("t")) player.follow(true); // as the code on a bench's sheet says it
 }
 
-/** Put time and bench into the address, and more. @param {Player | null} player @param {Record<string, string>} [more] */
+/** Put time and bench into the address, and more, unless another address arrives just now. @param {Player | null} player @param {Record<string, string>} [more] */
 export function remember(player, more = {}) {
   if (location.protocol === "about:") return; // inside a notebook the page has no address
+  if (location.hash !== known) return;
   const values = addressed();
   for (const [name, value] of Object.entries(more)) values.set(name, value);
   if (player) {
@@ -28,6 +35,7 @@ export function remember(player, more = {}) {
     else values.delete("bench");
   }
   history.replaceState(null, "", `#${values}`);
+  known = location.hash;
 }
 
 /** What a person chooses once: the language, the theme, how benches are drawn, whether letters are keys. @typedef {"lang" | "theme" | "drawn" | "keys"} Choice */
