@@ -19,6 +19,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from pydantic import BaseModel, BeforeValidator
 from tools.translation.names import camel, number, text
 from tools.translation.patterns import javascript
 from tools.translation.statements import Code
@@ -28,6 +29,7 @@ import benchdragon
 FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
 # Of which modules pages are given what: the file, and the names that are asked for.
 TWINS = {
+    "analysis.beats": ("beats", "score_of"),
     "analysis.check": ("verdict_text", "in_one_coil", "peak_text", "sentence"),
     "analysis.clock": ("clock", "Clock"),
     "analysis.findings": (
@@ -36,13 +38,17 @@ TWINS = {
     "analysis.ground": ("ground", "Ground"),
     "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),
     "analysis.not_looked_at": ("not_looked_at", "not_looked_at"),
+    "analysis.records": ("records", "answer_of", "answer_or_none", "bracketed", "verdict_of"),
     "analysis.room": ("room_levels", "ASKED", "Asked", "RoomLevel", "levels_asked", "shown_name"),
     "analysis.speed": ("quantities", "QUANTITIES"),
     "analysis.unfinished": ("unfinished", "Unfinished"),
     "explain.bench_text": (
         "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
     ),
+    "model.answer": ("answer", "keeps", "shown", "sure", "vanishing"),
     "model.numbering": ("numbering", "handle_words"),
+    "number_format": ("number_format", "at_most", "finite_or_none", "known", "seconds"),
+    "player.occasions": ("occasions", "occasion", "occasions_found", "tighten"),
     "plans.idle": ("idle", "drop", "drop_replaced", "idle_keys"),
     "plans.people": ("people", "called", "village"),
     "rosters.names": ("roster_names", "like_two"),
@@ -60,7 +66,6 @@ TWINS = {
 # What hand-written modules of the page hold of other modules, by the same names.
 OWN = {
     "i18n": "../words.js", "errors": "../compute/errors.js",
-    "number_format": "../compute/number_format.js",
 }  # fmt: skip
 # What single functions of the page do otherwise.
 GIVEN = {
@@ -72,16 +77,21 @@ GIVEN = {
     "analysis.not_looked_at.places": "../compute/walk_facts.js",
     "analysis.not_looked_at.runs_on": "../compute/walk_facts.js",
     "model.obstacle.Obstacle": "../compute/obstacle.js",
+    "number_format.decimals": "../compute/number_format.js",
+    "number_format.figures": "../compute/number_format.js",
 }
-# Methods of records that pages have as plain data: functions of a hand-written module, what they take.
+# Methods of records that pages have as plain data are functions there: their modules, what they take.
 AS_FUNCTIONS = {
-    "keeps": ("../compute/answer.js", ("limit",)),
-    "shown": ("../compute/answer.js", ("up", "limit")),
-    "sure": ("../compute/answer.js", ("up",)),
-    "vanishing": ("../compute/answer.js", ()),
+    "keeps": ("model.answer", ("limit",)),
+    "shown": ("model.answer", ("up", "limit")),
+    "sure": ("model.answer", ("up",)),
+    "vanishing": ("model.answer", ()),
 }
 # Methods that only Python has.
-LEFT_OUT = {"analysis.ground.Ground": ("of", "seen")}
+LEFT_OUT = {
+    "analysis.beats.Run": ("beats", "time"), "analysis.ground.Ground": ("of", "seen"),
+    "model.answer.Answer": ("as_json", *AS_FUNCTIONS),
+}  # fmt: skip
 HEADER = "// @ts-nocheck\n// Made from {name} by tools/make_twins.py; to make it again: make types\n"
 
 
@@ -113,10 +123,12 @@ class Twin:
 
     @cached_property
     def definitions(self) -> dict[str, ast.FunctionDef | ast.ClassDef]:
-        """Its functions and records."""
-        return {
-            one.name: one for one in self.tree.body if isinstance(one, ast.FunctionDef | ast.ClassDef)
-        }
+        """Its functions and records, and methods that are functions of pages."""
+        found = [one for one in self.tree.body if isinstance(one, ast.FunctionDef | ast.ClassDef)]
+        inner = [each for one in found if isinstance(one, ast.ClassDef) for each in one.body]
+        methods = [one for one in inner if isinstance(one, ast.FunctionDef)]
+        found += [one for one in methods if AS_FUNCTIONS.get(one.name, ("",))[0] == self.name]
+        return {one.name: one for one in found}
 
     @cached_property
     def values(self) -> set[str]:
@@ -154,7 +166,7 @@ class Twin:
     @cached_property
     def code(self) -> Code:
         """What translates it."""
-        return Code(self.parameters, self.use, self.hoist, self.function_for)
+        return Code(self.parameters, self.use, self.hoist, self.function_for, self.plain)
 
     def use(self, name: str) -> None:
         """Have a name, of this module or taken from another."""
@@ -217,9 +229,29 @@ class Twin:
         """What the function takes that stands for a method; None for any other method."""
         if method not in AS_FUNCTIONS:
             return None
-        path, parameters = AS_FUNCTIONS[method]
-        self.imports.setdefault(path, set()).add(method)
+        module, parameters = AS_FUNCTIONS[method]
+        self.all[module].use(method)
+        self.all[module].shared.add(method)
+        if module != self.name:
+            self.imports.setdefault(f"./{TWINS[module][0]}.js", set()).add(method)
         return parameters
+
+    def plain(self, name: str) -> dict[str, tuple[str | None, str]] | None:
+        """The keys of records that are plain data, what each holds by default, and what changes it."""
+        kind = getattr(self.module, name, None)
+        if not (isinstance(kind, type) and issubclass(kind, BaseModel)):
+            return None
+        return {
+            key: (None if of.is_required() else self.literal(of.default), self._changing(of.metadata))
+            for key, of in kind.model_fields.items()
+        }
+
+    def _changing(self, said: Sequence[object]) -> str:
+        """The function that changes what stands under a key of plain data; "" if none does."""
+        names = [one.func.__name__ for one in said if isinstance(one, BeforeValidator)]
+        for name in names:
+            self.use(name)
+        return camel(names[0]) if names else ""
 
     def hoist(self, pattern: str, flags: int) -> str:
         """The name of a regular expression that stands within a function."""

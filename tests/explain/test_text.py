@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -246,7 +247,9 @@ def test_limits_that_are_none_are_explained() -> None:
     found = limit(plan, "width")
     assert found.status == "unlimited"
     assert len(limit_lines(plan, "width", found, ["0.3 m"])) == 3
-    assert limit_lines(plan, "width", found.with_status("infeasible"), ["0.3 m"])[-1].startswith("None")
+    assert limit_lines(plan, "width", replace(found, status="infeasible"), ["0.3 m"])[-1].startswith(
+        "None"
+    )
 
 
 def test_the_traversal_and_the_range_are_explained(

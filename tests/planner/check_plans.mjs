@@ -10,11 +10,11 @@ const { withArenaAsync } = await load("compute/arena");
 const { check } = await load("compute/check");
 const { BenchDragonError } = await load("compute/errors");
 const { checkedPlan } = await load("compute/plan");
-const { verdictOf } = await load("compute/records");
+const { verdictOf } = await load("made/records");
 const { useWords } = await load("words");
 
 const engine = await Engine.load(readFileSync(wasm));
-const { plans, words, version, rounds, cancel } = JSON.parse(readFileSync(file, "utf8"));
+const { plans, words, rounds, cancel } = JSON.parse(readFileSync(file, "utf8"));
 useWords(words);
 
 class Cancelled extends Error {}
@@ -32,7 +32,7 @@ async function judged(data) {
     return await withArenaAsync(engine, async (arena) => {
       const walk = plan.build(arena);
       const report = await check(plan, walk, plan.span(walk), { progress });
-      return { verdict: verdictOf(report, version) };
+      return { verdict: verdictOf(report) };
     });
   } catch (error) {
     if (!(error instanceof BenchDragonError || error instanceof Cancelled)) throw error;

@@ -8,7 +8,7 @@ const [{ Engine }, { checkedPlan }, { danceOf, SKETCH }, { Scene }, { Table }] =
   ["engine", "compute/plan", "compute/scene", "scene", "following"].map(load),
 );
 const [{ withArenaAsync }, { check }, { judgedDance }, { verdictOf }] = await Promise.all(
-  ["compute/arena", "compute/check", "compute/judged", "compute/records"].map(load),
+  ["compute/arena", "compute/check", "compute/questions", "made/records"].map(load),
 );
 const engine = await Engine.load(readFileSync(file));
 const { memory } = engine.exports;
@@ -18,7 +18,7 @@ function judged(plan, dance) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
     const report = await check(plan, walk, plan.span(walk));
-    return judgedDance(dance, verdictOf(report, ""), plan.obstacles());
+    return judgedDance(dance, verdictOf(report), plan.obstacles());
   });
 }
 

@@ -5,7 +5,8 @@ import { pathToFileURL } from "node:url";
 const [modules, , file] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const { ulp } = await load("compute/exact");
-const { decimals, figures, general, known, powered } = await load("compute/number_format");
+const { decimals, figures, general, powered } = await load("compute/number_format");
+const { known } = await load("made/number_format");
 
 const numbers = JSON.parse(readFileSync(file, "utf8"));
 const said = numbers.map((text) => {

@@ -10,7 +10,6 @@ from benchdragon.analysis.check import check
 from benchdragon.analysis.records import verdict_of
 from benchdragon.i18n import _, spoken_in
 from benchdragon.plans.schema import checked
-from benchdragon.version import __version__
 from tests.planner.random_plans import Tables, plan
 from tests.planner.twins import WEB, asked, same, tried
 
@@ -64,7 +63,7 @@ def there(plans: list[Tables], *, rounds: int = 1, cancel: int = 0) -> Any:
 
     Each is given up where its progress is told for the time `cancel`, if that is not 0.
     """
-    questions = {"plans": plans, "words": words(), "version": __version__}
+    questions = {"plans": plans, "words": words()}
     return asked("check_plans.mjs", {**questions, "rounds": rounds, "cancel": cancel})
 
 

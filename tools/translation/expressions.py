@@ -37,12 +37,15 @@ class Expressions:
         use: called with each name that the code takes from outside of functions.
         hoist: makes a constant of a regular expression, and says its name.
         function_for: what the function takes that stands for a method of that name; None if none does.
+        plain: of records that are plain data the keys, with what each holds by default, and a function
+            that changes what is said; None of any other.
     """
 
     parameters: Callable[[str], Sequence[str] | None]
     use: Callable[[str], None]
     hoist: Callable[[str, int], str]
     function_for: Callable[[str], Sequence[str] | None] = lambda _method: None
+    plain: Callable[[str], dict[str, tuple[str | None, str]] | None] = lambda _name: None
     scopes: list[set[str]] = field(default_factory=list)
     me: list[str] = field(default_factory=list)
     record_name: str = ""
@@ -312,6 +315,8 @@ class Expressions:
                 return f"py.set_of({self._given(node)})"
             case _ if name in FUNCTIONS:
                 return f"py.{name}({self._given(node, BUILTIN.get(name))})"
+        if (keys := self.plain(name)) is not None:
+            return self._data(node, keys)
         self.use(name)
         made = "new " if name.lstrip("_")[:1].isupper() else ""
         return f"{made}{camel(name)}({self._given(node, self.parameters(name))})"
@@ -341,6 +346,17 @@ class Expressions:
         if names is None and attr not in KNOWN:
             raise UntranslatableError(node, f".{attr}: a method of nothing known")
         return f"{self.expr(value)}.{attr}({self._given(node, names)})"
+
+    def _data(self, node: ast.Call, keys: dict[str, tuple[str | None, str]]) -> str:
+        """A record that is plain data."""
+        given = {str(one.arg): self.expr(one.value) for one in node.keywords}
+        said = {key: default for key, (default, _change) in keys.items()}
+        for key in given.keys() & keys.keys():
+            change = keys[key][1]
+            said[key] = f"{change}({given[key]})" if change else given[key]
+        if node.args or not given.keys() <= keys.keys() or None in said.values():
+            raise UntranslatableError(node, "of plain data")
+        return f"({{ {', '.join(f'{key}: {value}' for key, value in said.items())} }})"
 
     def _object(self, keywords: list[ast.keyword]) -> str:
         pairs = (

@@ -25,13 +25,13 @@ METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
-    called obstacles
+    called moments obstacles
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
 # Functions of modules, by their own names.
 OF_MODULES = {
     "unicodedata.normalize": "normalize", "unicodedata.category": "category",
-    "math.floor": "floor", "math.dist": "dist",
+    "math.floor": "floor", "math.ceil": "ceil", "math.isfinite": "isfinite", "math.dist": "dist",
     "math.hypot": "hypot", "math.atan2": "atan2", "math.cos": "cos", "math.sin": "sin",
     "math.degrees": "degrees", "math.remainder": "remainder", "itertools.islice": "islice",
     "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys", "math.radians": "radians",
@@ -39,7 +39,7 @@ OF_MODULES = {
 NUMBERS = {"math.inf": "Infinity", "math.pi": "Math.PI", "math.nan": "NaN"}
 # Calls that answer with a truth.
 TRUTHS_SPELT = """
-    any all isinstance endswith isalpha isspace bool
+    any all isinstance endswith isalpha isfinite isspace bool
 """
 TRUTHS = frozenset(TRUTHS_SPELT.split())
 # What functions of `py` take by name.
@@ -59,7 +59,7 @@ class UntranslatableError(Exception):
 
 def camel(name: str) -> str:
     """A name as JavaScript has it: snakeCase, unless it is a constant's or a class's."""
-    if name.isupper() or not name.strip("_") or name[0].isupper():
+    if name.isupper() or not name.strip("_") or name[0].isupper() or name.startswith("__"):
         return name
     start = name[: len(name) - len(name.lstrip("_"))]
     words = name.lstrip("_").split("_")

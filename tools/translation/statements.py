@@ -37,6 +37,8 @@ class Code(Expressions):
     def _pass(self, _node: ast.Pass) -> Iterator[str]:
         yield from ()
 
+    _nonlocal = _pass
+
     def _return(self, node: ast.Return) -> Iterator[str]:
         yield f"return {self.expr(node.value) if node.value else 'null'};"
 
@@ -123,7 +125,10 @@ class Code(Expressions):
         """A function; of a method, `head` stands in place of the word, and `me` is its first name."""
         names = [one.arg for one in arguments_of(node.args)]
         own = set(names) | ({me} if me else set())
-        inside = set(_stored(node.body)) - own
+        outer = {
+            name for one in _within(node.body) if isinstance(one, ast.Nonlocal) for name in one.names
+        }
+        inside = set(_stored(node.body)) - own - outer
         nested = {one.name for one in _within(node.body) if isinstance(one, ast.FunctionDef)}
         self.scopes.append(own | inside | nested)
         self.me.append(me)

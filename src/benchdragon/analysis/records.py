@@ -4,18 +4,21 @@ SI units. Numbers that are not finite come as null: JSON knows none. What reader
 languages, but for the assumptions of an answer: those are in the language in which it was sought.
 """
 
+import math
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
 from benchdragon.analysis import findings, left_open, not_looked_at
 from benchdragon.analysis.check import Report, peak_text, sentence
-from benchdragon.analysis.findings import KINDS
+from benchdragon.analysis.findings import KINDS, shown_name
 from benchdragon.analysis.obstacles import ObstacleAnswers
-from benchdragon.analysis.room import RoomLevel, shown_name
+from benchdragon.analysis.room import RoomLevel
+from benchdragon.analysis.room import shown_name as level_name
 from benchdragon.errors import WalkError
 from benchdragon.i18n import Words, _, both
-from benchdragon.model import answer
+from benchdragon.model.answer import Answer as Solved
+from benchdragon.model.answer import Witness as Near
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.schema import Plan
 from benchdragon.version import __version__
@@ -202,14 +205,50 @@ class Verdict(Record):
     version: str
 
 
-def answer_of(found: answer.Answer, plan: Plan) -> Answer:
+def answer_of(found: Solved, plan: Plan) -> Answer:
     """The record of an answer about a plan."""
-    return Answer.model_validate(found.as_json(plan_sha256=plan.sha256, version=__version__))
+    return Answer(
+        value=found.value,
+        lower=found.lower,
+        upper=found.upper,
+        unit=found.unit,
+        status=found.status,
+        witness=None if found.witness is None else _witness(found.witness),
+        assumptions=list(found.assumptions),
+        evaluations=found.evaluations,
+        seconds=found.seconds,
+        plan_sha256=plan.sha256,
+        version=__version__,
+    )
+
+
+def _witness(near: Near) -> Witness:
+    return Witness(
+        time=near.time, s=near.s, benches=list(near.benches), point=near.point, gap=near.gap,
+        features=list(near.features), handle=near.handle, obstacle=near.obstacle,
+    )  # fmt: skip
+
+
+def answer_or_none(found: Solved | None, plan: Plan) -> Answer | None:
+    """The record of an answer that may be missing."""
+    return None if found is None else answer_of(found, plan)
+
+
+def bracketed(found: Answer) -> Solved:
+    """The bracket of a record, which holds none for what is not finite, as that of an answer."""
+    value, lower, upper = found.value, found.lower, found.upper
+    return Solved(
+        math.inf if value is None else value,
+        -math.inf if lower is None else lower,
+        math.inf if upper is None else upper,
+        found.unit,
+        found.status,
+    )
 
 
 def verdict_of(report: Report) -> Verdict:
     """The record of a check."""
-    plan, contact = report.plan, report.first_contact
+    plan = report.plan
     return Verdict(
         safe=report.safe,
         decided=report.decided,
@@ -218,7 +257,7 @@ def verdict_of(report: Report) -> Verdict:
         sentence=both(lambda: sentence(report)),
         start=report.start,
         end=report.end,
-        first_contact=None if contact is None else answer_of(contact, plan),
+        first_contact=answer_or_none(report.first_contact, plan),
         clearance=answer_of(report.clearance, plan),
         greatest_speed=answer_of(report.greatest_speed, plan),
         peaks=[_limited_peak(name, peak, plan) for name, peak in report.peaks.items()],
@@ -239,27 +278,26 @@ def _in_both(one: not_looked_at.NotLookedAt | left_open.Unproved) -> Words:
 
 def _stops(report: Report) -> list[HeadStop] | None:
     stops = report.stops
-    return None if stops is None else [HeadStop(**one._asdict()) for one in stops]
+    return None if stops is None else [HeadStop(start=one.start, end=one.end, s=one.s) for one in stops]
 
 
 def _finding(found: findings.Finding) -> Finding:
-    text, benches = both(lambda: found.text), list(found.benches)
-    about = {"time": found.time, "value": found.value, "limit": found.limit}
     return Finding(
-        code=found.code, kind=found.kind, decided=found.decided, text=text, benches=benches,
-        obstacle=found.obstacle or None, **about,
+        code=found.code, kind=found.kind, decided=found.decided, text=both(lambda: found.text),
+        time=found.time, benches=list(found.benches), value=found.value, limit=found.limit,
+        obstacle=found.obstacle or None,
     )  # fmt: skip
 
 
 def _obstacle(found: ObstacleAnswers, plan: Plan) -> ObstacleRecord:
-    obstacle, contact = found.obstacle, found.contact
+    obstacle = found.obstacle
     return ObstacleRecord(
         name=obstacle.name,
-        shown=both(lambda: findings.shown_name(obstacle)),
+        shown=both(lambda: shown_name(obstacle)),
         kind=obstacle.kind,
         margin=obstacle.margin,
-        contact=None if contact is None else answer_of(contact, plan),
-        touch=None if found.touch is None else answer_of(found.touch, plan),
+        contact=answer_or_none(found.contact, plan),
+        touch=answer_or_none(found.touch, plan),
         distance=answer_of(found.distance, plan),
     )
 
@@ -268,18 +306,18 @@ def _room(level: RoomLevel, plan: Plan) -> RoomRecord:
     first, obstacle = level.first or (None, None)
     return RoomRecord(
         name=level.name,
-        text=both(lambda: shown_name(level)),
+        text=both(lambda: level_name(level)),
         asked=[
             RoomAsked(key=one.key, value=one.value, source=one.source or None) for one in level.asked
         ],
         margin=level.margin,
         kept=level.kept,
-        first=None if first is None else answer_of(first, plan),
+        first=answer_or_none(first, plan),
         obstacle=None if obstacle is None else obstacle.name,
     )
 
 
-def _limited_peak(name: str, peak: answer.Answer, plan: Plan) -> LimitedPeak:
+def _limited_peak(name: str, peak: Solved, plan: Plan) -> LimitedPeak:
     return LimitedPeak(name=name, text=both(lambda: peak_text(name)), peak=answer_of(peak, plan))
 
 

@@ -1,8 +1,8 @@
 """Answers: a number with the bracket that was established, how, and what shows it."""
 
 import math
-from dataclasses import dataclass, replace
-from typing import Any, Literal, Self
+from dataclasses import dataclass
+from typing import Any, Literal
 
 from benchdragon.number_format import at_most, finite_or_none, known
 
@@ -65,10 +65,6 @@ class Answer:
     assumptions: tuple[str, ...] = ()
     evaluations: int = 0
     seconds: float = 0.0
-
-    def with_status(self, status: Status) -> Self:
-        """The same under another status."""
-        return replace(self, status=status)
 
     @property
     def vanishing(self) -> bool:

@@ -8,6 +8,8 @@ from typing import Literal
 from benchdragon.analysis.records import Record, Verdict
 from benchdragon.i18n import Words
 
+OccasionKind = Literal["contact", "tightest", "fastest", "joint", "end", "obstacle", "venue", "cue"]
+
 
 class Sizes(Record):
     """Sizes of every bench, m, bench 1 first."""
@@ -98,7 +100,7 @@ class Occasion(Record):
         obstacle: number of the obstacle that takes part, from 0.
     """
 
-    kind: Literal["contact", "tightest", "fastest", "joint", "end", "obstacle", "venue", "cue"]
+    kind: OccasionKind
     time: float
     text: Words
     benches: list[int]

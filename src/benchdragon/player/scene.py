@@ -1,7 +1,7 @@
 """A dance as a page shows it: frames, route, sizes, what happens when, what is tight."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
@@ -9,16 +9,14 @@ import numpy as np
 
 from benchdragon import budget
 from benchdragon.analysis.beats import score_of
-from benchdragon.analysis.check import Report, clearance_text, in_one_coil, speed_text
-from benchdragon.analysis.findings import named, shown_name, touch_text
-from benchdragon.analysis.obstacles import ObstacleAnswers
+from benchdragon.analysis.check import Report
+from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
 from benchdragon.analysis.swept import drawn_ground
 from benchdragon.errors import InputError, WalkError, finite
-from benchdragon.i18n import N_, Words, _, both, language
+from benchdragon.i18n import Words, _, both, language
 from benchdragon.kernels.bench_nearness import see_near
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.answer import Answer
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import margin_rings
@@ -38,6 +36,7 @@ from benchdragon.player.frames import (
     packed_bytes,
     packed_frames,
 )
+from benchdragon.player.occasions import occasion, occasions_found, tighten
 from benchdragon.progress import Progress, Stages, silent
 from benchdragon.version import __version__
 
@@ -101,11 +100,13 @@ def checked_dance(
     shown = span or Span(report.start, report.end)
     dance = plain_dance(report.walk, shown, progress)
     last = dance.frames.start + dance.frames.step * (dance.frames.count - 1)
-    found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= last]
-    nearest = _with_tightest(dance.nearest, report.clearance, (shown.start, last))
+    verdict, limits = untimed(verdict_of(report)), plan.limits
+    seen = occasions_found(verdict, plan.obstacles(), limits.margin, limits.speed)
+    found = [one for one in seen if shown.start <= one.time <= last]
+    tighten(dance.nearest, verdict.clearance, shown.start, last)
     ground = drawn_ground(report.walk, shown.start, last) if report.obstacles else ()
-    return _of_plan(plan, dance, untimed(verdict_of(report)), found).model_copy(
-        update={"nearest": nearest, "ground": [_rounded(ring) for ring in ground]}
+    return _of_plan(plan, dance, verdict, found).model_copy(
+        update={"ground": [_rounded(ring) for ring in ground]}
     )
 
 
@@ -166,7 +167,7 @@ def _last(frames: messages.Frames) -> float:
 def _cues(plan: Plan, frames: messages.Frames) -> list[messages.Occasion]:
     """The cues of a plan that are among its frames, each with what it is called."""
     return [
-        _occasion("cue", one.time, both(partial(_called, one.cue)), ())
+        occasion("cue", one.time, partial(_called, one.cue))
         for one in plan.moments()
         if frames.start <= one.time <= _last(frames)
     ]
@@ -335,98 +336,6 @@ def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[messages.Nearest, me
     )
 
 
-def _with_tightest(
-    nearest: messages.Nearest, clearance: Answer, span: tuple[float, float]
-) -> messages.Nearest:
-    """The same, with the tightest pair of all as the check found it, which looks closer."""
-    found, near = nearest.model_copy(deep=True), clearance.witness
-    if near is None or near.time is None or not span[0] <= near.time <= span[1]:
-        return nearest
-    for bench, other in (near.benches, near.benches[::-1]):
-        seen = found.distance[bench - 1] if found.other[bench - 1] else found.reach
-        if clearance.value < seen:
-            found.distance[bench - 1] = round(clearance.value, 5)
-            found.time[bench - 1], found.other[bench - 1] = round(near.time, 4), other
-    return found
-
-
-def _answers(report: Report) -> list[messages.Occasion]:
-    """First contact, tightest moment and fastest moment of a check."""
-    contact, near, speed = report.first_contact, report.clearance.witness, report.greatest_speed
-    found = []
-    if contact is not None and contact.witness is not None:
-        apart = contact.witness.gap > 0.0 and report.plan.limits.margin > 0.0
-        name = both(lambda: _("margin not kept") if apart else _("first contact"))
-        found.append(_occasion("contact", contact.value, name, contact.witness.benches))
-    elif near is not None and near.time is not None:
-        says = N_("tightest moment: {gap} m")
-        if report.clearance.vanishing:
-            says = N_("tightest moment: less than {gap} m")
-        elif in_one_coil(near.benches):
-            says = N_("nearest with one bench between: {gap} m")
-        name = both(lambda: _(says).format(gap=clearance_text(report)))
-        found.append(_occasion("tightest", near.time, name, near.benches))
-    if (
-        speed.witness is not None
-        and speed.witness.time is not None
-        and math.isfinite(speed.witness.time)
-    ):
-        name = both(lambda: _("fastest moment: {speed} m/s").format(speed=speed_text(report)))
-        found.append(_occasion("fastest", speed.witness.time, name, speed.witness.benches))
-    return [*found, *_on_the_square(report)]
-
-
-def _on_the_square(report: Report) -> list[messages.Occasion]:
-    """When benches come too near to obstacles, and touch; the moment nearest to one that is clear."""
-    found: list[messages.Occasion] = []
-    clear: list[tuple[float, int]] = []
-    for n, answers in enumerate(report.obstacles):
-        if answers.contact is None:
-            clear.append((answers.distance.value - answers.obstacle.margin, n))
-        else:
-            found += _too_near(answers, answers.contact, n)
-    for _room, n in sorted(clear)[:1]:
-        answers = report.obstacles[n]
-        says = N_("nearest to {name}: {gap} m")
-        if answers.obstacle.kind == "venue":
-            says = N_("nearest to the edge of {name}: {gap} m")
-        if answers.distance.vanishing:
-            says = N_("nearest to {name}: less than {gap} m")
-            if answers.obstacle.kind == "venue":
-                says = N_("nearest to the edge of {name}: less than {gap} m")
-        text = both(partial(_near_text, says, answers.obstacle, answers.distance_text))
-        found += _at_obstacle(answers.distance, answers.obstacle, n, text)
-    return found
-
-
-def _too_near(answers: ObstacleAnswers, contact: Answer, n: int) -> list[messages.Occasion]:
-    """When a bench comes nearer to obstacle number n than its margin; and when one touches it."""
-    obstacle, distance, found = answers.obstacle, answers.distance, list[messages.Occasion]()
-    apart = contact.witness is not None and contact.witness.gap > 0.0
-    if apart:
-        text = both(partial(_near_text, N_("margin from {name} not kept"), obstacle))
-        found += _at_obstacle(contact, obstacle, n, text)
-    touch = distance if apart else contact
-    if touch.witness is not None and distance.value == 0.0:
-        text = both(partial(touch_text, touch.witness.benches[0], obstacle))
-        found += _at_obstacle(touch, obstacle, n, text)
-    return found
-
-
-def _at_obstacle(answer: Answer, obstacle: Obstacle, n: int, text: Words) -> list[messages.Occasion]:
-    """What an answer says of obstacle number n, at the time of its witness; none without one."""
-    near = answer.witness
-    if near is None or near.time is None:
-        return []
-    kind = "venue" if obstacle.kind == "venue" else "obstacle"
-    time = answer.value if answer.unit == "s" else near.time
-    return [_occasion(kind, time, text, near.benches, n)]
-
-
-def _near_text(text: str, obstacle: Obstacle, gap: str = "") -> str:
-    return _(text).format(name=named(obstacle), gap=gap)
-
-
 def _joints(walk: Walk, shot: Frames, behind: Following | None) -> list[messages.Occasion]:
     """When head and tail pass the joints of the route; none where there are too many.
 
@@ -444,30 +353,17 @@ def _joints(walk: Walk, shot: Frames, behind: Following | None) -> list[messages
         passed = np.where(inside, np.interp(joints, s, times), math.nan)
         for n, time in enumerate(passed.tolist(), start=1):
             if math.isfinite(time):
-                found.append(_occasion("joint", time, _joint_text(n, head), ()))
+                found.append(occasion("joint", time, partial(_joint_text, n, head)))
     return found
 
 
-def _joint_text(n: int, head: bool) -> Words:
-    return both(
-        lambda: (
-            _("the head passes joint {n} of the route")
-            if head
-            else _("the tail passes joint {n} of the route")
-        ).format(n=n)
-    )
+def _joint_text(n: int, head: bool) -> str:
+    text = _("the tail passes joint {n} of the route")
+    return (_("the head passes joint {n} of the route") if head else text).format(n=n)
 
 
 def _end(shot: Frames) -> list[messages.Occasion]:
     """Why the frames end, where that is not the end of the walk."""
     if not shot.leap:
         return []
-    return [_occasion("end", shot.end, both(lambda: _("from here on the benches cannot follow")), ())]
-
-
-def _occasion(
-    kind: str, time: float, text: Words, benches: Sequence[int], obstacle: int | None = None
-) -> messages.Occasion:
-    return messages.Occasion.model_validate(
-        {"kind": kind, "time": time, "text": text, "benches": list(benches), "obstacle": obstacle}
-    )
+    return [occasion("end", shot.end, lambda: _("from here on the benches cannot follow"))]

@@ -2,7 +2,6 @@
 // model/answer.py.
 
 import { MODEL_ANSWER } from "./constants.js";
-import { atMost, known } from "./number_format.js";
 
 const { ROUNDING } = MODEL_ANSWER;
 
@@ -54,37 +53,7 @@ export function now() {
   return performance.now() / 1000;
 }
 
-/** Whether rounding hides all of a distance that may be more than 0: its upper end is told. @param {Pick<Answer, "value" | "lower" | "upper">} answer */
-export function vanishing({ value, lower, upper }) {
-  return lower <= 0 && 0 <= value && value <= upper - value && upper > 0;
-}
-
-/** The upper or lower end of the bracket; the value where rounding alone lies between them. @param {Pick<Answer, "value" | "lower" | "upper">} answer @param {boolean} up */
-export function sure({ value, lower, upper }, up) {
-  const end = up ? upper : lower;
-  const near = Math.abs(end - value) <= ROUNDING * Math.abs(value);
-  return near || !Number.isFinite(end) ? value : end;
-}
-
-/** An answer of a record, its bracket as numbers; a record has none for what is not finite. @param {import("../messages").Answer} answer */
-export function bracketed({ value, lower, upper, unit }) {
-  const [number, low, high] = [value ?? Infinity, lower ?? -Infinity, upper ?? Infinity];
-  return { value: number, lower: low, upper: high, unit };
-}
-
-/** What is surely true of it, in the digits that are known: see `known`. @param {Pick<Answer, "value" | "lower" | "upper" | "unit">} answer @param {boolean} up @param {number | null} [limit] */
-export function shown(answer, up, limit = null) {
-  if (!up && answer.unit === "m" && vanishing(answer)) return atMost(answer.upper);
-  return known(sure(answer, false), sure(answer, true), answer.unit, up, limit);
-}
-
 /** The most that keeps to a limit, but for rounding. @param {number} limit */
 export function mostOf(limit) {
   return limit * (1 + ROUNDING);
-}
-
-/** Whether the number is at most a limit, but for rounding; null where that is open. @param {Answer} answer @param {number} limit */
-export function keeps({ lower, upper }, limit) {
-  if (lower > mostOf(limit)) return false;
-  return upper <= mostOf(limit) ? true : null;
 }

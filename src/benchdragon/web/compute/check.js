@@ -1,11 +1,12 @@
 // Whether a walk is safe: first contact, least clearance, speeds and accelerations against limits. Twin of
 // analysis/check.py; what is proved, the command line proves.
 
+import { keeps } from "../made/answer.js";
 import { allFindings, named } from "../made/findings.js";
 import { notLookedAt } from "../made/not_looked_at.js";
 import { levelsAsked } from "../made/room_levels.js";
 import { _ } from "../words.js";
-import { keeps, mostOf, now } from "./answer.js";
+import { mostOf, now } from "./answer.js";
 import { question } from "./budget.js";
 import { ANALYSIS_SPEED } from "./constants.js";
 import { TOLERANCES, firstSureContact, leastClearance, seenClearance } from "./contact.js";
@@ -57,6 +58,8 @@ import { unfinished } from "./walk_facts.js";
  * @property {Stop[] | null} stops of the head; null for a plan without cues
  * @property {number} seconds how long the check took
  * @property {import("../made/unfinished.js").Unfinished | null} unfinished what the walk lacks where it ends before the tail is out of the turn
+ * @property {boolean} proved nothing is, and nothing was to be: `unproved`
+ * @property {never[]} unproved
  * @property {boolean} safe whether nothing was found
  * @property {boolean} decided whether no question was left open that could change that
  * @property {ReturnType<typeof notLookedAt>} not_looked_at what the plan does not say, so that nobody looked at it
@@ -108,6 +111,8 @@ async function checked(plan, walk, [start, end], { progress = silent }) {
   return {
     plan, walk, start, end, first_contact: contact, clearance, greatest_speed: speed, peaks, findings,
     obstacles, room, stops, seconds,
+    proved: false,
+    unproved: [],
     safe: !findings.length,
     decided: !findings.length || findings.some((one) => one.decided),
     unfinished: unfinished(plan, walk, end),

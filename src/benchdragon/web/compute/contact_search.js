@@ -1,6 +1,7 @@
 // A search along a walk for pairs of benches: the engine's question about it, and its answers. Twin of
 // analysis/contact_search.py.
 
+import { atMost } from "../made/number_format.js";
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { withArena } from "./arena.js";
@@ -19,7 +20,7 @@ import { EngineQuestion } from "./engine_question.js";
 import { InputError, UnsureError, finite, notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
 import { checkedOff, originOf, seenFrom } from "./nearby.js";
-import { atMost, general } from "./number_format.js";
+import { general } from "./number_format.js";
 import { newSpans } from "./rounds.js";
 import { beginnings, inColumns, tooManyKinds } from "./tables.js";
 

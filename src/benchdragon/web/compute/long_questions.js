@@ -1,12 +1,12 @@
 // Answers that are searched for, as records that pages take: the models of planner/messages.py.
 
+import { finiteOrNone } from "../made/number_format.js";
+import { answerOf, answerOrNone } from "../made/records.js";
 import { _ } from "../words.js";
 import { withArena } from "./arena.js";
 import { SOLVE_SIZE } from "./constants.js";
 import { greatestHeadSpeed, slowed, withPace } from "./head_speed.js";
-import { finiteOrNull } from "./number_format.js";
 import { discOf, turnOf } from "./plan_routes.js";
-import { answerOf } from "./records.js";
 import { limit } from "./size.js";
 import { part } from "./stages.js";
 import { ALL, RISKS, pitchFor, tolerance, touching } from "./tolerance.js";
@@ -24,21 +24,16 @@ const { QUICK_SIZE } = SOLVE_SIZE;
 /** How many random dances are walked. */
 const DRAWS = 100;
 
-/** What all answers about a plan carry. @param {Asked} asked */
-function stampOf({ plan, version }) {
-  return { plan_sha256: plan.sha256, version };
-}
-
 /** How small or large one size may be. @param {string} name @param {Asked} asked @returns {Promise<Answer>} */
 export async function limited(name, asked) {
   const { engine, plan, progress } = asked;
-  return answerOf(await limit(engine, plan, name, { tolerance: QUICK_SIZE, progress }), stampOf(asked));
+  return answerOf(await limit(engine, plan, name, { tolerance: QUICK_SIZE, progress }), plan);
 }
 
 /** How fast the head may walk. @param {Asked} asked @returns {Promise<Answer>} */
 export async function headSpeed(asked) {
   const { engine, plan, progress } = asked;
-  return answerOf(await greatestHeadSpeed(engine, plan, { progress }), stampOf(asked));
+  return answerOf(await greatestHeadSpeed(engine, plan, { progress }), plan);
 }
 
 /** A pace that slows down only where it must. @param {Asked} asked @returns {Promise<PaceFound>} */
@@ -48,7 +43,7 @@ export async function pace(asked) {
   const { steady, seconds, saved } = found;
   return {
     plan: withPace(plan, found).data(),
-    steady: answerOf(steady, stampOf(asked)),
+    steady: answerOf(steady, plan),
     seconds,
     saved,
   };
@@ -58,16 +53,15 @@ export async function pace(asked) {
 export async function turn(asked) {
   const { engine, plan, progress } = asked;
   const found = await bestTurn(engine, plan, {}, { progress });
-  const stamp = stampOf(asked);
   return {
     plan: found.plan.data(),
-    objective: answerOf(found.objective, stamp),
+    objective: answerOf(found.objective, plan),
     length: found.length,
     way: found.way,
     way_before: wayOf(asked),
     least_radius: found.turn.leastRadius,
-    head_speed: found.headSpeed && answerOf(found.headSpeed, stamp),
-    clearance: answerOf(found.clearance, stamp),
+    head_speed: answerOrNone(found.headSpeed, plan),
+    clearance: answerOf(found.clearance, plan),
     active: found.active,
   };
 }
@@ -87,12 +81,12 @@ export async function margins({ engine, plan, progress }) {
   const [chance, lower, upper] = touching(found);
   return {
     draws: DRAWS,
-    exact: finiteOrNull(found.exact),
+    exact: finiteOrNone(found.exact),
     pitch: plan.value("route.pitch"),
     chance,
     chance_lower: lower,
     chance_upper: upper,
-    pitch_for: RISKS.map((risk) => ({ risk, pitch: finiteOrNull(pitchFor(found, risk)) })),
+    pitch_for: RISKS.map((risk) => ({ risk, pitch: finiteOrNone(pitchFor(found, risk)) })),
   };
 }
 

@@ -1,11 +1,11 @@
 // Searches near the dance, whatever its coordinates, and what rounding leaves unsure there: the twin of
 // analysis/nearby.py.
 
+import { atMost } from "../made/number_format.js";
 import { _ } from "../words.js";
 import { doubles } from "./arena.js";
 import { ANALYSIS_NEARBY, REGIONS, ROUNDING } from "./constants.js";
 import { UnsureError } from "./errors.js";
-import { atMost } from "./number_format.js";
 import { rint } from "./numbers.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */

@@ -1,9 +1,9 @@
-// Numbers as sentences hold them: the twin of number_format.py and of Python's formats, half of the last
+// Numbers as sentences hold them: Python's formats, half of the last
 // digit rounded to even as there.
 
 import { NUMBER_FORMAT } from "./constants.js";
 
-const { FIGURES, TIME_DECIMALS, DECIMALS, SMALL_DECIMALS, MOST_DECIMALS, DUST, BESIDE } = NUMBER_FORMAT;
+const { FIGURES } = NUMBER_FORMAT;
 
 /** @param {number} value @returns {string | null} what is said of a number that is not finite */
 function unlimited(value) {
@@ -61,14 +61,6 @@ export function powered(value, count) {
   return (value < 0 || Object.is(value, -0) ? "-" : "") + raised(digits, power);
 }
 
-/** Two digits and a power of ten, rounded up. @param {number} value */
-export function atMost(value) {
-  const text = powered(value, 1);
-  if (Number(text) >= value) return text;
-  const [digit, power] = text.split("e");
-  return powered(Number(`${(Number(digit) + 0.1).toFixed(1)}e${power}`), 1);
-}
-
 /** So many digits at most, and a power of ten where that is shorter: ".6g". @param {number} value @param {number} count */
 export function general(value, count = 6) {
   const none = unlimited(value);
@@ -80,40 +72,6 @@ export function general(value, count = 6) {
   if (power < 0) return `${sign}0.${"0".repeat(-power - 1)}${shown}`;
   const whole = shown.slice(0, power + 1).padEnd(power + 1, "0");
   return shown.length > power + 1 ? `${sign}${whole}.${shown.slice(power + 1)}` : sign + whole;
-}
-
-/**
- * What is surely true of a number in a bracket, in the digits that are known: see `known` there.
- * @param {number} low @param {number} high @param {string} unit
- * @param {boolean} up @param {number | null} [limit]
- */
-export function known(low, high, unit, up, limit = null) {
-  const value = up ? high : low;
-  if (!Number.isFinite(value)) return "-";
-  if (low === 0 && high === 0) return "0";
-  let count = unit === "s" ? TIME_DECIMALS : DECIMALS;
-  while (count && high - low > 10 ** -count) count--;
-  let least = 10 ** (1 - count);
-  while (
-    unit !== "s" && 0 < value && value < least && high - low <= 0.1 * least && count < SMALL_DECIMALS
-  ) [count, least] = [count + 1, 0.1 * least]; // prettier-ignore
-  let text = cut(value, count, up);
-  if (limit === null || Math.abs(value - limit) <= BESIDE) return text;
-  while (count < MOST_DECIMALS && (Number(text) - limit) * (value - limit) < 0)
-    text = cut(value, ++count, up);
-  return text;
-}
-
-/** So many decimals, rounded up or down, but for DUST. @param {number} value @param {number} count @param {boolean} up */
-function cut(value, count, up) {
-  const scale = 10 ** count;
-  const whole = up ? Math.ceil(value * scale - DUST) : Math.floor(value * scale + DUST);
-  return decimals(whole / scale, count);
-}
-
-/** A time in the walk, s, as all texts tell it. @param {number} time */
-export function seconds(time) {
-  return known(time, time, "s", false);
 }
 
 /** Five significant figures, rounded up or down: to the side on which what is said stays true. @param {number} value @param {boolean} up */
@@ -129,11 +87,6 @@ export function figures(value, up) {
   const power = Number(exponent) + (kept < 10 ** FIGURES ? 0 : 1);
   const whole = String(kept).slice(0, FIGURES);
   return spelled(`${sign}${whole[0]}.${whole.slice(1)}`, power);
-}
-
-/** A number for JSON, which knows no infinity. @param {number} value */
-export function finiteOrNull(value) {
-  return Number.isFinite(value) ? value : null;
 }
 
 /** As `repr(value)` of a float. @param {number} value */

@@ -45,6 +45,8 @@ export class Plan {
     /** Tables that sentences read as in Python. */
     this.limits = this.tables.limits;
     this.people = this.tables.people;
+    this.cues = this.tables.cues;
+    this.walk = this.tables.walk;
     this.route = this.tables.route;
   }
 

@@ -3,7 +3,7 @@
 // is given to it may be anything.
 // @ts-nocheck
 
-import { decimals, general } from "./number_format.js";
+import { decimals, general, powered } from "./number_format.js";
 import { rint, rounded } from "./numbers.js";
 import { pythonRepr, pythonText } from "./python_text.js";
 
@@ -299,6 +299,8 @@ export const py = {
   // Numbers.
   abs: Math.abs,
   floor: Math.floor,
+  ceil: Math.ceil,
+  isfinite: Number.isFinite,
   hypot: Math.hypot,
   atan2: Math.atan2,
   cos: Math.cos,
@@ -319,9 +321,10 @@ export const py = {
   ord: (a) => a.codePointAt(0),
   chr: String.fromCodePoint,
   format(a, spec) {
-    const [, digits, kind] = /^z?0?(?:\.?([0-9]+))?([fgXd]?)$/.exec(spec) ?? [];
+    const [, digits, kind] = /^z?0?(?:\.?([0-9]+))?([efgXd]?)$/.exec(spec) ?? [];
     if (kind === "d") return String(a).padStart(Number(digits ?? 0), "0");
     if (kind === "X") return a.toString(16).toUpperCase().padStart(Number(digits), "0");
+    if (kind === "e") return powered(a, Number(digits));
     return kind === "f" ? decimals(a, Number(digits)) : general(a, Number(digits ?? 6));
   },
   filled: (text, values) =>

@@ -1,16 +1,16 @@
 // What the planner's Worker answers: a table from the name of a question to the function for it.
 
 import { TomlError, parse, stringify } from "../carried.js";
+import { occasionsFound, tighten } from "../made/occasions.js";
+import { verdictOf } from "../made/records.js";
 import { _ } from "../words.js";
 import { withArenaAsync } from "./arena.js";
 import { briefing } from "./briefing.js";
 import { check } from "./check.js";
 import { PLANS_TOML } from "./constants.js";
 import { PlanError } from "./errors.js";
-import { judgedDance } from "./judged.js";
 import { headSpeed, limited, margins, pace, shape, turn } from "./long_questions.js";
 import { checkedPlan } from "./plan.js";
-import { verdictOf } from "./records.js";
 import { SKETCH, danceOf } from "./scene.js";
 
 /** @typedef {import("./plan.js").Plan} Plan */
@@ -48,11 +48,11 @@ export const QUESTIONS = {
 };
 
 /** Whether the walk is safe. @param {Asked} asked */
-function judged({ engine, version, plan, progress }) {
+function judged({ engine, plan, progress }) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
     const own = /** @type {any} */ (plan);
-    return verdictOf(await check(own, walk, plan.span(walk), { progress }), version);
+    return verdictOf(await check(own, walk, plan.span(walk), { progress }));
   });
 }
 
@@ -61,6 +61,24 @@ async function danced({ engine, version, plan, verdict, progress }, shown = {}) 
   const { sent, ...lists } = await danceOf(engine, plan, shown, progress);
   const told = { ...lists, sent: { ...sent, version } };
   return verdict ? judgedDance(told, verdict, plan.obstacles()) : told;
+}
+
+/**
+ * The dance with what happens when, and its tightest pair, as a check found them. The verdict itself the page
+ * has from elsewhere.
+ * @param {import("./scene.js").Unpacked} dance of the same plan
+ * @param {Verdict} verdict
+ * @param {import("./obstacle.js").Obstacle[]} obstacles those of the plan
+ */
+export function judgedDance({ sent, ...lists }, verdict, obstacles) {
+  const { frames, nearest, margin, speed_limit: limit } = sent;
+  const last = frames.start + frames.step * (frames.count - 1);
+  /** @type {import("../messages").Occasion[]} */
+  const seen = occasionsFound(verdict, obstacles, margin, limit);
+  const found = seen.filter(({ time }) => frames.start <= time && time <= last);
+  tighten(nearest, verdict.clearance, frames.start, last);
+  const occasions = [...found, ...sent.occasions].sort((a, b) => a.time - b.time);
+  return { ...lists, sent: { ...sent, occasions } };
 }
 
 /** The plan in the text of a plan file, with every key. @param {string} text */

@@ -1,11 +1,12 @@
 // A dance as the player shows it, computed here: twin of player/scene.py. Its lists of numbers come beside
 // the message, not packed into it.
 
+import { scoreOf } from "../made/beats.js";
 import { shownName } from "../made/findings.js";
+import { occasion } from "../made/occasions.js";
 import { village } from "../made/people.js";
 import { _, both } from "../words.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
-import { scoreOf } from "./beats.js";
 import { question } from "./budget.js";
 import { PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
 import { course } from "./course.js";
@@ -247,19 +248,6 @@ function endOf({ leap, start, step, count }) {
   if (!leap) return [];
   const end = start + step * (count - 1);
   return [occasion("end", end, () => _("from here on the benches cannot follow"))];
-}
-
-/**
- * Something that happens at a time.
- * @param {Occasion["kind"]} kind
- * @param {number} time s
- * @param {() => string} say
- * @param {number[]} [benches]
- * @param {number | null} [obstacle]
- * @returns {Occasion}
- */
-export function occasion(kind, time, say, benches = [], obstacle = null) {
-  return { kind, time, text: both(say), benches, obstacle };
 }
 
 /** The cues of a plan that are among its frames, each with what it is called. @param {Plan} plan @param {Dance["frames"]} frames */

@@ -1,9 +1,9 @@
 // @ts-nocheck
 // Made from explain/bench_text.py by tools/make_twins.py; to make it again: make types
 
-import { known } from "../compute/number_format.js";
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
+import { known } from "./number_format.js";
 
 export class Halt {
   constructor(start, end, what) {

@@ -1,11 +1,11 @@
 // @ts-nocheck
 // Made from analysis/findings.py by tools/make_twins.py; to make it again: make types
 
-import { keeps, shown } from "../compute/answer.js";
-import { known, seconds } from "../compute/number_format.js";
 import { py } from "../compute/python.js";
 import { extent, givenFrom, runsOn, steepest } from "../compute/walk_facts.js";
 import { N_, _ } from "../words.js";
+import { keeps, shown } from "./answer.js";
+import { known, seconds } from "./number_format.js";
 import { handleWords } from "./numbering.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 

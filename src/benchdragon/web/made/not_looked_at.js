@@ -1,10 +1,10 @@
 // @ts-nocheck
 // Made from analysis/not_looked_at.py by tools/make_twins.py; to make it again: make types
 
-import { known } from "../compute/number_format.js";
 import { py } from "../compute/python.js";
 import { givenFrom, places, runsOn } from "../compute/walk_facts.js";
 import { N_, _ } from "../words.js";
+import { known } from "./number_format.js";
 import { levelsAsked } from "./room_levels.js";
 
 class NotLookedAt {

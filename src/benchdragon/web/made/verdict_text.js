@@ -1,12 +1,12 @@
 // @ts-nocheck
 // Made from analysis/check.py by tools/make_twins.py; to make it again: make types
 
-import { shown, sure, vanishing } from "../compute/answer.js";
-import { seconds } from "../compute/number_format.js";
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
+import { shown, sure, vanishing } from "./answer.js";
 import { named } from "./findings.js";
 import { PROOFS } from "./left_open.js";
+import { seconds } from "./number_format.js";
 import { called } from "./people.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 import { ASKED, shownName } from "./room_levels.js";

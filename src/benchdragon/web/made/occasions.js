@@ -1,0 +1,125 @@
+// @ts-nocheck
+// Made from player/occasions.py by tools/make_twins.py; to make it again: make types
+
+import { py } from "../compute/python.js";
+import { N_, _, both } from "../words.js";
+import { shown, vanishing } from "./answer.js";
+import { named, touchText } from "./findings.js";
+import { bracketed } from "./records.js";
+import { inOneCoil } from "./verdict_text.js";
+
+export function occasion(kind, time, say, benches = [], obstacle = /** @type {any} */ (null)) {
+  return ({ kind: kind, time: time, text: both(say), benches: py.list(benches), obstacle: obstacle });
+}
+export function occasionsFound(verdict, obstacles, margin, speedLimit) {
+  let clearance, contact, fast, found, gap, least, most, near, says, saysMost, speed, text, time;
+  [contact, clearance, speed] = py.list([verdict.first_contact, verdict.clearance, verdict.greatest_speed]);
+  found = [];
+  if (((contact != null) && (contact.witness != null))) {
+    text = ((py.truth(_apart(contact)) && (margin > 0.0)) ? N_("margin not kept") : N_("first contact"));
+    time = bracketed(contact).value;
+    py.append(found, occasion("contact", time, () => _(text), contact.witness.benches));
+  }
+  else {
+    if (((clearance != null) && (clearance.witness != null))) {
+      [near, least] = py.list([clearance.witness, bracketed(clearance)]);
+      [gap, says] = py.list([shown(least, false, margin), N_("tightest moment: {gap} m")]);
+      if (py.truth(vanishing(least))) {
+        says = N_("tightest moment: less than {gap} m");
+      }
+      else {
+        if (py.truth(inOneCoil([...py.iter(near.benches)]))) {
+          says = N_("nearest with one bench between: {gap} m");
+        }
+      }
+      if ((near.time != null)) {
+        py.append(found, occasion("tightest", near.time, () => py.filled(_(says), { gap: gap }), near.benches));
+      }
+    }
+  }
+  fast = ((speed == null) ? null : speed.witness);
+  if (((speed != null) && (fast != null) && (fast.time != null))) {
+    most = shown(bracketed(speed), true, speedLimit);
+    saysMost = N_("fastest moment: {speed} m/s");
+    py.append(found, occasion("fastest", fast.time, () => py.filled(_(saysMost), { speed: most }), fast.benches));
+  }
+  return py.add(found, _onTheSquare(verdict.obstacles, obstacles));
+}
+function _apart(contact) {
+  let gap;
+  gap = ((contact.witness == null) ? null : contact.witness.gap);
+  return ((gap != null) && (gap > 0.0));
+}
+function _onTheSquare(records, obstacles) {
+  let _room, clear, found, n, record;
+  found = [];
+  clear = [];
+  for ([n, record] of py.iter(py.enumerate(records))) {
+    if ((record.contact == null)) {
+      py.append(clear, [py.sub(bracketed(record.distance).value, py.at(obstacles, n).margin), n]);
+    }
+    else {
+      found = py.extend(found, _tooNear(record, record.contact, py.at(obstacles, n), n));
+    }
+  }
+  for ([_room, n] of py.iter(py.slice(py.sorted(clear), null, 1))) {
+    found = py.extend(found, _nearest(py.at(records, n).distance, py.at(obstacles, n), n));
+  }
+  return found;
+}
+function _nearest(distance, obstacle, n) {
+  let edge, gap, least, says;
+  [least, edge] = py.list([bracketed(distance), (obstacle.kind === "venue")]);
+  says = (py.truth(edge) ? N_("nearest to the edge of {name}: {gap} m") : N_("nearest to {name}: {gap} m"));
+  if (py.truth(vanishing(least))) {
+    says = N_("nearest to {name}: less than {gap} m");
+    if (py.truth(edge)) {
+      says = N_("nearest to the edge of {name}: less than {gap} m");
+    }
+  }
+  gap = shown(least, false, obstacle.margin);
+  return _atObstacle(distance, obstacle, n, () => py.filled(_(says), { name: named(obstacle), gap: gap }));
+}
+function _tooNear(record, contact, obstacle, n) {
+  let bench, found, near, says, touch;
+  found = [];
+  [touch, says] = py.list([contact, N_("margin from {name} not kept")]);
+  if (py.truth(_apart(contact))) {
+    found = py.extend(found, _atObstacle(contact, obstacle, n, () => py.filled(_(says), { name: named(obstacle) })));
+    touch = record.distance;
+  }
+  near = touch.witness;
+  if (((near != null) && (record.distance.value === 0.0))) {
+    bench = py.at(near.benches, 0);
+    found = py.extend(found, _atObstacle(touch, obstacle, n, () => touchText(bench, obstacle)));
+  }
+  return found;
+}
+function _atObstacle(answer, obstacle, n, say) {
+  let near, time;
+  near = answer.witness;
+  if (((near == null) || (near.time == null))) {
+    return [];
+  }
+  time = ((answer.unit === "s") ? bracketed(answer).value : near.time);
+  return [occasion(((obstacle.kind === "venue") ? "venue" : "obstacle"), time, say, near.benches, n)];
+}
+export function tighten(nearest, clearance, start, end) {
+  let a, b, bench, near, other, seen;
+  near = ((clearance == null) ? null : clearance.witness);
+  if (((clearance == null) || (clearance.value == null) || (near == null) || (near.time == null))) {
+    return null;
+  }
+  if (!((start <= near.time) && (near.time <= end))) {
+    return null;
+  }
+  [a, b] = py.list(near.benches);
+  for ([bench, other] of py.iter([[a, b], [b, a]])) {
+    seen = (py.truth(py.at(nearest.other, (bench - 1))) ? py.at(nearest.distance, (bench - 1)) : nearest.reach);
+    if ((clearance.value < seen)) {
+      py.set(nearest.distance, (bench - 1), py.round(clearance.value, 5));
+      py.set(nearest.time, (bench - 1), py.round(near.time, 4));
+      py.set(nearest.other, (bench - 1), other);
+    }
+  }
+}
