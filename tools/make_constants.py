@@ -1,9 +1,9 @@
 """Write constants of the Python modules as JavaScript, for their twins in the pages (web/compute).
 
-Takes of each module that a script names where it imports constants every number, short list of
-numbers and `IntEnum` that stands there in capitals or as a class, not those it imports: `CURVE.KIND` is
-`KIND` of kernels/curve.py, `MODEL_WALK.MOST_PLACES` that of model/walk.py. The same modules give the
-same bytes.
+Takes of each module that a script names where it imports constants the `IntEnum`s, and every number and
+short list of numbers that stands there in capitals and in such a script as a word: `CURVE.KIND` is that
+of kernels/curve.py, `MODEL_WALK.MOST_PLACES` that of model/walk.py. The same modules and scripts give
+the same bytes.
 
 Run it as `make types`.
 """
@@ -26,6 +26,8 @@ FILE = PACKAGE / "web" / "compute" / "constants.js"
 STATUS = "kernels.status"
 # Longer lists are tables of the kernels' own.
 SHORT = 10
+# Of a line, as prettier has it.
+WIDTH = 104
 HEADER = (
     "// Numbers of the kernels and of modules that have twins here. Made by tools/make_constants.py;\n"
     "// to make it again: make types\n"
@@ -70,9 +72,12 @@ def enums(module: ModuleType) -> list[type[IntEnum]]:
 
 
 def object_text(name: str, fields: dict[str, str]) -> str:
-    """One exported object."""
-    lines = "".join(f"  {key}: {value},\n" for key, value in fields.items())
-    return f"export const {name} = {{\n{lines}}};\n"
+    """One exported object, as prettier has it."""
+    pairs = [f"{key}: {value}" for key, value in fields.items()]
+    line = f"export const {name} = {{ {', '.join(pairs)} }};\n"
+    if len(line) <= WIDTH + 1:
+        return line
+    return f"export const {name} = {{\n" + "".join(f"  {pair},\n" for pair in pairs) + "};\n"
 
 
 def called(name: str) -> str:
@@ -80,11 +85,15 @@ def called(name: str) -> str:
     return name.removeprefix("kernels.").replace(".", "_").upper()
 
 
-def imported() -> set[str]:
-    """What scripts import of the constants."""
+def imported() -> dict[str, set[str]]:
+    """What scripts import of the constants, and the words of those that do."""
     asked = re.compile(r'import \{([^}]*)\} from "[./a-z]*/constants\.js"')
-    found = (asked.findall(path.read_text("utf-8")) for path in FILE.parents[1].rglob("*.js"))
-    return set(re.findall(r"\w+", " ".join(names for some in found for names in some)))
+    found: dict[str, set[str]] = {}
+    for path in FILE.parents[1].rglob("*.js"):
+        text = path.read_text("utf-8")
+        for name in re.findall(r"\w+", " ".join(asked.findall(text))):
+            found.setdefault(name, set()).update(re.findall(r"\w+", text))
+    return found
 
 
 def modules() -> list[str]:
@@ -94,12 +103,13 @@ def modules() -> list[str]:
     return sorted(names, key=lambda name: (not name.startswith("kernels."), name))
 
 
-def declared(name: str, asked: set[str]) -> list[str]:
+def declared(name: str, asked: dict[str, set[str]]) -> list[str]:
     """What is exported of one module, named without the package, of what is asked for."""
     if name != STATUS and called(name) not in asked:
         return []
     module = importlib.import_module(f"benchdragon.{name}")
-    found = {key: literal(getattr(module, key)) for key in own_names(module)}
+    words = asked.get(called(name), set())
+    found = {key: literal(getattr(module, key)) for key in own_names(module) if key in words}
     tables = {called(name): {key: value for key, value in found.items() if value is not None}}
     for one in enums(module):
         tables[one.__name__] = {member.name: str(member.value) for member in one}

@@ -26,3 +26,10 @@ def test_texts_and_truths_are_left_out() -> None:
     assert TOOL.literal(True) is None
     assert TOOL.literal("text") is None
     assert TOOL.literal((0.5, 2)) == "[0.5, 2]"
+
+
+def test_numbers_that_no_script_names_are_left_out() -> None:
+    assert TOOL.declared("kernels.curve", {"CURVE": {"KIND", "rows"}}) == [
+        "export const CURVE = { KIND: 0 };\n"
+    ]
+    assert TOOL.declared("kernels.curve", {"BOX": {"KIND"}}) == []

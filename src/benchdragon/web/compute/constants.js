@@ -3,74 +3,17 @@
 
 export const BENCH_NEARNESS = {
   REACH: 1.5,
-  BESIDE: 1.5,
   STRAIGHT: 3,
-  SHRINKS: 6,
-  OTHER: 0,
-  WHERE: 1,
-  LOWER: 2,
-  UPPER: 3,
-  HEAD: 4,
-  EARLY: 5,
-  LATE: 6,
-  PLACE_X: 7,
-  PLACE_Y: 8,
   TIGHTEST_COLUMNS: 9,
   NEAR: 0,
   WHEN: 1,
   NUMBER: 2,
   NEAR_COLUMNS: 3,
-  ON_LEFT: 0,
-  ON_RIGHT: 1,
-  AT_FRONT: 2,
-  AT_REAR: 3,
 };
 
-export const BENCH_WALKS = {
-  TOLERANCE: 1e-6,
-  MOST_LOOKS: 100,
-  ROUNDING: 8.881784197001252e-16,
-  LEAST: 2.2250738585072014e-308,
-  LOOKS: 8,
-  SHORTEST: 1,
-  LEVEL: 1e-6,
-  TIME: 0,
-  WAY: 1,
-  SPEED: 2,
-  SIDE: 3,
-  PACE: 4,
-  SLOW: 5,
-  FAST: 6,
-  NEXT: 7,
-  BEFORE: 8,
-  PIECE_COLUMNS: 9,
-  LAST: 0,
-  END_WAY: 1,
-  END_SPEED: 2,
-  NEAREST: 3,
-  PARTNER: 4,
-  AT: 5,
-  FLOOR: 6,
-  BENCH_COLUMNS: 7,
-  BENCH: 0,
-  START: 1,
-  END: 2,
-  TURN: 3,
-  STEPS: 4,
-  FAR: 5,
-  ANGLE: 6,
-  LOW: 7,
-  HIGH: 8,
-  STRETCH_COLUMNS: 9,
-  NOBODY: -1,
-};
+export const BENCH_WALKS = { PIECE_COLUMNS: 9, BENCH_COLUMNS: 7, STRETCH_COLUMNS: 9 };
 
-export const BENDS = {
-  STRAIGHT: 1e-6,
-  LEFT: 1,
-  AHEAD: 0,
-  RIGHT: -1,
-};
+export const BENDS = { STRAIGHT: 1e-6, LEFT: 1, RIGHT: -1 };
 
 export const BESIDE = {
   SORT: 0,
@@ -82,33 +25,12 @@ export const BESIDE = {
   WIDTH: 6,
   MOST: 7,
   MOST_LEAST: 8,
-  ASKED: 9,
   MADE: 2,
   ABOUT: 3,
   SOUND: 4,
   CLOSED_IN: 5,
   COUNT: 6,
-  GOAL: 7,
   NARROW: 8,
-  BEGINS: 9,
-  SOUGHT_OFF: 10,
-  APART: 11,
-  APART_BENCH: 12,
-  APART_OFF: 13,
-  NEAR: 14,
-  NEAR_BENCH: 15,
-  NEAR_AT: 16,
-  SIZE: 17,
-  REPEATS: 18,
-  BENCH: 19,
-  AHEAD: 20,
-  SPANS: 21,
-  SPAN: 22,
-  FROM: 23,
-  TO: 24,
-  GRAZES: 25,
-  TOLD_ROWS: 26,
-  SOONEST: 27,
   FIGURES: 28,
   VALUE: 0,
   LOW_END: 1,
@@ -121,25 +43,9 @@ export const BESIDE = {
   GAP: 8,
   FEATURE: 9,
   FOUND_COLUMNS: 10,
-  WAY_BENCH: 0,
-  WAY_COUNT: 1,
-  WAY_LOW: 2,
-  WAY_HIGH: 3,
-  WAY_LENGTH: 4,
-  WAYS: 5,
-  BESIDE_MEMORY: 4,
-  FOUND_MEMORY: 5,
-  FIRST_ROWS: 64,
-  AFTER_FOUND: 3,
 };
 
-export const BESIDE_SEARCH = {
-  ALL_TOLD: 0,
-  TOO_OFTEN: 30,
-  TOO_FAR_OFF: 31,
-  BESIDE: 16,
-  MOST_GRAZES: 1000,
-};
+export const BESIDE_SEARCH = { TOO_OFTEN: 30, TOO_FAR_OFF: 31, BESIDE: 16 };
 
 export const BOX = {
   CX: 0,
@@ -151,34 +57,12 @@ export const BOX = {
   BOX_COLUMNS: 6,
   LONGEST_BENCH: 10000,
   SHORTEST_LINK: 0.001,
-  ALONG: [1, -1, -1, 1],
-  ACROSS: [1, 1, -1, -1],
 };
 
-export const CONNECTIONS = {
-  HANDS: 0,
-  SIZES: 3,
-  WHOLE: 6,
-  WAY_COLUMNS: 7,
-  PIECES: 3,
-  MOST_WAYS: 8,
-  STEP_COUNT: 0,
-  STEP_X: 1,
-  STEP_Y: 2,
-  STEP_TURNED: 3,
-  STEP_COLUMNS: 4,
-  ROUNDING: 1e-13,
-  CHORD: 0.25,
-  LEAST_CHORDS: 8,
-  MOST_CHORDS: 4000,
-  RUN: 32,
-  FULL: 6.283185307179586,
-};
+export const CONNECTIONS = { PIECES: 3, STEP_COLUMNS: 4 };
 
 export const CONTACT_MEMORY = {
   SEEN: 4,
-  BETWEEN: 5,
-  NOTHING: -1,
   STOPPED: 30,
   UNSHOWN: 31,
   ENDLESS: 32,
@@ -195,12 +79,9 @@ export const CONTACT_MEMORY = {
   MOST_KINDS: 8,
   REFINING: 9,
   REFINING_ON: 10,
-  LIMITS: 11,
   WALKED: 2,
   EARLY: 3,
   LATE: 4,
-  FIRST_BENCH: 5,
-  SECOND_BENCH: 6,
   OFF_BY: 7,
   MARCHED: 8,
   BEST: 9,
@@ -209,28 +90,7 @@ export const CONTACT_MEMORY = {
   UNTIL: 12,
   EARLY_LEAD: 26,
   LATE_LEAD: 27,
-  GOAL: 13,
-  STAGE: 14,
-  READY: 15,
-  SPAN: 16,
-  BEGUN: 17,
-  NEAR: 18,
-  LEFT: 19,
-  PASS: 20,
-  ASIDE: 21,
-  AIMED: 22,
-  REACH: 23,
-  WITHIN: 24,
-  WHERE: 25,
   FIGURES: 28,
-  OWN_MEMORY: 3,
-  FEWEST: 4,
-  WALK_SLOT: 10,
-  ROOM_SLOT: 32,
-  SIZES_SLOT: 196,
-  KINDS_SLOT: 24,
-  END_SLOT: 248,
-  BASE: 80,
 };
 
 export const CURVE = {
@@ -250,41 +110,18 @@ export const CURVE = {
   Y: 8,
   ANGLE: 9,
   P: 10,
-  Q: 11,
   AXIS_X: 12,
   AXIS_Y: 13,
   COLUMNS: 14,
-  CLOTHOID_TURN: 2,
   MOST_METRES: 100000000,
   MOST_TURN: 10000,
-  SERIES_ANGLE: 0.001,
-  MAX_NEWTON: 40,
 };
 
-export const DRAWN_ROUTE = {
-  STRETCH_ERROR: 2e-5,
-  MOST_NODES: 4097,
-};
+export const DRAWN_ROUTE = { STRETCH_ERROR: 2e-5, MOST_NODES: 4097 };
 
-export const DRIVE = {
-  SPEEDS: 0,
-  TURNING: 1,
-  ACROSS: 2,
-  TOTAL: 3,
-  ALONG: 4,
-  QUANTITIES: 5,
-  FROM: 0,
-  TO: 1,
-  RATE: 2,
-  DRIVE_COLUMNS: 3,
-  JUMP: 1e-9,
-  BESIDE: 5.684341886080802e-14,
-  MOST_JUMPS: 3,
-};
+export const DRIVE = { SPEEDS: 0, TURNING: 1, ACROSS: 2, TOTAL: 3, ALONG: 4, QUANTITIES: 5 };
 
-export const EVERY_PAIR = {
-  CROWDED: 7,
-};
+export const EVERY_PAIR = { CROWDED: 7 };
 
 export const FAMILY = {
   PITCH: 0,
@@ -322,75 +159,28 @@ export const FAMILY = {
   UNKNOWN: 1e-6,
 };
 
-export const FORMATIONS = {
-  MOST_PARTS: 128,
-};
+export const FORMATIONS = { MOST_PARTS: 128 };
 
 export const HOLDS = {
-  FIRST: 0,
-  LAST: 1,
-  BEFORE: 2,
-  AFTER: 3,
-  REST: 4,
   PIECE_COLUMNS: 5,
   TIME: 0,
-  WAY: 1,
   SPEED: 2,
   KNOT_COLUMNS: 3,
-  HELD_WAY: 0,
-  HELD_AT: 1,
-  SECONDS: 2,
   HOLD_COLUMNS: 3,
-  NUMBER: 0,
-  STOOD_WAY: 1,
-  START: 2,
-  END: 3,
   STOOD_COLUMNS: 4,
   KNOTS: 0,
-  STOOD: 1,
   TOLD: 2,
   SHORT: 3,
   COUNTS: 4,
   FINE: 0,
-  OVERLAP: 1,
-  ROOM: 2,
-  UNREACHABLE: 3,
-  OUTSIDE: 4,
-  OVER: 5,
   SAME_PLACE: 1e-9,
 };
 
-export const MARKS = {
-  SAME_MARK: 1e-6,
-  CLOSE: 0.2,
-  CLOSE_SHARE: 0.4,
-  STEP: 0,
-  JOINT: 1,
-  END: 2,
-  START: 3,
-};
+export const MARKS = { SAME_MARK: 1e-6 };
 
-export const NEARNESS = {
-  FIRST: 0,
-  SECOND: 1,
-  DISTANCE: 2,
-  GAP: 3,
-  POINTS: 4,
-  OWNER: 8,
-  CORNER: 9,
-  OTHER: 10,
-  FEATURE: 11,
-  NEARNESS: 12,
-  SIDES: 2,
-  CORNERS: 4,
-};
+export const NEARNESS = { NEARNESS: 12, CORNERS: 4 };
 
-export const OBSTACLE = {
-  CIRCLE: 0,
-  BODY: 1,
-  LINE: 2,
-  VENUE: 3,
-};
+export const OBSTACLE = { CIRCLE: 0, BODY: 1, LINE: 2, VENUE: 3 };
 
 export const OWN_ROOM = {
   A_CELL: 0,
@@ -400,118 +190,21 @@ export const OWN_ROOM = {
   FIRST_DOUBTS: 4,
   MOST_CELLS: 5,
   PLACES: 6,
-  BEGINNINGS: 7,
-  ROUTE_ROWS: 0,
-  OF_CELLS: 1,
-  OF_PARTS: 2,
-  OF_ENTRIES: 3,
-  OF_DOUBTS: 4,
-  OF_PAIRS: 5,
-  OF_MEMBERS: 6,
-  MOST: 7,
-  SIZES: 8,
-  WIDER: 2,
-  ROOMY: 0,
-  UNSTEADY: 1,
-  TOO_LONG: 2,
-  TOO_LARGE: 3,
-  NO_MEMORY: 4,
-  FOR_GROUND: 5,
-  GROUND_MEMORY: 1,
-  STEP_MEMORY: 2,
-  BLOCK: 58,
-  MEETING: 106,
 };
 
-export const PACING = {
-  FAST: 0,
-  TURNING_RATE: 1,
-  GROWTH_LOW: 2,
-  GROWTH_HIGH: 3,
-  BEND: 4,
-  HULL_COLUMNS: 5,
-  HEAD: 5,
-  NODES: 65,
-  HALVINGS: 52,
-};
+export const PACING = { NODES: 65 };
 
 export const PEAK_MEMORY = {
-  EXTENT: 0,
-  HEAD: 1,
-  MOST_CELLS: 2,
-  FIRST_OPEN: 3,
-  MOST_OPEN: 4,
-  BUDGET: 5,
-  CELL_COST: 6,
-  COARSE_STEP: 7,
-  MOST_LOSS: 8,
-  ALIKE: 9,
-  NUMBERS: 10,
   VALUE: 2,
-  LEAST: 3,
-  MOST: 4,
-  AT: 5,
-  HANDLE: 6,
-  X: 7,
-  Y: 8,
-  STRETCH: 9,
-  PLACED: 10,
-  LOWER: 11,
-  HIGHER: 12,
-  DECIDES: 13,
   QUANTITY: 14,
   SHARE: 15,
   GIVEN_UP: 16,
   LOW: 17,
   HIGH: 18,
-  LIMIT: 19,
-  LEFT: 20,
-  LOSS: 21,
-  MOST_ROWS: 22,
-  GAP: 23,
-  CLOSED_BY: 24,
-  BEGIN: 25,
-  END: 26,
   FIGURES: 27,
-  PHASE: 0,
-  NEXT: 1,
-  WINDOW: 2,
-  WINDOWS: 3,
-  BEFORE: 4,
-  ALL: 5,
-  SOUGHT: 6,
-  STATE: 7,
-  HEAP_MEMORY: 0,
-  CELL_MEMORY: 1,
-  OWN_MEMORY: 2,
-  HEAP_SLOT: 202,
-  CELLS_SLOT: 208,
-  END_SLOT: 220,
-  BASE: 80,
-  ROWS: -1,
-  BENCHES: -2,
-  HANDLES: -3,
-  KINDS: -4,
-  STRETCHES: -5,
-  BORDERS: -6,
 };
 
-export const PEAK_QUESTION = {
-  STEP: 0.1,
-  COARSE_CELL: 0.4,
-  FINEST_CELL: 0.0125,
-  LEAST_LOSS: 1e-9,
-  SAMPLES: 4,
-  BOUNDED: 4,
-  SPEED_ROUNDING: 1e-13,
-  BEGUN: 0,
-  CUTTING: 1,
-  SAMPLED: 2,
-  WHOLE: 3,
-  ON: 0,
-  DONE: 1,
-  FALLEN: 2,
-};
+export const PEAK_QUESTION = { STEP: 0.1, BOUNDED: 4, DONE: 1, FALLEN: 2 };
 
 export const QUESTION = {
   SPENT: 0,
@@ -523,64 +216,15 @@ export const QUESTION = {
   CLOSED: 22,
 };
 
-export const REGIONS = {
-  SQUARE: 1.5687963267948966,
-  SHORT: 0.99999999,
-  MOST_PIECES: 200,
-  EDGE: 1e-7,
-  MOST_OFF: 2.5e-8,
-};
+export const REGIONS = { MOST_OFF: 2.5e-8 };
 
-export const ROUNDING = {
-  HALF_UNIT: 1.1102230246251565e-16,
-  LANE_UNITS: 10,
-  CHORD_UNITS: 6,
-  LINE_CHORD: 1,
-  LINE_UNITS: 3,
-  SPIRAL_UNITS: 7,
-  PIECE_UNITS: 8,
-  ARC_UNITS: 1,
-  WAY_UNITS: 12,
-  TANGENT_UNITS: 5,
-  TURN_UNITS: 4,
-  RATIO_UNITS: 16,
-  COSINE_UNITS: 4,
-  KINK: 1e-9,
-  GAP: 0,
-  TILT: 1,
-  SEAM_COLUMNS: 2,
-  ABOUT: 1.000000001,
-};
+export const ROUNDING = { SEAM_COLUMNS: 2 };
 
-export const ROUNDS = {
-  MOST_MISSED: 0.0001,
-  MOST_GAPS: 64,
-  MOST_FOLD: 24,
-  TURN: 6.283185307179586,
-  ROOM: 64,
-};
+export const ROUNDS = { ROOM: 64 };
 
-export const ROUTE = {
-  END_SLACK: 1e-9,
-  FOLD_COSINE: 0.001,
-  ROUNDING: 4.5e-16,
-  MAX_STEPS: 200,
-  MAX_POLISH: 80,
-};
+export const ROUTE = { END_SLACK: 1e-9 };
 
-export const ROUTE_PARTS = {
-  PART_KIND: 0,
-  PART_X: 1,
-  PART_Y: 2,
-  PART_ANGLE: 3,
-  SIZE: 4,
-  FIRST: 5,
-  LAST: 6,
-  HAND: 7,
-  PART_COLUMNS: 8,
-  EQUAL: 1.000000001,
-  MOST_PLACES: 1000000,
-};
+export const ROUTE_PARTS = { PART_X: 1, PART_Y: 2, PART_COLUMNS: 8 };
 
 export const SEARCH = {
   FIRST_TOUCH: 0,
@@ -589,18 +233,10 @@ export const SEARCH = {
   CLEAR: 0,
   FOUND: 1,
   GRAZE: 2,
-  STUCK: 3,
   FALLEN: 4,
-  UNSURE: 5,
-  SPLIT: 6,
-  LOWER: 0,
   UPPER: 1,
   PAIR: 2,
   EVALUATIONS: 3,
-  NEAREST: 4,
-  LOWEST: 5,
-  FLOOR: 6,
-  OFF: 7,
   NOTES: 8,
   DEPTH: 60,
 };
@@ -609,41 +245,16 @@ export const SIZE_BRACKET = {
   PASSES: 0,
   FAILS: 1,
   UNDECIDED: 2,
-  SENSE: 0,
   TOLERANCE: 1,
   SLACK: 2,
-  STAGE: 3,
-  SIZE: 4,
   GOOD: 5,
   BAD: 6,
-  TRIED: 7,
-  ROOT: 8,
-  SHIFT: 9,
-  SLOPE: 10,
-  CAUTION: 11,
-  FAILURES: 12,
-  BESIDE: 13,
-  TRIALS: 14,
-  GROWN: 15,
   DOUBTS: 16,
   VALUE: 17,
-  AT: 18,
-  PHASE: 19,
   NOW: 20,
-  SECOND_LAST: 21,
-  VALUE_THERE: 22,
-  SECANTS: 23,
   STATE: 24,
-  ULPS: 4,
-  UNIT: 2.3e-16,
-  GROWTH: 1.25,
   MOST_GROWTHS: 40,
-  FARTHEST: 100,
-  MOST_FAILURES: 2,
-  MOST_BESIDE: 12,
   MOST_TRIALS: 80,
-  FIRST_CAUTION: 2.5,
-  MORE_CAUTION: 4,
 };
 
 export const SIZE_MEMORY = {
@@ -658,103 +269,30 @@ export const SIZE_MEMORY = {
   NARROW: 8,
   BEGIN: 9,
   END: 10,
-  LIMITS: 11,
   MARCHED: 2,
   RESULT: 3,
-  DOING: 4,
-  ONE: 5,
-  LEFT: 6,
-  FIRST: 7,
-  LAST: 8,
   FIGURES: 9,
-  IDLE: 0,
-  SEEKING: 1,
-  WAITING: 2,
-  SEARCHING: 3,
-  BROKEN: 4,
-  FEWEST: 4,
-  ROWS_MEMORY: 0,
-  OWN_MEMORY: 3,
-  WALK_SLOT: 10,
-  SEAMS_SLOT: 29,
-  ROOM_SLOT: 32,
-  FAMILY_SLOT: 196,
-  END_SLOT: 288,
-  BASE: 80,
 };
 
-export const SIZE_QUESTION = {
-  ALONE: 3,
-  TRIED_ALONE: 7,
-  UNKNOWN: -1,
-  GOES_ON: -2,
-};
+export const SIZE_QUESTION = { ALONE: 3, UNKNOWN: -1 };
 
 export const SIZE_SEARCH = {
   GROW: 0,
   BORDER: 1,
   NARROW: 2,
   WALK: 0,
-  LOW_PAIR: 1,
-  DISTANCE: 2,
   FOUND: 3,
   UNLIMITED: 4,
   INFEASIBLE: 5,
   EXHAUSTED: 6,
-  OPENED: 0,
-  AFTER_WALK: 1,
-  AFTER_LOW_PAIR: 2,
-  AFTER_FIRST: 3,
-  AFTER_NEXT: 4,
-  AFTER_BELOW: 5,
   NOBODY: -1,
-  MEET_S: 0,
-  MEET_LEFT: 1,
-  MEET_FRONT: 2,
-  MEET_REAR: 3,
-  FAILED: 0,
   GUIDE: 1,
-  ROOTED: 2,
-  BEFORE: 3,
   MEETINGS: 4,
-  NEARBY: 0.1,
-  FIRST_STEP: 1e-5,
-  SHARP: 1e-7,
-  SETTLED: 1e-15,
-  LONGEST_SECANT: 1.1,
-  MOST_SECANTS: 40,
-  AT_REST: 0.0001,
 };
 
-export const SPANS = {
-  SPARE: 1e-6,
-  WORTH: 2,
-  PLACED: 1e-10,
-  LOW: 0,
-  HIGH: 1,
-  PERIOD: 2,
-  MISSED: 3,
-  REPEAT: 4,
-  BEGINS: 4,
-  BEGUN: 5,
-};
+export const SPANS = { REPEAT: 4 };
 
-export const SPIRAL = {
-  LEAST_ANGLE: 4,
-  MOST_LINK_INWARD: 1.4,
-  MOST_LINK_OUTWARD: 0.9,
-  STEP_INWARD: 1.12,
-  STEP_OUTWARD: 1.3,
-  LARGE_STEP: 1.1e-16,
-  MAX_PASSES: 30,
-  LANES: 64,
-  REST: 0,
-  GUESS: 64,
-  NEXT_REST: 128,
-  NEXT_GUESS: 192,
-  FOUND: 256,
-  STATE: 320,
-};
+export const SPIRAL = { LANES: 64 };
 
 export const Status = {
   OK: 0,
@@ -775,91 +313,30 @@ export const TurnStatus = {
   NO_ROOM: 6,
 };
 
-export const Smoothing = {
-  NONE: 0,
-  G1: 1,
-  G2: 2,
-};
+export const Smoothing = { NONE: 0, G1: 1, G2: 2 };
 
-export const FitStatus = {
-  OK: 0,
-  ONE_PLACE: 1,
-  DOUBLES_BACK: 2,
-  NO_ROOM: 3,
-  HAIRPIN: 4,
-};
+export const FitStatus = { OK: 0, ONE_PLACE: 1, DOUBLES_BACK: 2, NO_ROOM: 3, HAIRPIN: 4 };
 
-export const STEP_BOUNDS = {
-  PATH: 0,
-  SLOWEST: 1,
-  SPEED: 2,
-  GROWTH_LOW: 3,
-  GROWTH_HIGH: 4,
-  ACCELERATION: 5,
-  TURNING_RATE: 6,
-  RIGHT: 7,
-  LEFT: 8,
-  HEADING_CHANGE: 9,
-  TURN_LOW: 10,
-  TURN_HIGH: 11,
-  FRONT_LOW: 12,
-  FRONT_HIGH: 13,
-  REAR_LOW: 14,
-  REAR_HIGH: 15,
-  HANDLE_COLUMNS: 16,
-  TRAVEL: 0,
-  POINT_SPEED: 1,
-  POINT_ACCELERATION: 2,
-  TURN: 3,
-  ANGULAR_ACCELERATION: 4,
-  BENCH_COLUMNS: 5,
-  SMOOTH: 1e-12,
-  ROUNDED_UP: 1.000000000001,
-  PASSES: 3,
-};
+export const STEP_BOUNDS = { HANDLE_COLUMNS: 16, BENCH_COLUMNS: 5 };
 
 export const TURN_FAMILIES = {
-  PIECE_LENGTH: 0,
-  PIECE_START: 1,
-  PIECE_END: 2,
   MOST_PIECES: 7,
   ARCS: 3,
-  RADIUS: 2,
   LEAST_THETA: 0.5,
-  MOST_STEPS: 40,
-  CLOSED: 1e-12,
-  SLOPE_STEP: 1e-7,
   NOTHING: 1e-9,
-  FULL_TURN: 6.283185307178586,
   LEAD: 100,
   TRAIL: 1000,
   LOOK: 0.02,
 };
 
 export const TURN_QUESTION = {
-  STREWN: 300,
-  STARTS: 8,
   APART: 0.1,
-  SOFT: 3,
-  STEPS: [0.125, 0.06],
-  TRUST: [0.05, 0.01],
-  MOST_STEPS: [20, 60],
-  WORK: 100000,
   ALL: 0,
   NEAR: 1,
-  STREWING: 0,
-  DOWNHILL: 1,
-  CLOSELY: 2,
-  ENDED: 3,
-  DONE: 1,
   EXCEEDS: 2,
   TRIED: 3,
   SHARE: 4,
-  DOING: 5,
-  NUMBER: 6,
   FIGURES: 7,
-  BASE: 80,
-  END_SLOT: 137,
 };
 
 export const TURN_TRIAL = {
@@ -872,9 +349,6 @@ export const TURN_TRIAL = {
   WAY: 10,
   KINDS: 11,
   TWO_ARCS: 0,
-  LINE_BETWEEN: 1,
-  ARC_BETWEEN: 2,
-  UNKNOWNS: 6,
   FAMILY: 0,
   EASE: 1,
   PITCH: 2,
@@ -887,59 +361,14 @@ export const TURN_TRIAL = {
   SOUGHT: 9,
   LIMIT: 10,
   TOLD: 15,
-  KIND: 0,
-  ONE: 1,
-  TWO: 2,
-  PLACE: 3,
-  VALUE: 4,
-  MEASURE: 5,
-  PEAK: 6,
-  MOST_NOTED: 256,
-  MOST_KEPT: 48,
-  NEAR_GREATEST: 0.08,
-  ROUTE: 0,
-  PIECES: 1,
-  NOTED: 2,
-  FIRST: 3,
-  SECOND: 4,
-  PLACED: 5,
-  COUNTS: 6,
-  MOST_ROWS: 64,
-  FEW: 16,
   MORE: 40,
-  SLOTS: 64,
-  MOST_LOOKS: 4096,
-  CLEAR_SHARE: 0.35,
-  REACH_STEP: 0.1,
-  JUDGED: 2,
-  HOPELESS: 10000,
-  SECTION: 0.6180339887498949,
-  NARROWED: 44,
 };
 
-export const WALK_SEARCH = {
-  CROWDED: 9,
-  ASTRAY: 10,
-  SEEK: 3,
-  WIDTH_ROUNDINGS: 4,
-  HANDLES_A_CALL: 200000,
-  CALL: 1000,
-  SEARCHED: 8,
-  BOX_WORK: 64,
-  PARTNER_WORK: 16,
-};
+export const WALK_SEARCH = { CROWDED: 9, ASTRAY: 10, SEARCHED: 8 };
 
-export const ANALYSIS_BENCH_WALKS = {
-  STILL: 0.05,
-  STEP: 0.125,
-  MOST_LOOKED: 20000000,
-};
+export const ANALYSIS_BENCH_WALKS = { STILL: 0.05, STEP: 0.125, MOST_LOOKED: 20000000 };
 
-export const ANALYSIS_CONTACT = {
-  FRAYED: 1e-5,
-  MOST_GRAZES: 100,
-  MOST_SAMPLES: 1000000,
-};
+export const ANALYSIS_CONTACT = { FRAYED: 1e-5, MOST_GRAZES: 100 };
 
 export const ANALYSIS_CONTACT_SEARCH = {
   SLACK: 1e-13,
@@ -952,45 +381,19 @@ export const ANALYSIS_CONTACT_SEARCH = {
   SAMPLES_AHEAD: 65,
 };
 
-export const ANALYSIS_LEFT_OPEN = {
-  REST: 0.25,
-};
+export const ANALYSIS_LEFT_OPEN = { REST: 0.25 };
 
-export const ANALYSIS_MARKS = {
-  MOST_MARKS: 5000,
-  LENGTH_STEP: 0.005,
-  ANGLE_STEP: 0.01,
-  FARTHEST: 1.5,
-  AT_MARK: 0.01,
-  LONGEST_TAPE: 200,
-};
+export const ANALYSIS_MARKS = { MOST_MARKS: 5000, FARTHEST: 1.5, AT_MARK: 0.01 };
 
-export const ANALYSIS_NEARBY = {
-  FAR: 100,
-  SPREADS: 4,
-  NOWHERE: [0, 0],
-};
+export const ANALYSIS_NEARBY = { FAR: 100, SPREADS: 4, NOWHERE: [0, 0] };
 
-export const ANALYSIS_NOT_LOOKED_AT = {
-  DUST: 1e-6,
-};
+export const ANALYSIS_NOT_LOOKED_AT = { DUST: 1e-6 };
 
-export const ANALYSIS_OBSTACLE_SEARCH = {
-  SAMPLES: 65,
-  NARROW: 1e-6,
-};
+export const ANALYSIS_OBSTACLE_SEARCH = { SAMPLES: 65, NARROW: 1e-6 };
 
-export const ANALYSIS_ROOM = {
-  TOLERANCES: [0.001],
-};
+export const ANALYSIS_ROOM = { TOLERANCES: [0.001] };
 
-export const ANALYSIS_SHORTAGE = {
-  SAMPLES: 200,
-  CLOSER: 50,
-  DECIMALS: 2,
-  LEVEL: 1e-6,
-  HALVINGS: 50,
-};
+export const ANALYSIS_SHORTAGE = { SAMPLES: 200, CLOSER: 50, DECIMALS: 2, LEVEL: 1e-6, HALVINGS: 50 };
 
 export const ANALYSIS_SPEED = {
   TOLERANCE: 1e-10,
@@ -1012,68 +415,31 @@ export const ANALYSIS_TABLES = {
   DOUBTS: 64,
 };
 
-export const ANALYSIS_UNFINISHED = {
-  NEARLY: 0.01,
-  TENTHS: 10,
-  DUST: 1e-6,
-};
+export const ANALYSIS_UNFINISHED = { NEARLY: 0.01, TENTHS: 10, DUST: 1e-6 };
 
-export const BUDGET = {
-  MOST_TIMES: 1000000,
-  WORK: 1000000000,
-  MEMORY: 600000000,
-};
+export const BUDGET = { WORK: 1000000000, MEMORY: 600000000 };
 
-export const ERRORS = {
-  MOST_SHOWN: 80,
-};
+export const ERRORS = { MOST_SHOWN: 80 };
 
-export const MODEL_ANSWER = {
-  ROUNDING: 1e-11,
-};
+export const MODEL_ANSWER = { ROUNDING: 1e-11 };
 
-export const MODEL_BASE_CURVE = {
-  NOWHERE: [0, 0, 0],
-  LEAST_METRES: 1e-6,
-};
+export const MODEL_BASE_CURVE = { NOWHERE: [0, 0, 0], LEAST_METRES: 1e-6 };
 
-export const MODEL_CURVES = {
-  JOINT_GAP: 1e-9,
-  JOINT_KINK: 1e-9,
-  MOST_WINDING: 10000,
-};
+export const MODEL_CURVES = { JOINT_GAP: 1e-9, JOINT_KINK: 1e-9, MOST_WINDING: 10000 };
 
-export const MODEL_DRAGON = {
-  MOST_BENCHES: 1000000,
-  MOST_FAULTS: 20,
-};
+export const MODEL_DRAGON = { MOST_BENCHES: 1000000, MOST_FAULTS: 20 };
 
-export const MODEL_HOLDS = {
-  KNOTS: 6,
-};
+export const MODEL_HOLDS = { KNOTS: 6 };
 
-export const MODEL_OBSTACLE = {
-  MOST_CORNERS: 5000,
-  LEAST_SIDE: 1e-6,
-};
+export const MODEL_OBSTACLE = { MOST_CORNERS: 5000, LEAST_SIDE: 1e-6 };
 
-export const MODEL_PLACEMENT = {
-  PLACE: 40,
-};
+export const MODEL_PLACEMENT = { PLACE: 40 };
 
-export const MODEL_PROFILE = {
-  MOST_SPEED: 100,
-};
+export const MODEL_PROFILE = { MOST_SPEED: 100 };
 
-export const MODEL_WALK = {
-  MOST_PLACES: 50000000,
-  MOST_WORKERS: 64,
-  SLICE_PLACES: 1000000,
-  FAILURE_TOLERANCE: 1e-9,
-};
+export const MODEL_WALK = { MOST_PLACES: 50000000, SLICE_PLACES: 1000000 };
 
 export const NUMBER_FORMAT = {
-  DIGITS: 340,
   FIGURES: 5,
   TIME_DECIMALS: 2,
   DECIMALS: 3,
@@ -1083,49 +449,15 @@ export const NUMBER_FORMAT = {
   BESIDE: 1e-9,
 };
 
-export const PLANS_CUES = {
-  MOST_CUES: 200,
-  LEAST_TEMPO: 20,
-  MOST_TEMPO: 400,
-  MOST_BAR: 16,
-  LEAST_HOLD: 0.1,
-  PRUDENCE: 1e-9,
-  END_SLACK: 1e-6,
-};
+export const PLANS_CUES = { PRUDENCE: 1e-9, END_SLACK: 1e-6 };
 
-export const PLANS_ROUTES = {
-  FITS: 0.001,
-  MOST_STEPS: 50,
-  RUN_UP: 1,
-  FOLDS: 0.001,
-};
+export const PLANS_ROUTES = { FITS: 0.001, RUN_UP: 1, FOLDS: 0.001 };
 
-export const PLANS_SOURCE = {
-  MOST_SIGNS: 200,
-  MOST_FAULTS: 20,
-};
+export const PLANS_SOURCE = { MOST_SIGNS: 200, MOST_FAULTS: 20 };
 
-export const PLANS_TABLES = {
-  MOST_PARTS: 10000,
-  ROOMY: 0.9,
-  LEAST: 1e-6,
-  LEAST_PITCH: 0.001,
-  MOST_SECONDS: 1000000000,
-  MOST_DEGREES: 1000000,
-  MOST_CURVATURE: 1000000,
-  MOST_EASE: 1000,
-};
+export const PLANS_TABLES = { ROOMY: 0.9, LEAST: 1e-6, LEAST_PITCH: 0.001 };
 
-export const PLANS_TOML = {
-  MOST_BYTES: 20000000,
-  MOST_KEYS: 500000,
-  MOST_ENTRIES: 1000000,
-  MOST_DEPTH: 30,
-  MOST_DIGITS: 200,
-  MOST_SIGNS: 100,
-  MOST_BASES: 8,
-  MOST_BITS: 1023,
-};
+export const PLANS_TOML = { MOST_KEYS: 500000, MOST_ENTRIES: 1000000, MOST_SIGNS: 100 };
 
 export const PLAYER_FOLLOWING = {
   FINE: 1e-9,
@@ -1149,7 +481,6 @@ export const PLAYER_FRAMES = {
   NEAR: 0.125,
   LEAP: 0.25,
   MOST_PLACES: 12000000,
-  LEVEL: 4,
   FARTHEST: 200000,
   STRETCH: 20,
 };
@@ -1168,26 +499,13 @@ export const PLAYER_SCENE = {
 export const ROSTERS_EXTENT = {
   MOST_UNPACKED: 100000000,
   MOST_PARTS: 2000,
-  MOST_DEPTH: 200,
   MOST_ROWS: 20000,
   MOST_COLUMNS: 100,
-  MOST_CELLS: 100000,
-  MOST_SIGNS: 1000,
-  MOST_COUNTED: 1000000,
-  NONSENSE: 1000000000,
-  CHUNK: 65536,
 };
 
-export const ROSTERS_GRID = {
-  MOST_BYTES: 20000000,
-  MOST_NAMES: 10,
-  COMMON: 9,
-  ALL_BUT: 4,
-};
+export const ROSTERS_GRID = { MOST_BYTES: 20000000 };
 
-export const SHEETS_BRIEFING = {
-  MOST_NAMED: 4,
-};
+export const SHEETS_BRIEFING = { MOST_NAMED: 4 };
 
 export const SOLVE_DANCE_BOUND = {
   STRETCH: 2.5,
@@ -1205,13 +523,7 @@ export const SOLVE_DANCE_BOUND = {
   SPARE_ANGLE: 0.001,
 };
 
-export const SOLVE_HEAD_SPEED = {
-  PRUDENCE: 1e-9,
-  MOST_KNOTS: 5000,
-  FINER: 8,
-  DIGITS: 12,
-  AT_ONCE: 1000000,
-};
+export const SOLVE_HEAD_SPEED = { PRUDENCE: 1e-9, MOST_KNOTS: 5000, FINER: 8, AT_ONCE: 1000000 };
 
 export const SOLVE_RANDOM_DANCE = {
   HINT_STEP: 0.3,
@@ -1239,20 +551,11 @@ export const SOLVE_RANDOM_DANCE = {
   BEHIND: 1,
 };
 
-export const SOLVE_SIZE = {
-  MOST_WIDENINGS: 12,
-  MOST_COUNT: 10000,
-  QUICK_SIZE: 1e-5,
-};
+export const SOLVE_SIZE = { MOST_COUNT: 10000, QUICK_SIZE: 1e-5 };
 
-export const SOLVE_SIZE_FAMILY = {
-  TOLERANCE: 1e-12,
-};
+export const SOLVE_SIZE_FAMILY = { TOLERANCE: 1e-12 };
 
-export const SOLVE_SIZE_QUESTION = {
-  MOST_WIDENINGS: 30,
-  FAR: 10,
-};
+export const SOLVE_SIZE_QUESTION = { MOST_WIDENINGS: 30, FAR: 10 };
 
 export const SOLVE_TOLERANCE = {
   STRAY_LENGTH: 10,
@@ -1289,13 +592,4 @@ export const SOLVE_TURN_GOAL = {
   WIDER: 1.001,
 };
 
-export const SURVEYS_LINES = {
-  MOST_BYTES: 50000000,
-  MOST_CORNERS: 100000,
-  MOST_LINES: 10000,
-  MOST_CURVES: 10000,
-  FLATTENED: 0.001,
-  SAME: 1e-9,
-  ROUNDED: 6,
-  STRAIGHT: 1e-12,
-};
+export const SURVEYS_LINES = { MOST_CURVES: 10000, SAME: 1e-9 };
