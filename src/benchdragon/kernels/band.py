@@ -7,20 +7,13 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels import step_bounds as bounds
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.entries import allocates, entry
 from benchdragon.kernels.regions import walks_on
 from benchdragon.kernels.route import locate
-from benchdragon.kernels.step_bounds import (
-    BENCH_COLUMNS,
-    HANDLE_COLUMNS,
-    PATH,
-    POINT_ACCELERATION,
-    TRAVEL,
-    bound_bench,
-    heading_bound,
-)
+from benchdragon.kernels.step_bounds import bound_bench, heading_bound
 
 
 @entry
@@ -33,7 +26,7 @@ def strays(rows: Table, link: Vector, sizes: Table, k: int, places: Placements, 
     that the bench walks on without a leap. A point whose acceleration is at most M is within M h^2 / 8
     of the straight way; one that travels D, within D / 2 of its ends.
     """
-    handles, bench = np.empty((2, HANDLE_COLUMNS)), np.empty(BENCH_COLUMNS)
+    handles, bench = np.empty((2, bounds.HANDLE_COLUMNS)), np.empty(bounds.BENCH_COLUMNS)
     for n in range(out.shape[0]):
         out[n] = math.inf
         a = 2 * n
@@ -41,8 +34,8 @@ def strays(rows: Table, link: Vector, sizes: Table, k: int, places: Placements, 
             out[n] = 0.0
         elif walks_on(rows, places, a, link, handles):
             bound_bench(handles, 0, sizes, k, bench)
-            h = handles[0, PATH]
-            out[n] = min(0.125 * bench[POINT_ACCELERATION] * h * h, 0.5 * bench[TRAVEL])
+            h = handles[0, bounds.PATH]
+            out[n] = min(0.125 * bench[bounds.POINT_ACCELERATION] * h * h, 0.5 * bench[bounds.TRAVEL])
 
 
 @entry

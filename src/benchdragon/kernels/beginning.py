@@ -2,26 +2,8 @@
 
 import math
 
-from benchdragon.kernels.cells import (
-    ALONE,
-    ARM,
-    CELL,
-    COUNTS,
-    END,
-    FIRST,
-    FOREMOST,
-    GROUPS,
-    HIND,
-    LOW,
-    REACH,
-    REAR,
-    REARMOST,
-    ROWS,
-    WAYS,
-    WIDEST,
-    Ground,
-    Kinds,
-)
+from benchdragon.kernels import cells
+from benchdragon.kernels.cells import Ground, Kinds
 from benchdragon.kernels.course import (
     AT,
     GOAL,
@@ -65,24 +47,24 @@ def begin_group(benches: Benches, kinds: Kinds, ground: Ground, s: FloatArray, g
         if kinds.group[benches.kind[i]] == g:
             hind = min(hind, s[i, 0])
             foremost, rearmost = min(foremost, benches.ahead[i]), benches.ahead[i]
-    for b in range(counts[GROUPS]):
-        if groups[g, WAYS + b] < math.inf or groups[b, WAYS + g] < math.inf:
+    for b in range(counts[cells.GROUPS]):
+        if groups[g, cells.WAYS + b] < math.inf or groups[b, cells.WAYS + g] < math.inf:
             alone = 0.0
-    groups[g, ARM], groups[g, HIND] = arm + ground.measures[CELL], hind
-    groups[g, WIDEST], groups[g, ALONE] = 0.0, alone
-    groups[g, FOREMOST], groups[g, REARMOST], groups[g, FIRST] = foremost, rearmost, math.inf
+    groups[g, cells.ARM], groups[g, cells.HIND] = arm + ground.measures[cells.CELL], hind
+    groups[g, cells.WIDEST], groups[g, cells.ALONE], groups[g, cells.FIRST] = 0.0, alone, math.inf
+    groups[g, cells.FOREMOST], groups[g, cells.REARMOST] = foremost, rearmost
 
 
 @kernel
 def find_clear_spans(rows: FloatArray, kinds: Kinds, ground: Ground, shortest: float) -> None:
     """Fill the spans of the route where benches of two groups keep apart, a shortest link between."""
-    groups, spans = ground.counts[GROUPS], ground.spans
+    groups, spans = ground.counts[cells.GROUPS], ground.spans
     each = spans.shape[0] // (groups * groups)  # as many as rows, or more
     for n in range(spans.shape[0]):
         spans[n, 0], spans[n, 1] = math.inf, -math.inf
     for pair in range(groups * groups):
-        if ground.groups[pair // groups, WAYS + pair % groups] < math.inf:
-            room = 0.5 * ground.measures[REACH]
+        if ground.groups[pair // groups, cells.WAYS + pair % groups] < math.inf:
+            room = 0.5 * ground.measures[cells.REACH]
             ahead = shape_of(kinds.sizes, kinds.group, pair // groups, room)
             behind = shape_of(kinds.sizes, kinds.group, pair % groups, room)
             clear_spans(rows, ahead, behind, shortest, spans[pair * each : (pair + 1) * each])
@@ -92,9 +74,9 @@ def find_clear_spans(rows: FloatArray, kinds: Kinds, ground: Ground, shortest: f
 def begin_course(rows: FloatArray, ground: Ground, course: Course, start: float, end: float) -> None:
     """Let a walk be at its start, nothing known ahead; it goes no farther than the route."""
     way, last = course.way, rows.shape[0] - 1
-    ground.measures[END] = rows[last, S_START] + rows[last, LENGTH]
+    ground.measures[cells.END] = rows[last, S_START] + rows[last, LENGTH]
     way[AT] = way[UPTO] = way[KNOWN] = way[SOUND] = way[STEP_START] = way[STEP_END] = start
-    way[GOAL] = min(end, ground.measures[END])
+    way[GOAL] = min(end, ground.measures[cells.END])
     for n in range(TALLY):
         course.tally[n] = 0
 
@@ -111,18 +93,18 @@ def begin_walk(walk: Walk, room: Room, start: float, end: float, reach: float) -
     for k in range(kinds.group.shape[0]):
         shortest = min(shortest, link_of(kinds.sizes, k))
     cell = CELL_SHARE * shortest
-    ground.measures[REACH], ground.measures[CELL] = reach + EDGE, cell
+    ground.measures[cells.REACH], ground.measures[cells.CELL] = reach + EDGE, cell
     begin_course(rows, ground, course, start, end)
     find_seams(rows, ground.seams)
     block.at[0] = start
     if not place_block(rows, benches.links, block, course.tally, 1):
         return False
-    for n in range(COUNTS):
+    for n in range(cells.COUNTS):
         counts[n] = 0
-    counts[GROUPS], counts[ROWS] = groups, groups * ground.middles.shape[0]
-    counts[LOW] = math.floor(block.s[benches.kind.shape[0] - 1, 0] / cell)
-    counts[REAR] = NOWHERE
-    least_ways(benches.links, benches.kind, kinds.group, groups, ground.groups, WAYS)
+    counts[cells.GROUPS], counts[cells.ROWS] = groups, groups * ground.middles.shape[0]
+    counts[cells.LOW] = math.floor(block.s[benches.kind.shape[0] - 1, 0] / cell)
+    counts[cells.REAR] = NOWHERE
+    least_ways(benches.links, benches.kind, kinds.group, groups, ground.groups, cells.WAYS)
     for g in range(groups):
         begin_group(benches, kinds, ground, block.s, g)
     find_clear_spans(rows, kinds, ground, shortest)

@@ -10,39 +10,18 @@ value cannot be (design/coarse_bound.py).
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import step_bounds
 from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
-from benchdragon.kernels.chain import (
-    Placements,
-    place_head,
-    place_next,
-    rates_in_slot,
-)
+from benchdragon.kernels.chain import Placements, place_head, place_next, rates_in_slot
 from benchdragon.kernels.curve import S_START, FloatArray, length_at, place
-from benchdragon.kernels.drive import (
-    ACROSS,
-    SPEEDS,
-    TOTAL,
-    TURNING,
-    most_of_handle,
-)
+from benchdragon.kernels.drive import ACROSS, SPEEDS, TOTAL, TURNING, most_of_handle
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.rate_rounding import Errors, bend_errors, rate_errors
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended, Status
-from benchdragon.kernels.step_bounds import (
-    GROWTH_HIGH,
-    GROWTH_LOW,
-    ROUNDED_UP,
-    SLOWEST,
-    SPEED,
-    TURNING_RATE,
-    bound_handles,
-    curvature_range,
-    magnitude,
-    scaled,
-)
+from benchdragon.kernels.step_bounds import bound_handles, curvature_range, magnitude, scaled
 
 # Columns of what a bench does while its front handle walks through a cell.
 REAR = 0  # route position of its rear handle at the cell's start, m
@@ -195,11 +174,13 @@ def bound_kind(
     if places.failed[0, a] != Status.OK or places.failed[0, b] != Status.OK:
         return True
     bound_handles(rows, links[g], places, a, b, bounds)
-    fast = bounds[1, SPEED]
-    benches[c, g, SLOW], benches[c, g, FAST] = bounds[1, SLOWEST], fast
+    fast = bounds[1, step_bounds.SPEED]
+    benches[c, g, SLOW], benches[c, g, FAST] = bounds[1, step_bounds.SLOWEST], fast
     off = max(growth_error(shop, a), growth_error(shop, b))
-    benches[c, g, FADE], benches[c, g, GROW] = bounds[1, GROWTH_LOW] - off, bounds[1, GROWTH_HIGH] + off
-    benches[c, g, SWAY] = bounds[1, TURNING_RATE] + max(errors.turn[0, a], errors.turn[0, b])
+    benches[c, g, FADE] = bounds[1, step_bounds.GROWTH_LOW] - off
+    benches[c, g, GROW] = bounds[1, step_bounds.GROWTH_HIGH] + off
+    sway = max(errors.turn[0, a], errors.turn[0, b])
+    benches[c, g, SWAY] = bounds[1, step_bounds.TURNING_RATE] + sway
     cells.off[c] = max(cells.off[c], errors.ratio[1, a], errors.ratio[1, b])
     return fast > max(1.0, max(places.ratio[1, a], places.ratio[1, b]) * (1.0 + loss))
 
@@ -239,15 +220,9 @@ def hold(rows: FloatArray, kinds: Kinds, shop: Workshop, s: float, longest: floa
 
 @kernel
 def cut_cells(
-    rows: Table,
-    kinds: Kinds,
-    shop: Workshop,
-    cuts: Cuts,
-    cells: Cells,
-    reached: Vector,
-    done: IntVector,
-    budget: int,
-) -> Ended:
+    rows: Table, kinds: Kinds, shop: Workshop, cuts: Cuts, cells: Cells, reached: Vector,
+    done: IntVector, budget: int,
+) -> Ended:  # fmt: skip
     """Cut the route from reached[AT], m, into cells.
 
     `reached` and `done` tell how far that is; before the first call done is 0 and the cells begin at
@@ -354,15 +329,9 @@ def greatest_bend(bends: FloatArray, ca: int, cb: int) -> float:
 
 @kernel
 def bound_by_cells(
-    cells: Cells,
-    group: IntArray,
-    links: int,
-    low: float,
-    high: float,
-    drive: FloatArray,
-    quantity: int,
-    enough: float,
-) -> tuple[float, float, int]:
+    cells: Cells, group: IntArray, links: int, low: float, high: float, drive: FloatArray,
+    quantity: int, enough: float,
+) -> tuple[float, float, int]:  # fmt: skip
     """At most a quantity of the first `links` + 1 handles while the head walks from low to high, m.
 
     Benches are of the kinds `group`. Then at most what it is on handles that cannot exceed `enough`,
@@ -379,7 +348,7 @@ def bound_by_cells(
     for i in range(links + 1):
         bend = greatest_bend(cells.bends, ca, cb) if quantity in (ACROSS, TOTAL) else 0.0
         size = swayed if quantity == TURNING else fastest
-        bound = ROUNDED_UP * most_of_handle(size, fade, grow, bend, drive, quantity)
+        bound = step_bounds.ROUNDED_UP * most_of_handle(size, fade, grow, bend, drive, quantity)
         calm = quantity == SPEEDS and bound <= enough and cells.fastest[cb] <= 1.0
         exactly = bound
         if quantity == SPEEDS:

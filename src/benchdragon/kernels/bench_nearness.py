@@ -4,21 +4,11 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels import box
 from benchdragon.kernels.arrays import IntTable, Table, Vector
 from benchdragon.kernels.bench_walks import AT, FLOOR, LEVEL, NEAREST, NOBODY, PARTNER, Known, Line
-from benchdragon.kernels.box import (
-    CX,
-    CY,
-    HALF_LENGTH,
-    HALF_WIDTH,
-    boxes_at,
-    corner,
-    nearest_corner,
-    nearest_each,
-    offset,
-    set_box,
-)
 from benchdragon.kernels.box import box_distance as apart
+from benchdragon.kernels.box import boxes_at, corner, nearest_corner, nearest_each, offset, set_box
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, entry, kernel
@@ -47,7 +37,7 @@ ON_LEFT, ON_RIGHT, AT_FRONT, AT_REAR = 0, 1, 2, 3
 def side_of(boxes: FloatArray, k: int, x: float, y: float) -> int:
     """On which side of box k a point lies that is outside of it."""
     along, across = offset(boxes, k, x, y)
-    if abs(along) - boxes[k, HALF_LENGTH] > abs(across) - boxes[k, HALF_WIDTH]:
+    if abs(along) - boxes[k, box.HALF_LENGTH] > abs(across) - boxes[k, box.HALF_WIDTH]:
         return AT_FRONT if along > 0.0 else AT_REAR
     return ON_LEFT if across > 0.0 else ON_RIGHT
 
@@ -64,15 +54,9 @@ def nearest_side(boxes: FloatArray) -> int:
 
 @entry
 def find_tightest(
-    line: Line,
-    heads: Vector,
-    first: int,
-    stop: int,
-    least: float,
-    known: Known,
-    boxes: Table,
+    line: Line, heads: Vector, first: int, stop: int, least: float, known: Known, boxes: Table,
     out: Table,
-) -> None:
+) -> None:  # fmt: skip
     """Fill the rows of `out` of benches first <= k < stop with their tightest moments.
 
     `heads` are all head positions that were looked at, m. No two benches that are not neighbours come
@@ -126,10 +110,11 @@ def most_abreast(boxes: FloatArray, k: int, hand: float) -> int:
     for j in range(boxes.shape[0]):
         if abs(j - k) < 2:
             continue
-        along, across = offset(boxes, k, boxes[j, CX], boxes[j, CY])
+        along, across = offset(boxes, k, boxes[j, box.CX], boxes[j, box.CY])
         along, across = abs(along), hand * across
-        level = along <= boxes[k, HALF_LENGTH] + 0.5 * boxes[j, HALF_LENGTH]
-        if not level or not 0.0 < across <= BESIDE + boxes[k, HALF_WIDTH] + boxes[j, HALF_WIDTH]:
+        level = along <= boxes[k, box.HALF_LENGTH] + 0.5 * boxes[j, box.HALF_LENGTH]
+        beside = BESIDE + boxes[k, box.HALF_WIDTH] + boxes[j, box.HALF_WIDTH]
+        if not level or not 0.0 < across <= beside:
             continue
         follows = j == last + 1
         if stands and not (follows and along < offset_of_last) and away < best:
@@ -163,8 +148,5 @@ def see_near(
         for k in range(count):
             least[t] = min(least[t], distance[t, k])
             if distance[t, k] < near[k, NEAR]:
-                near[k, NEAR], near[k, WHEN], near[k, NUMBER] = (
-                    distance[t, k],
-                    times[t],
-                    partner[t, k] + 1,
-                )
+                near[k, NEAR], near[k, WHEN] = distance[t, k], times[t]
+                near[k, NUMBER] = partner[t, k] + 1

@@ -313,10 +313,8 @@ def absorb(line: FloatArray, tree: FloatArray, n: int) -> None:
     gone = int(line[n, NEXT])
     after = int(line[gone, NEXT])
     line[n, NEXT], line[after, BEFORE] = after, n
-    line[n, SLOW], line[n, FAST] = (
-        min(line[n, SLOW], line[gone, SLOW]),
-        max(line[n, FAST], line[gone, FAST]),
-    )
+    line[n, SLOW] = min(line[n, SLOW], line[gone, SLOW])
+    line[n, FAST] = max(line[n, FAST], line[gone, FAST])
     set_least(tree, gone, math.inf)
     set_least(tree, n, line[after, TIME] - line[n, TIME])
 

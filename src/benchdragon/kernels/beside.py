@@ -8,56 +8,22 @@ follows another of its size comes to nothing new beyond where that one stood at 
 
 from typing import NamedTuple
 
+from benchdragon.kernels import memory
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.box import (
-    BOX_COLUMNS,
-)
+from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.kinds import same_size
-from benchdragon.kernels.memory import (
-    ADDRESS,
-    HEADER,
-    OWNED,
-    SLOTS,
-    allocate,
-    clear,
-    copy_row,
-    copy_table,
-    drop,
-    group_at,
-    integers_at,
-    lay_from,
-    lay_row,
-    lay_table,
-    release,
-    take,
-)
 from benchdragon.kernels.nearness import NEARNESS
 from benchdragon.kernels.obstacle import fill_boxes, sides
 from benchdragon.kernels.own_room import WIDER, lay_placements, lay_search
 from benchdragon.kernels.question import TOLD
-from benchdragon.kernels.rounding import (
-    SEAM_COLUMNS,
-    find_seams,
-)
+from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import (
-    NOTES,
-    Search,
-)
-from benchdragon.kernels.spans import (
-    BEGUN,
-    HIGH,
-    LOW,
-    PERIOD,
-    REPEAT,
-)
-from benchdragon.kernels.standing import (
-    Bench,
-    Standing,
-)
+from benchdragon.kernels.search import NOTES, Search
+from benchdragon.kernels.spans import BEGUN, HIGH, LOW, PERIOD, REPEAT
+from benchdragon.kernels.standing import Bench, Standing
 
 # What hosts say of an obstacle and of the walk, a row of floats.
 SORT = 0  # of what kind: see kernels/obstacle.py
@@ -136,51 +102,45 @@ AFTER_FOUND = 3
 
 @kernel
 def lay_beside(
-    slots: IntArray,
-    slot: int,
-    address: int,
-    rows: int,
-    benches: int,
-    corners: int,
-    boxes: int,
+    slots: IntArray, slot: int, address: int, rows: int, benches: int, corners: int, boxes: int,
     known: int,
-) -> int:
+) -> int:  # fmt: skip
     """Lay a search from a slot and an address on, but for what is found; the bytes that takes."""
     near = max(boxes, 2)
-    lay_from(slots, slot + AFTER_FOUND, address)
-    lay_table(slots, rows, COLUMNS)
-    lay_row(slots, 1)
-    lay_table(slots, 4, 1)
-    lay_table(slots, rows, SEAM_COLUMNS)
-    lay_table(slots, boxes, BOX_COLUMNS)
-    lay_table(slots, near, BOX_COLUMNS)
+    memory.lay_from(slots, slot + AFTER_FOUND, address)
+    memory.lay_table(slots, rows, COLUMNS)
+    memory.lay_row(slots, 1)
+    memory.lay_table(slots, 4, 1)
+    memory.lay_table(slots, rows, SEAM_COLUMNS)
+    memory.lay_table(slots, boxes, BOX_COLUMNS)
+    memory.lay_table(slots, near, BOX_COLUMNS)
     for _list in range(3):
-        lay_row(slots, boxes)
-    lay_row(slots, 1)
+        memory.lay_row(slots, boxes)
+    memory.lay_row(slots, 1)
     lay_search(slots, 2, boxes + 1, boxes + 1)
-    lay_row(slots, benches)
-    lay_table(slots, 4, benches)
-    lay_row(slots, benches)
-    lay_table(slots, corners, 2)
-    lay_table(slots, known, REPEAT)
-    lay_table(slots, known, BEGUN)
-    lay_table(slots, known, 2)
-    lay_table(slots, known + 1, 2)
+    memory.lay_row(slots, benches)
+    memory.lay_table(slots, 4, benches)
+    memory.lay_row(slots, benches)
+    memory.lay_table(slots, corners, 2)
+    memory.lay_table(slots, known, REPEAT)
+    memory.lay_table(slots, known, BEGUN)
+    memory.lay_table(slots, known, 2)
+    memory.lay_table(slots, known + 1, 2)
     lay_placements(slots, benches + 1, 2)
-    lay_table(slots, benches + 1, 2)
-    lay_table(slots, benches, WAYS)
-    lay_row(slots, 2)
+    memory.lay_table(slots, benches + 1, 2)
+    memory.lay_table(slots, benches, WAYS)
+    memory.lay_row(slots, 2)
     lay_placements(slots, benches + 1, 1)
-    lay_row(slots, benches)
-    lay_row(slots, benches + 1)
-    lay_row(slots, benches)
-    lay_row(slots, NEARNESS)
-    lay_row(slots, 1)
-    lay_table(slots, 2, BOX_COLUMNS)
-    lay_row(slots, ASKED)
-    lay_row(slots, FIGURES)
-    lay_row(slots, NOTES)
-    return slots[ADDRESS] - address
+    memory.lay_row(slots, benches)
+    memory.lay_row(slots, benches + 1)
+    memory.lay_row(slots, benches)
+    memory.lay_row(slots, NEARNESS)
+    memory.lay_row(slots, 1)
+    memory.lay_table(slots, 2, BOX_COLUMNS)
+    memory.lay_row(slots, ASKED)
+    memory.lay_row(slots, FIGURES)
+    memory.lay_row(slots, NOTES)
+    return slots[memory.ADDRESS] - address
 
 
 @kernel
@@ -188,34 +148,34 @@ def make_beside(
     block: int, slot: int, rows: int, benches: int, corners: int, boxes: int, known: int
 ) -> bool:
     """Make room for a search at a slot of a block, where there may be one before; whether there is."""
-    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
-    drop(slots, BESIDE_MEMORY)
-    if slots[OWNED + FOUND_MEMORY] == 0:
-        if not take(slots, FOUND_MEMORY, 8 * FIRST_ROWS * FOUND_COLUMNS):
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
+    memory.drop(slots, BESIDE_MEMORY)
+    if slots[memory.OWNED + FOUND_MEMORY] == 0:
+        if not memory.take(slots, FOUND_MEMORY, 8 * FIRST_ROWS * FOUND_COLUMNS):
             return False
-        lay_from(slots, slot, slots[OWNED + FOUND_MEMORY])
-        lay_table(slots, FIRST_ROWS, FOUND_COLUMNS)
+        memory.lay_from(slots, slot, slots[memory.OWNED + FOUND_MEMORY])
+        memory.lay_table(slots, FIRST_ROWS, FOUND_COLUMNS)
     size = lay_beside(slots, slot, 0, rows, benches, corners, boxes, known)
-    if not take(slots, BESIDE_MEMORY, size):
+    if not memory.take(slots, BESIDE_MEMORY, size):
         return False
-    lay_beside(slots, slot, slots[OWNED + BESIDE_MEMORY], rows, benches, corners, boxes, known)
+    lay_beside(slots, slot, slots[memory.OWNED + BESIDE_MEMORY], rows, benches, corners, boxes, known)
     return True
 
 
 @kernel
 def widen_found(block: int, slot: int) -> bool:
     """Make room for more rows of what is found; whether there is memory."""
-    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
-    before, rows = slots[OWNED + FOUND_MEMORY], slots[slot + 1]
-    known, count = integers_at(before, rows * FOUND_COLUMNS), WIDER * rows
-    address = allocate(8 * count * FOUND_COLUMNS)
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
+    before, rows = slots[memory.OWNED + FOUND_MEMORY], slots[slot + 1]
+    known, count = memory.integers_at(before, rows * FOUND_COLUMNS), WIDER * rows
+    address = memory.allocate(8 * count * FOUND_COLUMNS)
     if address == 0:
         return False
-    copy_row(integers_at(address, rows * FOUND_COLUMNS), known)
-    release(before)
-    slots[OWNED + FOUND_MEMORY] = address
-    lay_from(slots, slot, address)
-    lay_table(slots, count, FOUND_COLUMNS)
+    memory.copy_row(memory.integers_at(address, rows * FOUND_COLUMNS), known)
+    memory.release(before)
+    slots[memory.OWNED + FOUND_MEMORY] = address
+    memory.lay_from(slots, slot, address)
+    memory.lay_table(slots, count, FOUND_COLUMNS)
     return True
 
 
@@ -229,7 +189,7 @@ def begin_beside(
     benches, known = links.shape[0], repeats.shape[0]
     if not make_beside(block, slot, rows.shape[0], benches, outline.shape[0], boxes, known):
         return False
-    fill_beside(group_at(Beside, block + 8 * slot), rows, links, sizes, outline, repeats, asked)
+    fill_beside(memory.group_at(Beside, block + 8 * slot), rows, links, sizes, outline, repeats, asked)
     return True
 
 
@@ -239,12 +199,12 @@ def fill_beside(
     asked: Vector,
 ) -> None:  # fmt: skip
     """Copy what is asked, and make the rest from it."""
-    copy_table(beside.bench.rows, rows)
-    copy_row(beside.links, links)
-    copy_table(beside.sizes, sizes)
-    copy_table(beside.outline, outline)
-    copy_row(beside.asked, asked)
-    clear(beside.figures)
+    memory.copy_table(beside.bench.rows, rows)
+    memory.copy_row(beside.links, links)
+    memory.copy_table(beside.sizes, sizes)
+    memory.copy_table(beside.outline, outline)
+    memory.copy_row(beside.asked, asked)
+    memory.clear(beside.figures)
     beside.standing.members[0] = 0
     for i in range(links.shape[0]):
         beside.ways[i, WAY_COUNT] = 0.0
@@ -265,6 +225,6 @@ def sort_repeats(repeats: Table, out: Table) -> None:
     for n in range(repeats.shape[0]):
         m, way = n, repeats[n, LOW] - repeats[n, HIGH] + repeats[n, PERIOD]
         while m > 0 and out[m - 1, LOW] - out[m - 1, HIGH] + out[m - 1, PERIOD] > way:
-            copy_row(out[m], out[m - 1])
+            memory.copy_row(out[m], out[m - 1])
             m -= 1
-        copy_row(out[m], repeats[n])
+        memory.copy_row(out[m], repeats[n])

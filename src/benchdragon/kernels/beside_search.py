@@ -73,11 +73,8 @@ def keep_nearest(beside: Beside) -> None:
     """Take note of where the bench at hand was seen, if that is nearer than any was."""
     figures, note = beside.figures, beside.note
     if note[steps.NEAREST] < figures[of.NEAR]:
-        figures[of.NEAR], figures[of.NEAR_BENCH], figures[of.NEAR_AT] = (
-            note[steps.NEAREST],
-            figures[of.BENCH],
-            note[steps.UPPER],
-        )
+        figures[of.NEAR], figures[of.NEAR_AT] = note[steps.NEAREST], note[steps.UPPER]
+        figures[of.NEAR_BENCH] = figures[of.BENCH]
 
 
 @kernel

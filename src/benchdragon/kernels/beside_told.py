@@ -4,12 +4,7 @@ import math
 
 from benchdragon.kernels import beside as of
 from benchdragon.kernels.beside import Beside
-from benchdragon.kernels.box import (
-    CX,
-    CY,
-    corner,
-    place_box,
-)
+from benchdragon.kernels.box import CX, CY, corner, place_box
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import KIND, S_START, SPIRAL, U_END, U_START, P, length_at
 from benchdragon.kernels.doubts import UNIT

@@ -32,23 +32,16 @@ def stands(beside: Beside) -> bool:
     while next_span(beside):
         way, first = beside.ways[int(figures[of.SIZE])], figures[of.FROM]
         if way[of.WAY_COUNT] == 0.0:
-            way[of.WAY_BENCH], way[of.WAY_LOW], way[of.WAY_HIGH], way[of.WAY_LENGTH] = (
-                figures[of.SIZE],
-                first,
-                first,
-                0.0,
-            )
+            way[of.WAY_BENCH], way[of.WAY_LOW], way[of.WAY_HIGH] = figures[of.SIZE], first, first
+            way[of.WAY_LENGTH] = 0.0
         way[of.WAY_COUNT] += 1.0 if figures[of.SPAN] == 1.0 else 0.0
         way[of.WAY_LOW] = min(way[of.WAY_LOW], first)
         way[of.WAY_HIGH] = max(way[of.WAY_HIGH], figures[of.TO])
         way[of.WAY_LENGTH] += figures[of.TO] - first
     stand_at_start(beside)
     figures[of.ABOUT] = figures[of.SOUGHT_OFF]
-    figures[of.NEAR], figures[of.NEAR_BENCH], figures[of.NEAR_AT] = (
-        figures[of.APART],
-        figures[of.APART_BENCH],
-        math.nan,
-    )
+    figures[of.NEAR], figures[of.NEAR_AT] = figures[of.APART], math.nan
+    figures[of.NEAR_BENCH] = figures[of.APART_BENCH]
     return True
 
 

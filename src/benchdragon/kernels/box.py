@@ -246,15 +246,9 @@ def least_distance(sizes: Table, x: Table, y: Table) -> float:
 @entry
 @allocates
 def nearest_each(
-    sizes: Table,
-    x: Table,
-    y: Table,
-    t: int,
-    reach: float,
-    straight: float,
-    distance: Table,
+    sizes: Table, x: Table, y: Table, t: int, reach: float, straight: float, distance: Table,
     partner: IntTable,
-) -> None:
+) -> None:  # fmt: skip
     """Fill row t with each bench's least distance to any but itself and its neighbours, and to which.
 
     Beyond `reach`, m, that is infinite and -1; minus the depth inside. x and y are (handles, times).

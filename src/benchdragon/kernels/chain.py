@@ -13,14 +13,7 @@ from benchdragon.kernels.arrays import IntTable, Table, Vector
 from benchdragon.kernels.curve import FloatArray, P, curvature, place
 from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.route import FOLD_COSINE, IntArray, folded, locate, next_handle
-from benchdragon.kernels.spiral import (
-    GUESS,
-    LANES,
-    STATE,
-    angles_after,
-    spiral_links,
-    takes_link,
-)
+from benchdragon.kernels.spiral import GUESS, LANES, STATE, angles_after, spiral_links, takes_link
 from benchdragon.kernels.status import Status
 
 
@@ -40,15 +33,10 @@ class Placements(NamedTuple):
 def empty_placements(handles: int, slots: int) -> Placements:
     """Room for chains of so many handles at so many head positions."""
     return Placements(
-        np.empty((handles, slots), dtype=np.int64),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((2, slots), dtype=np.int64),
-    )
+        np.empty((handles, slots), dtype=np.int64), np.empty((handles, slots)),
+        np.empty((handles, slots)), np.empty((handles, slots)), np.empty((handles, slots)),
+        np.empty((handles, slots)), np.empty((handles, slots)), np.empty((2, slots), dtype=np.int64),
+    )  # fmt: skip
 
 
 @kernel
@@ -107,15 +95,9 @@ def shared_angles(i: int, start: int, end: int, places: Placements) -> tuple[flo
 
 @kernel
 def first_guess(
-    rows: FloatArray,
-    j: int,
-    link: float,
-    i: int,
-    start: int,
-    end: int,
-    state: FloatArray,
+    rows: FloatArray, j: int, link: float, i: int, start: int, end: int, state: FloatArray,
     u: FloatArray,
-) -> None:
+) -> None:  # fmt: skip
     """Fill `state` for lanes that begin at handle i on spiral row j: no rest, and link / radius."""
     for n in range(STATE):
         state[n] = 0.0
@@ -219,17 +201,9 @@ def march(rows: Table, links: Vector, s: Vector, first: int, last: int, out: Pla
 
 @kernel
 def rates_in_slot(
-    rows: FloatArray,
-    links: FloatArray,
-    t: int,
-    row: IntArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-    ratio_rate: FloatArray,
-    turn: FloatArray,
-) -> None:
+    rows: FloatArray, links: FloatArray, t: int, row: IntArray, u: FloatArray, x: FloatArray,
+    y: FloatArray, ratio: FloatArray, ratio_rate: FloatArray, turn: FloatArray,
+) -> None:  # fmt: skip
     """Fill column t of ratio_rate and turn: see `rates`."""
     ratio_rate[0, t] = 0.0
     _, _, atx, aty = place(rows, row[0, t], u[0, t])
@@ -250,16 +224,9 @@ def rates_in_slot(
 
 @entry
 def rates(
-    rows: Table,
-    links: Vector,
-    row: IntTable,
-    u: Table,
-    x: Table,
-    y: Table,
-    ratio: Table,
-    ratio_rate: Table,
-    turn: Table,
-) -> None:
+    rows: Table, links: Vector, row: IntTable, u: Table, x: Table, y: Table, ratio: Table,
+    ratio_rate: Table, turn: Table,
+) -> None:  # fmt: skip
     """Second derivatives of the marched chain with respect to the head's position.
 
     Fills ratio_rate = d2 s_i / d s_0^2, 1/m, (handles, times), and turn = d heading / d s_0 of each

@@ -9,23 +9,12 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels import route_parts
 from benchdragon.kernels.arrays import Table
 from benchdragon.kernels.curve import ARC, COLUMNS, LENGTH, LINE, S_START, FloatArray
 from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.route import evaluate
-from benchdragon.kernels.route_parts import (
-    EQUAL,
-    FIRST,
-    PART_COLUMNS,
-    PART_KIND,
-    SIZE,
-    Pose,
-    lay_rows,
-    move_parts,
-    part_end,
-    part_start,
-    put_part,
-)
+from benchdragon.kernels.route_parts import Pose, lay_rows, move_parts, part_end, part_start, put_part
 
 # A way, one row of a table: the hands of its arcs, +1 to the left, 0 of a line; the sweeps of its arcs,
 # rad, left positive, or the length of its line, m; and the whole length, m.
@@ -73,7 +62,7 @@ def set_way(
     for k in range(PIECES):
         length = abs(sizes[k]) * (radius if hands[k] != 0.0 else 1.0)
         whole += length if length > ROUNDING else 0.0
-    while n > 0 and ways[n - 1, WHOLE] > whole * EQUAL:
+    while n > 0 and ways[n - 1, WHOLE] > whole * route_parts.EQUAL:
         for column in range(WAY_COLUMNS):
             ways[n, column] = ways[n - 1, column]
         n -= 1
@@ -124,9 +113,9 @@ def way_parts(start: Pose, ways: Table, n: int, radius: float, parts: Table) -> 
         size, arc = ways[n, SIZES + k], ways[n, HANDS + k] != 0.0
         if abs(size) * (radius if arc else 1.0) > ROUNDING:
             parts[count] = 0.0
-            parts[count, PART_KIND] = ARC if arc else LINE
-            parts[count, SIZE] = radius if arc else size
-            parts[count, FIRST] = size if arc else 0.0
+            parts[count, route_parts.PART_KIND] = ARC if arc else LINE
+            parts[count, route_parts.SIZE] = radius if arc else size
+            parts[count, route_parts.FIRST] = size if arc else 0.0
             pose = put_part(parts, count, pose, row)
             count += 1
     return count
@@ -214,7 +203,7 @@ def fitting_way(before: FloatArray, after: FloatArray, radius: float, way: Float
 def add_parts(out: FloatArray, count: int, parts: FloatArray) -> int:
     """Add parts to so many; how many there are then."""
     for i in range(parts.shape[0]):
-        for column in range(PART_COLUMNS):
+        for column in range(route_parts.PART_COLUMNS):
             out[count + i, column] = parts[i, column]
     return count + parts.shape[0]
 
@@ -227,7 +216,7 @@ def programme(parts: Table, steps: Table, radius: float, out: Table) -> int:
     `parts` are those of all formations as they are about the origin; they are moved. `out` has room for
     them, and for PIECES more a step.
     """
-    row, way = np.empty((1, COLUMNS)), np.empty((PIECES, PART_COLUMNS))
+    row, way = np.empty((1, COLUMNS)), np.empty((PIECES, route_parts.PART_COLUMNS))
     before, begin, count = 0, 0, 0
     for k in range(steps.shape[0]):
         end = begin + int(steps[k, STEP_COUNT])

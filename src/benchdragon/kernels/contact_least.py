@@ -6,49 +6,10 @@ share of a question's work, counted apart, and is given up where it is dearer.
 
 import math
 
+from benchdragon.kernels import contact_memory as told
+from benchdragon.kernels import contact_steps
 from benchdragon.kernels.cells import END as ROUTE_END
-from benchdragon.kernels.contact_memory import (
-    AIMED,
-    ASIDE,
-    BASE,
-    BEGIN,
-    BEGUN,
-    BEST,
-    BETWEEN,
-    BLURRED,
-    EARLY,
-    END,
-    FARTHER,
-    FIRST_BENCH,
-    FLOOR_AT,
-    GOAL,
-    LATE,
-    LEFT,
-    MOST_LEAST,
-    PASS,
-    REACH,
-    READY,
-    REFINING,
-    REFINING_ON,
-    SECOND_BENCH,
-    SEEN,
-    STAGE,
-    STOPPED,
-    WHERE,
-    WITHIN,
-    Hunt,
-)
-from benchdragon.kernels.contact_steps import (
-    begun,
-    begun_again,
-    is_sharp,
-    off_at,
-    pair_told,
-    searched_on,
-    set_pair,
-    stands,
-    tightest,
-)
+from benchdragon.kernels.contact_memory import Hunt
 from benchdragon.kernels.course import GOAL as WAY_GOAL
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.low_points import MOST_SAMPLED, low_pair
@@ -74,23 +35,23 @@ def looked(hunt: Hunt) -> bool:
     False where the dragon cannot stand at the start.
     """
     walk, f, limits = hunt.walk, hunt.figures, hunt.limits
-    start, benches = limits[BEGIN], walk.benches
-    still = start == limits[END]
-    f[WHERE], f[BEST], f[FLOOR_AT] = start, math.inf, 0.0
+    start, benches = limits[told.BEGIN], walk.benches
+    still = start == limits[told.END]
+    f[told.WHERE], f[told.BEST], f[told.FLOOR_AT] = start, math.inf, 0.0
     if still or benches.kind.shape[0] > MOST_SAMPLED:
-        if not stands(hunt, start):
+        if not contact_steps.stands(hunt, start):
             return False
-        f[BEST] = max(tightest(hunt), 0.0)
-        f[FLOOR_AT] = f[BEST] if still else 0.0
+        f[told.BEST] = max(contact_steps.tightest(hunt), 0.0)
+        f[told.FLOOR_AT] = f[told.BEST] if still else 0.0
         return True
     for n in range(hunt.spans.shape[0]):
         apart, s, i, j = low_pair(
             walk.rows, benches.links, benches.sizes, hunt.spans[n, 0], hunt.spans[n, 1], hunt.at,
             hunt.placed, hunt.boxes,
         )  # fmt: skip
-        if apart < f[BEST]:
-            f[BEST], f[WHERE], f[FIRST_BENCH], f[SECOND_BENCH] = apart, s, i, j
-    f[BEST] = max(f[BEST], 0.0)
+        if apart < f[told.BEST]:
+            f[told.BEST], f[told.WHERE], f[told.FIRST_BENCH], f[told.SECOND_BENCH] = apart, s, i, j
+    f[told.BEST] = max(f[told.BEST], 0.0)
     return True
 
 
@@ -98,55 +59,55 @@ def looked(hunt: Hunt) -> bool:
 def least_told(hunt: Hunt) -> int:
     """How a step ends that found the least distance."""
     f = hunt.figures
-    if not is_sharp(hunt, off_at(hunt, f[WHERE])):
-        return BLURRED
-    f[EARLY] = f[LATE] = f[WHERE]
-    return pair_told(hunt, f[WHERE])
+    if not contact_steps.is_sharp(hunt, contact_steps.off_at(hunt, f[told.WHERE])):
+        return told.BLURRED
+    f[told.EARLY] = f[told.LATE] = f[told.WHERE]
+    return contact_steps.pair_told(hunt, f[told.WHERE])
 
 
 @kernel
 def looked_over(hunt: Hunt) -> bool:
     """Whether low distances are looked for here and there before all are searched."""
-    return hunt.walk.benches.kind.shape[0] <= MOST_SAMPLED or hunt.figures[GOAL] == BETWEEN
+    return hunt.walk.benches.kind.shape[0] <= MOST_SAMPLED or hunt.figures[told.GOAL] == told.BETWEEN
 
 
 @kernel
 def started(block: int) -> int:
     """Take what is seen here and there, or known, for a start: ROOMY, or how a step ends."""
-    hunt = group_at(Hunt, block + BASE)
+    hunt = group_at(Hunt, block + told.BASE)
     f = hunt.figures
-    f[STAGE] = OPENING
-    if f[GOAL] == BETWEEN:
+    f[told.STAGE] = OPENING
+    if f[told.GOAL] == told.BETWEEN:
         return ROOMY
     if not looked(hunt):
-        return STOPPED
-    if f[GOAL] == SEEN or hunt.limits[BEGIN] == hunt.limits[END]:
+        return told.STOPPED
+    if f[told.GOAL] == told.SEEN or hunt.limits[told.BEGIN] == hunt.limits[told.END]:
         return least_told(hunt)
-    f[REACH] = f[BEST] if looked_over(hunt) else FIRST_REACH
-    if f[BEST] > 0.0:
+    f[told.REACH] = f[told.BEST] if looked_over(hunt) else FIRST_REACH
+    if f[told.BEST] > 0.0:
         return ROOMY
-    f[STAGE] = THROUGH
-    return begun(block, 0.0)
+    f[told.STAGE] = THROUGH
+    return contact_steps.begun(block, 0.0)
 
 
 @kernel
 def tolerance_of(hunt: Hunt) -> float:
     """How wide the bracket of the pass at hand may be, m."""
-    n = int(hunt.figures[PASS])
+    n = int(hunt.figures[told.PASS])
     return hunt.tolerances[n] if 0 <= n < hunt.tolerances.shape[0] else math.inf
 
 
 @kernel
 def pass_begun(block: int, n: int) -> int:
     """Begin pass n of LEAST: ROOMY, or how a step ends."""
-    made = ROOMY if n == LOWERING else begun_again(block)
-    hunt = group_at(Hunt, block + BASE)
+    made = ROOMY if n == LOWERING else contact_steps.begun_again(block)
+    hunt = group_at(Hunt, block + told.BASE)
     f, note = hunt.figures, hunt.note
-    f[PASS], f[ASIDE], f[LEFT] = n, 0.0, hunt.limits[MOST_LEAST]
-    f[AIMED] = f[REACH] if n == LOWERING else min(f[REACH], f[BEST])
+    f[told.PASS], f[told.ASIDE], f[told.LEFT] = n, 0.0, hunt.limits[told.MOST_LEAST]
+    f[told.AIMED] = f[told.REACH] if n == LOWERING else min(f[told.REACH], f[told.BEST])
     for k in range(note.shape[0]):
         note[k] = 0.0
-    note[NEAREST], note[FLOOR] = f[AIMED], math.inf
+    note[NEAREST], note[FLOOR] = f[told.AIMED], math.inf
     return made
 
 
@@ -154,11 +115,11 @@ def pass_begun(block: int, n: int) -> int:
 def lowered(hunt: Hunt, ending: int) -> bool:
     """Take over what a pass that ended so has seen; whether its floor was found."""
     f, note = hunt.figures, hunt.note
-    if note[NEAREST] < f[AIMED]:
-        f[BEST], f[WHERE] = max(note[NEAREST], 0.0), note[UPPER]
-        set_pair(hunt, note[PAIR])
-    f[FLOOR_AT] = max(min(note[FLOOR], note[NEAREST] - tolerance_of(hunt)), 0.0)
-    return ending == CLEAR or f[BEST] == 0.0
+    if note[NEAREST] < f[told.AIMED]:
+        f[told.BEST], f[told.WHERE] = max(note[NEAREST], 0.0), note[UPPER]
+        contact_steps.set_pair(hunt, note[PAIR])
+    f[told.FLOOR_AT] = max(min(note[FLOOR], note[NEAREST] - tolerance_of(hunt)), 0.0)
+    return ending == CLEAR or f[told.BEST] == 0.0
 
 
 @kernel
@@ -167,19 +128,19 @@ def passed_on(block: int, left: float) -> tuple[int, bool]:
 
     What is too dear is given up, without a word. A last pass, of whatever width, sees the whole walk.
     """
-    hunt = group_at(Hunt, block + BASE)
-    f, n, count = hunt.figures, int(hunt.figures[PASS]), hunt.tolerances.shape[0]
+    hunt = group_at(Hunt, block + told.BASE)
+    f, n, count = hunt.figures, int(hunt.figures[told.PASS]), hunt.tolerances.shape[0]
     share, counted, aside = left, SPENT, 0 <= n < count
     if aside:
-        share, counted = hunt.limits[REFINING_ON if n else REFINING], ASIDE
-    ending = searched_on(block, LEAST, tolerance_of(hunt), share, counted)
-    hunt = group_at(Hunt, block + BASE)
+        share, counted = hunt.limits[told.REFINING_ON if n else told.REFINING], told.ASIDE
+    ending = contact_steps.searched_on(block, LEAST, tolerance_of(hunt), share, counted)
+    hunt = group_at(Hunt, block + told.BASE)
     f = hunt.figures
     if ending <= FALLEN:
         closed = lowered(hunt, ending)
         if n == count or (closed and n != LOWERING):
             return ROOMY, True
-    elif not (aside and (ending == OVER_MEMORY or (ending == MORE and f[ASIDE] > share))):
+    elif not (aside and (ending == OVER_MEMORY or (ending == MORE and f[told.ASIDE] > share))):
         return ending, False
     return pass_begun(block, n + 1), False
 
@@ -187,18 +148,18 @@ def passed_on(block: int, left: float) -> tuple[int, bool]:
 @kernel
 def opened(block: int) -> int:
     """Begin to look for pairs within reach: ROOMY, or how a step ends."""
-    hunt = group_at(Hunt, block + BASE)
+    hunt = group_at(Hunt, block + told.BASE)
     f, made = hunt.figures, ROOMY
-    if f[GOAL] == BETWEEN:
-        if f[READY] == 0.0:
-            made = begun(block, f[WITHIN])
-        hunt = group_at(Hunt, block + BASE)
-        f[REACH], f[BEGUN] = f[BEST], f[EARLY]
-        hunt.room.course.way[WAY_GOAL] = min(f[LATE], hunt.room.ground.measures[ROUTE_END])
+    if f[told.GOAL] == told.BETWEEN:
+        if f[told.READY] == 0.0:
+            made = contact_steps.begun(block, f[told.WITHIN])
+        hunt = group_at(Hunt, block + told.BASE)
+        f[told.REACH], f[told.BEGUN] = f[told.BEST], f[told.EARLY]
+        hunt.room.course.way[WAY_GOAL] = min(f[told.LATE], hunt.room.ground.measures[ROUTE_END])
     else:
-        f[REACH] = min(f[REACH], f[BEST], f[WITHIN])
-        made = begun(block, f[REACH])
-    f[STAGE] = PASSING
+        f[told.REACH] = min(f[told.REACH], f[told.BEST], f[told.WITHIN])
+        made = contact_steps.begun(block, f[told.REACH])
+    f[told.STAGE] = PASSING
     first = 0 if looked_over(hunt) else LOWERING
     return pass_begun(block, first) if made == ROOMY else made
 
@@ -207,20 +168,20 @@ def opened(block: int) -> int:
 def walked_through(block: int, left: float) -> int:
     """Walk on where benches overlap, whether the dragon can all the way; how a step ends."""
     while True:
-        ending = searched_on(block, SEEK, 0.0, left, SPENT)
+        ending = contact_steps.searched_on(block, SEEK, 0.0, left, SPENT)
         if ending != FOUND:
-            return least_told(group_at(Hunt, block + BASE)) if ending == CLEAR else ending
+            return least_told(group_at(Hunt, block + told.BASE)) if ending == CLEAR else ending
 
 
 @kernel
 def round_over(hunt: Hunt) -> int:
     """How a step ends once all within reach was seen; ROOMY if more is to be looked for."""
     f = hunt.figures
-    if f[BEST] <= f[REACH] or f[GOAL] == BETWEEN:
+    if f[told.BEST] <= f[told.REACH] or f[told.GOAL] == told.BETWEEN:
         return least_told(hunt)
-    if f[REACH] >= f[WITHIN]:
-        return FARTHER
-    f[REACH], f[STAGE] = f[REACH] * FARTHER_ON, OPENING
+    if f[told.REACH] >= f[told.WITHIN]:
+        return told.FARTHER
+    f[told.REACH], f[told.STAGE] = f[told.REACH] * FARTHER_ON, OPENING
     return ROOMY
 
 
@@ -228,8 +189,8 @@ def round_over(hunt: Hunt) -> int:
 def least_on(block: int, left: float) -> int:
     """Seek the least distance; how a step ends."""
     while True:
-        hunt = group_at(Hunt, block + BASE)
-        stage, last = hunt.figures[STAGE], False
+        hunt = group_at(Hunt, block + told.BASE)
+        stage, last = hunt.figures[told.STAGE], False
         if stage == THROUGH:
             return walked_through(block, left)
         if stage == LOOKING:
@@ -239,6 +200,6 @@ def least_on(block: int, left: float) -> int:
         else:
             made, last = passed_on(block, left)
         if last:
-            made = round_over(group_at(Hunt, block + BASE))
+            made = round_over(group_at(Hunt, block + told.BASE))
         if made != ROOMY:
             return made

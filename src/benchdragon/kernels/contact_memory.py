@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from benchdragon.kernels import memory, own_room
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
@@ -9,28 +10,8 @@ from benchdragon.kernels.course import Benches, Room, Walk
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.kinds import find_kinds
-from benchdragon.kernels.memory import (
-    ADDRESS,
-    HEADER,
-    copy_row,
-    copy_table,
-    group_at,
-    integers_at,
-    lay_from,
-    lay_row,
-    lay_table,
-    slot_count,
-    slot_of,
-)
 from benchdragon.kernels.nearness import NEARNESS
-from benchdragon.kernels.own_room import (
-    BEGINNINGS,
-    PLACES,
-    ROUTE_ROWS,
-    SIZES,
-    lay_block,
-    lay_placements,
-)
+from benchdragon.kernels.own_room import lay_block, lay_placements
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
 from benchdragon.kernels.route import IntArray
@@ -107,12 +88,12 @@ class Hunt(NamedTuple):
     note: Vector
 
 
-WALK_SLOT, ROOM_SLOT = slot_of(Hunt, "walk"), slot_of(Hunt, "room")
-SIZES_SLOT = slot_of(Hunt, "sizes")
-KINDS_SLOT = WALK_SLOT + 3 + slot_count(Benches)
-END_SLOT = HEADER + slot_count(Hunt)
+WALK_SLOT, ROOM_SLOT = memory.slot_of(Hunt, "walk"), memory.slot_of(Hunt, "room")
+SIZES_SLOT = memory.slot_of(Hunt, "sizes")
+KINDS_SLOT = WALK_SLOT + 3 + memory.slot_count(Benches)
+END_SLOT = memory.HEADER + memory.slot_count(Hunt)
 # Where it begins in a block, in bytes.
-BASE = 8 * HEADER
+BASE = 8 * memory.HEADER
 
 
 class Asked(NamedTuple):
@@ -131,67 +112,66 @@ class Asked(NamedTuple):
 @kernel
 def lay_hunt(slots: IntArray, address: int, asked: Asked) -> int:
     """Lay all from an address on that keeps its size; the bytes that takes."""
-    rows, benches, places = asked.rows.shape[0], asked.links.shape[0], asked.beginnings[PLACES]
+    rows, benches, places = asked.rows.shape[0], asked.links.shape[0], asked.beginnings[own_room.PLACES]
     kinds = min(benches, int(asked.limits[MOST_KINDS]))
-    lay_from(slots, WALK_SLOT, address)
-    lay_table(slots, rows, COLUMNS)
-    lay_row(slots, benches)
-    lay_table(slots, 4, benches)
-    lay_row(slots, benches)
-    lay_row(slots, benches)
-    lay_row(slots, 1)
-    lay_table(slots, 4, kinds)
-    lay_row(slots, kinds)
-    lay_table(slots, rows, SEAM_COLUMNS)
-    lay_from(slots, SIZES_SLOT, lay_block(slots, ROOM_SLOT, slots[ADDRESS], benches, places))
-    lay_row(slots, SIZES)
-    lay_row(slots, BEGINNINGS)
-    lay_table(slots, asked.spans.shape[0], 2)
+    memory.lay_from(slots, WALK_SLOT, address)
+    memory.lay_table(slots, rows, COLUMNS)
+    memory.lay_row(slots, benches)
+    memory.lay_table(slots, 4, benches)
+    memory.lay_row(slots, benches)
+    memory.lay_row(slots, benches)
+    memory.lay_row(slots, 1)
+    memory.lay_table(slots, 4, kinds)
+    memory.lay_row(slots, kinds)
+    memory.lay_table(slots, rows, SEAM_COLUMNS)
+    end = lay_block(slots, ROOM_SLOT, slots[memory.ADDRESS], benches, places)
+    memory.lay_from(slots, SIZES_SLOT, end)
+    memory.lay_row(slots, own_room.SIZES)
+    memory.lay_row(slots, own_room.BEGINNINGS)
+    memory.lay_table(slots, asked.spans.shape[0], 2)
     count = max(FEWEST, min(LANES, places // (benches + 1)))
-    lay_row(slots, count)
+    memory.lay_row(slots, count)
     lay_placements(slots, benches + 1, count)
-    lay_table(slots, 2, BOX_COLUMNS)
-    lay_row(slots, benches)
-    lay_row(slots, benches + 1)
-    lay_row(slots, benches)
-    lay_row(slots, LIMITS)
-    lay_row(slots, asked.tolerances.shape[0])
-    lay_row(slots, FIGURES)
-    lay_row(slots, NEARNESS)
-    lay_row(slots, NOTES)
-    return slots[ADDRESS] - address
+    memory.lay_table(slots, 2, BOX_COLUMNS)
+    memory.lay_row(slots, benches)
+    memory.lay_row(slots, benches + 1)
+    memory.lay_row(slots, benches)
+    memory.lay_row(slots, LIMITS)
+    memory.lay_row(slots, asked.tolerances.shape[0])
+    memory.lay_row(slots, FIGURES)
+    memory.lay_row(slots, NEARNESS)
+    memory.lay_row(slots, NOTES)
+    return slots[memory.ADDRESS] - address
 
 
 @kernel
 def fill_hunt(block: int, asked: Asked) -> bool:
     """Copy what a host says; whether the benches are not of too many kinds."""
-    hunt = group_at(Hunt, block + BASE)
+    hunt = memory.group_at(Hunt, block + BASE)
     benches, kinds, ahead = hunt.walk.benches, hunt.walk.kinds, 0.0
-    copy_table(hunt.walk.rows, asked.rows)
-    copy_row(benches.links, asked.links)
-    copy_table(benches.sizes, asked.sizes)
+    memory.copy_table(hunt.walk.rows, asked.rows)
+    memory.copy_row(benches.links, asked.links)
+    memory.copy_table(benches.sizes, asked.sizes)
     for i in range(asked.links.shape[0]):
         benches.ahead[i] = ahead
         ahead += asked.links[i]
-    copy_row(benches.lever, asked.lever)
+    memory.copy_row(benches.lever, asked.lever)
     find_seams(hunt.walk.rows, hunt.seams)
-    copy_row(hunt.beginnings, asked.beginnings)
-    copy_table(hunt.spans, asked.spans)
-    copy_row(hunt.limits, asked.limits)
-    copy_row(hunt.tolerances, asked.tolerances)
-    hunt.sizes[ROUTE_ROWS] = asked.rows.shape[0]
+    memory.copy_row(hunt.beginnings, asked.beginnings)
+    memory.copy_table(hunt.spans, asked.spans)
+    memory.copy_row(hunt.limits, asked.limits)
+    memory.copy_row(hunt.tolerances, asked.tolerances)
+    hunt.sizes[own_room.ROUTE_ROWS] = asked.rows.shape[0]
     for n in range(FIGURES):
         hunt.figures[n] = 0.0
-    count, most = (
-        find_kinds(benches.sizes, kinds.sizes, benches.kind, kinds.group),
-        kinds.sizes.shape[1],
-    )
+    count = find_kinds(benches.sizes, kinds.sizes, benches.kind, kinds.group)
+    most = kinds.sizes.shape[1]
     if count > most:
         return False
     for n in range(4):
         for k in range(count):  # in rows of as many as there are, from now on
             at = n * count + k
             kinds.sizes[at // most, at % most] = kinds.sizes[n, k]
-    slots = integers_at(block, END_SLOT)
+    slots = memory.integers_at(block, END_SLOT)
     slots[KINDS_SLOT + 2] = slots[KINDS_SLOT + 4] = count
     return True

@@ -2,41 +2,12 @@
 
 import math
 
+from benchdragon.kernels import contact_memory as told
+from benchdragon.kernels import own_room
 from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal, set_box
 from benchdragon.kernels.cells import CELL, RADIUS
 from benchdragon.kernels.chain import march
-from benchdragon.kernels.contact_memory import (
-    BASE,
-    BEGUN,
-    BLURRED,
-    BYTES,
-    EARLY,
-    EARLY_LEAD,
-    END,
-    END_SLOT,
-    ENDLESS,
-    FIRST_BENCH,
-    LATE,
-    LATE_LEAD,
-    LEAST_OFF,
-    LEFT,
-    MARCHED,
-    MARGIN,
-    MOST,
-    MOST_LEAST,
-    NEAR,
-    OFF_BY,
-    READY,
-    ROOM_SLOT,
-    SECOND_BENCH,
-    SOUND_TO,
-    SPAN,
-    STOPPED,
-    UNSHOWN,
-    UNTIL,
-    WIDTH,
-    Hunt,
-)
+from benchdragon.kernels.contact_memory import Hunt
 from benchdragon.kernels.course import AT, COURSE, PLACED, SOUND, STEP_END, TALLY
 from benchdragon.kernels.course import GOAL as WAY_GOAL
 from benchdragon.kernels.curve import LENGTH, S_START, length_at
@@ -45,21 +16,6 @@ from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import gather, put
 from benchdragon.kernels.memory import drop, group_at, integers_at
 from benchdragon.kernels.nearness import called, nearness
-from benchdragon.kernels.own_room import (
-    GROUND_MEMORY,
-    NO_MEMORY,
-    ROOMY,
-    TOO_LARGE,
-    TOO_LONG,
-    Aim,
-    aim_room,
-    ground_bytes,
-    group_count,
-    make_step,
-    size_room,
-    square_side,
-    widen_room,
-)
 from benchdragon.kernels.question import MORE, OUT_OF_MEMORY, OVER_MEMORY, SPENT, WANTED
 from benchdragon.kernels.regions import MOST_OFF
 from benchdragon.kernels.rounding import bench_errors
@@ -82,7 +38,7 @@ def stands(hunt: Hunt, s: float) -> bool:
     f[SPENT] += links.shape[0] + 1
     if hunt.placed.failed[0, 0] == 0:
         return True
-    f[SOUND_TO] = f[UNTIL] = s
+    f[told.SOUND_TO] = f[told.UNTIL] = s
     return False
 
 
@@ -99,14 +55,15 @@ def lead(hunt: Hunt, s: float, side: float) -> float:
 def pair_told(hunt: Hunt, s: float) -> int:
     """FOUND, with how the pair at hand stands with the head at s, m; or STOPPED."""
     f, sizes, placed = hunt.figures, hunt.walk.benches.sizes, hunt.placed
-    i, j = int(f[FIRST_BENCH]), int(f[SECOND_BENCH])
+    i, j = int(f[told.FIRST_BENCH]), int(f[told.SECOND_BENCH])
     if not stands(hunt, s):
-        return STOPPED
+        return told.STOPPED
     set_box(sizes, i, placed.x, placed.y, 0, hunt.boxes, 0)
     set_box(sizes, j, placed.x, placed.y, 0, hunt.boxes, 1)
     nearness(hunt.boxes, 0, 1, hunt.near)
     called(hunt.near, i, j)
-    f[EARLY_LEAD], f[LATE_LEAD] = lead(hunt, f[EARLY], -1.0), lead(hunt, f[LATE], 1.0)
+    f[told.EARLY_LEAD] = lead(hunt, f[told.EARLY], -1.0)
+    f[told.LATE_LEAD] = lead(hunt, f[told.LATE], 1.0)
     return FOUND
 
 
@@ -114,7 +71,7 @@ def pair_told(hunt: Hunt, s: float) -> int:
 def off_at(hunt: Hunt, s: float) -> float:
     """What the distance of the pair at hand may be off by with the head at s, m."""
     f, walk, off, placed = hunt.figures, hunt.walk, hunt.bench_off, hunt.placed
-    benches, least = walk.benches, hunt.limits[LEAST_OFF]
+    benches, least = walk.benches, hunt.limits[told.LEAST_OFF]
     hunt.at[0] = s
     f[SPENT] += benches.links.shape[0] + 1
     if not place_chain(walk.rows, benches.links, hunt.at, 0, 1, placed):
@@ -122,22 +79,22 @@ def off_at(hunt: Hunt, s: float) -> float:
     bench_errors(
         walk.rows, benches.links, benches.sizes, hunt.seams, placed, 0, -1, hunt.lanes, hunt.errors, off
     )
-    return max(least, off[int(f[FIRST_BENCH])] + off[int(f[SECOND_BENCH])])
+    return max(least, off[int(f[told.FIRST_BENCH])] + off[int(f[told.SECOND_BENCH])])
 
 
 @kernel
 def is_sharp(hunt: Hunt, off: float) -> bool:
     """Take note of what a distance that matters may be off by, m; whether a search allows for it."""
     f = hunt.figures
-    f[OFF_BY] = max(f[OFF_BY], off)
-    return off <= max(hunt.limits[LEAST_OFF], MOST_OFF)
+    f[told.OFF_BY] = max(f[told.OFF_BY], off)
+    return off <= max(hunt.limits[told.LEAST_OFF], MOST_OFF)
 
 
 @kernel
 def set_pair(hunt: Hunt, pair: float) -> None:
     """Let the pair of a note be at hand."""
-    count = hunt.walk.benches.kind.shape[0]
-    hunt.figures[FIRST_BENCH], hunt.figures[SECOND_BENCH] = int(pair) // count, int(pair) % count
+    f, count = hunt.figures, hunt.walk.benches.kind.shape[0]
+    f[told.FIRST_BENCH], f[told.SECOND_BENCH] = int(pair) // count, int(pair) % count
 
 
 @kernel
@@ -145,7 +102,7 @@ def tightest(hunt: Hunt) -> float:
     """The least distance of three or more benches of the dragon in slot 0, m; those are at hand."""
     f, crowd, sizes, placed = hunt.figures, hunt.room.crowd, hunt.walk.benches.sizes, hunt.placed
     hulls, grid, widest, reach = crowd.hulls, crowd.grid, 0.0, FIRST_LOOK
-    grid.side[0] = square_side(hunt.walk, reach)
+    grid.side[0] = own_room.square_side(hunt.walk, reach)
     for i in range(hulls.shape[0]):
         set_box(sizes, i, placed.x, placed.y, 0, hulls, i)
         hulls[i, RADIUS] = half_diagonal(hulls, i)
@@ -163,10 +120,11 @@ def tightest(hunt: Hunt) -> float:
                     continue  # nor is their distance less
                 apart = box_distance(hulls, i, j)
                 level = math.floor(TIES * apart + 0.5)
-                before = i < f[FIRST_BENCH] or (i == f[FIRST_BENCH] and j < f[SECOND_BENCH])
+                first, second = f[told.FIRST_BENCH], f[told.SECOND_BENCH]
+                before = i < first or (i == first and j < second)
                 if level < place or (level == place and before):
                     least, place = apart, level
-                    f[FIRST_BENCH], f[SECOND_BENCH] = i, j
+                    f[told.FIRST_BENCH], f[told.SECOND_BENCH] = i, j
         if least <= reach:
             return least
         reach *= 2.0
@@ -175,62 +133,64 @@ def tightest(hunt: Hunt) -> float:
 @kernel
 def room_ending(hunt: Hunt, ending: int) -> int:
     """How a step ends for which room was made so; ROOMY if it goes on."""
-    if ending == TOO_LARGE:
-        hunt.figures[WANTED] = ground_bytes(hunt.sizes, group_count(hunt.walk))
+    if ending == own_room.TOO_LARGE:
+        hunt.figures[WANTED] = own_room.ground_bytes(hunt.sizes, own_room.group_count(hunt.walk))
         return OVER_MEMORY
-    if ending == NO_MEMORY:
+    if ending == own_room.NO_MEMORY:
         return OUT_OF_MEMORY
-    return ENDLESS if ending == TOO_LONG else ending if ending == ROOMY else UNSHOWN
+    if ending == own_room.TOO_LONG:
+        return told.ENDLESS
+    return ending if ending == own_room.ROOMY else told.UNSHOWN
 
 
 @kernel
-def aim_of(hunt: Hunt) -> Aim:
+def aim_of(hunt: Hunt) -> own_room.Aim:
     """What the search along the span at hand is after."""
-    f, n = hunt.figures, int(hunt.figures[SPAN])
-    return Aim(hunt.spans[n, 0], hunt.spans[n, 1], f[NEAR], hunt.limits[BYTES])
+    f, n = hunt.figures, int(hunt.figures[told.SPAN])
+    return own_room.Aim(hunt.spans[n, 0], hunt.spans[n, 1], f[told.NEAR], hunt.limits[told.BYTES])
 
 
 @kernel
 def span_begun(block: int, n: int) -> int:
     """Begin span n, in which pairs within NEAR are wanted: ROOMY, or how a step ends."""
-    hunt = group_at(Hunt, block + BASE)
+    hunt = group_at(Hunt, block + told.BASE)
     walk, f, placed, first = hunt.walk, hunt.figures, hunt.placed, hunt.spans[n, 0]
-    f[SPAN], f[BEGUN], f[READY] = n, first, 1.0
+    f[told.SPAN], f[told.BEGUN], f[told.READY] = n, first, 1.0
     tail, last = first, walk.benches.links.shape[0] - 1
     if stands(hunt, first):
         tail = walk.rows[placed.row[last, 0], S_START]
         tail += length_at(walk.rows, placed.row[last, 0], placed.u[last, 0])
-    drop(integers_at(block, END_SLOT), GROUND_MEMORY)
-    size_room(hunt.sizes, hunt.beginnings, walk, tail, hunt.spans[n, 1])
-    hunt.room.crowd.grid.side[0] = square_side(walk, f[NEAR])
-    made = make_step(block, ROOM_SLOT, hunt.sizes)
-    hunt = group_at(Hunt, block + BASE)
-    if made == ROOMY:
-        made = aim_room(block, ROOM_SLOT, hunt.sizes, hunt.walk, aim_of(hunt))
-    return room_ending(group_at(Hunt, block + BASE), made)
+    drop(integers_at(block, told.END_SLOT), own_room.GROUND_MEMORY)
+    own_room.size_room(hunt.sizes, hunt.beginnings, walk, tail, hunt.spans[n, 1])
+    hunt.room.crowd.grid.side[0] = own_room.square_side(walk, f[told.NEAR])
+    made = own_room.make_step(block, told.ROOM_SLOT, hunt.sizes)
+    hunt = group_at(Hunt, block + told.BASE)
+    if made == own_room.ROOMY:
+        made = own_room.aim_room(block, told.ROOM_SLOT, hunt.sizes, hunt.walk, aim_of(hunt))
+    return room_ending(group_at(Hunt, block + told.BASE), made)
 
 
 @kernel
 def begun(block: int, reach: float) -> int:
     """Look for all pairs that come within reach, m, from the start on: ROOMY, or how a step ends."""
-    hunt = group_at(Hunt, block + BASE)
-    hunt.figures[NEAR] = reach + hunt.limits[LEAST_OFF]
+    hunt = group_at(Hunt, block + told.BASE)
+    hunt.figures[told.NEAR] = reach + hunt.limits[told.LEAST_OFF]
     return span_begun(block, 0)
 
 
 @kernel
 def begun_again(block: int) -> int:
     """Begin once more with what was begun: ROOMY, or how a step ends."""
-    hunt = group_at(Hunt, block + BASE)
-    if hunt.figures[SPAN] != 0.0:
+    hunt = group_at(Hunt, block + told.BASE)
+    if hunt.figures[told.SPAN] != 0.0:
         return span_begun(block, 0)
     way, tally = hunt.room.course.way, hunt.room.course.tally
     for n in range(COURSE):
         if n != WAY_GOAL:
-            way[n] = hunt.figures[BEGUN]
+            way[n] = hunt.figures[told.BEGUN]
     for n in range(TALLY):
         tally[n] = 0
-    return ROOMY
+    return own_room.ROOMY
 
 
 @kernel
@@ -240,26 +200,28 @@ def searched_on(block: int, goal: int, slack: float, left: float, counted: int) 
     At most about `left` handles may be placed, counted in that column of the figures.
     """
     while True:
-        hunt = group_at(Hunt, block + BASE)
+        hunt = group_at(Hunt, block + told.BASE)
         walk, room, f, note, limits = hunt.walk, hunt.room, hunt.figures, hunt.note, hunt.limits
         benches = walk.benches.kind.shape[0]
         most = max((left - f[counted]) / (SEARCHED * (benches + 1)), 1.0)
-        f[LEFT] = math.floor(min(most, f[LEFT]))
+        f[told.LEFT] = math.floor(min(most, f[told.LEFT]))
         known, marched = work_done(room, benches), note[EVALUATIONS]
-        ending = search_walk(walk, room, goal, limits[MARGIN], slack, limits[WIDTH], int(f[LEFT]), note)
+        ending = search_walk(
+            walk, room, goal, limits[told.MARGIN], slack, limits[told.WIDTH], int(f[told.LEFT]), note
+        )
         marched = (note[EVALUATIONS] - marched) * room.course.tally[PLACED]
         f[counted] += CALL + SEARCHED * marched + max(work_done(room, benches) - known, 0.0)
         if ending == MORE or f[counted] > left:
             return MORE
         if ending == CROWDED:
-            made = widen_room(block, ROOM_SLOT, hunt.sizes, walk, aim_of(hunt))
-            made = room_ending(group_at(Hunt, block + BASE), made)
-        elif ending == CLEAR and f[SPAN] + 1.0 < hunt.spans.shape[0]:
-            f[LEFT] = limits[MOST_LEAST] if goal == LEAST else limits[MOST]
-            made = span_begun(block, int(f[SPAN]) + 1)
+            made = own_room.widen_room(block, told.ROOM_SLOT, hunt.sizes, walk, aim_of(hunt))
+            made = room_ending(group_at(Hunt, block + told.BASE), made)
+        elif ending == CLEAR and f[told.SPAN] + 1.0 < hunt.spans.shape[0]:
+            f[told.LEFT] = limits[told.MOST_LEAST] if goal == LEAST else limits[told.MOST]
+            made = span_begun(block, int(f[told.SPAN]) + 1)
         else:
             return judged(hunt, ending)
-        if made != ROOMY:
+        if made != own_room.ROOMY:
             return made
 
 
@@ -270,17 +232,17 @@ def judged(hunt: Hunt, ending: int) -> int:
     end = walk.rows.shape[0] - 1
     length = walk.rows[end, S_START] + walk.rows[end, LENGTH]
     if not is_sharp(hunt, note[OFF]):
-        return BLURRED
+        return told.BLURRED
     if ending == ASTRAY:
-        f[SOUND_TO], f[UNTIL] = way[SOUND], way[SOUND] + 2.0 * hunt.room.ground.measures[CELL]
+        f[told.SOUND_TO], f[told.UNTIL] = way[SOUND], way[SOUND] + 2.0 * hunt.room.ground.measures[CELL]
         if way[AT] < way[SOUND]:
-            f[SOUND_TO], f[UNTIL] = way[AT], way[SOUND]
-        return STOPPED
-    if ending == CLEAR and hunt.limits[END] > length + END_SLACK:
-        f[SOUND_TO], f[UNTIL] = length, hunt.limits[END]
-        return STOPPED
-    f[MARCHED] += note[EVALUATIONS]
+            f[told.SOUND_TO], f[told.UNTIL] = way[AT], way[SOUND]
+        return told.STOPPED
+    if ending == CLEAR and hunt.limits[told.END] > length + END_SLACK:
+        f[told.SOUND_TO], f[told.UNTIL] = length, hunt.limits[told.END]
+        return told.STOPPED
+    f[told.MARCHED] += note[EVALUATIONS]
     if ending == FALLEN:
-        f[SOUND_TO], f[UNTIL] = note[LOWER], way[STEP_END]
-        return STOPPED
+        f[told.SOUND_TO], f[told.UNTIL] = note[LOWER], way[STEP_END]
+        return told.STOPPED
     return ending

@@ -7,16 +7,7 @@ once such a bench comes to them, in finer and finer parts.
 import numpy as np
 
 from benchdragon.kernels.cells import CELL, DOUBTS, LOW, Ground
-from benchdragon.kernels.course import (
-    AT,
-    KNOWN,
-    SOUND,
-    UPTO,
-    Benches,
-    Room,
-    Walk,
-    place_block,
-)
+from benchdragon.kernels.course import AT, KNOWN, SOUND, UPTO, Benches, Room, Walk, place_block
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, kernel
 from benchdragon.kernels.links import link_of

@@ -44,12 +44,8 @@ def set_nodes(rows: FloatArray, low: float, high: float, count: int, nodes: Floa
         turned = heading(rows, j, u)
         if n > 0:
             turned -= math.tau * math.floor((turned - before) / math.tau + 0.5)
-        nodes[0, n], nodes[1, n], nodes[2, n], before = (
-            single(x - x0),
-            single(y - y0),
-            single(turned),
-            turned,
-        )
+        nodes[0, n], nodes[1, n], nodes[2, n] = single(x - x0), single(y - y0), single(turned)
+        before = turned
 
 
 @kernel

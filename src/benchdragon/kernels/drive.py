@@ -12,32 +12,11 @@ bounded side by side, each side with its own curvatures.
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import step_bounds as bounds
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import S_START, U_END, U_START, FloatArray, curvature, stretch
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.step_bounds import (
-    FRONT_HIGH,
-    FRONT_LOW,
-    GROWTH_HIGH,
-    GROWTH_LOW,
-    LEFT,
-    REAR_HIGH,
-    REAR_LOW,
-    RIGHT,
-    ROUNDED_UP,
-    SLOWEST,
-    SPEED,
-    TURN_HIGH,
-    TURN_LOW,
-    TURNING_RATE,
-    angle_rates,
-    bound_handles,
-    curvature_range,
-    magnitude,
-    product,
-    scaled,
-)
 
 # What is bounded: speeds and accelerations of handles, turning rates of benches.
 SPEEDS = 0
@@ -95,16 +74,9 @@ def value_at(
 
 @kernel
 def greatest_in_slot(
-    rows: FloatArray,
-    places: Placements,
-    change: FloatArray,
-    turn: FloatArray,
-    t: int,
-    links: int,
-    square: float,
-    rate: float,
-    quantity: int,
-) -> tuple[float, int]:
+    rows: FloatArray, places: Placements, change: FloatArray, turn: FloatArray, t: int, links: int,
+    square: float, rate: float, quantity: int,
+) -> tuple[float, int]:  # fmt: skip
     """The greatest of a quantity in slot t up to so many links, and its handle or bench.
 
     With the square of the head's speed and its acceleration; change = d2 s_i / dsigma^2 and turn are
@@ -189,20 +161,20 @@ def find_jumps(
     """
     table, crossing, sides, count = scratch.table, scratch.crossing, scratch.sides, 0
     for i in range(links + 1):
-        if not table[i, LEFT] - table[i, RIGHT] < math.inf:
+        if not table[i, bounds.LEFT] - table[i, bounds.RIGHT] < math.inf:
             continue
         first, u, last, v = way_of(rows, places, i, a, b, scratch.beside)
         j, side = jump_row(rows, first, last), sides[min(count, MOST_JUMPS)]
         if j < 0:
             continue
-        side[0], side[1] = curvature_range(rows, first, u, j, rows[j, U_END])
-        side[2], side[3] = curvature_range(rows, j + 1, rows[j + 1, U_START], last, v)
+        side[0], side[1] = bounds.curvature_range(rows, first, u, j, rows[j, U_END])
+        side[2], side[3] = bounds.curvature_range(rows, j + 1, rows[j + 1, U_START], last, v)
         if count < MOST_JUMPS:
             crossing[count] = i
             count += 1
         else:
-            table[i, RIGHT] = min(table[i, RIGHT], side[0], side[2])
-            table[i, LEFT] = max(table[i, LEFT], side[1], side[3])
+            table[i, bounds.RIGHT] = min(table[i, bounds.RIGHT], side[0], side[2])
+            table[i, bounds.LEFT] = max(table[i, bounds.LEFT], side[1], side[3])
     return count
 
 
@@ -215,17 +187,21 @@ def side_rates(links: int, table: FloatArray, bend: FloatArray, rates: FloatArra
     """
     rates[0, 0], rates[0, 1] = 0.0, 0.0
     for i in range(links):
-        if not table[i + 1, SPEED] < math.inf:
+        if not table[i + 1, bounds.SPEED] < math.inf:
             for k in range(i + 1, links + 1):
                 rates[k, 0], rates[k, 1] = -math.inf, math.inf
             return
-        turn = table[i + 1, TURN_LOW], table[i + 1, TURN_HIGH]
-        slow, fast = table[i, SLOWEST], table[i, SPEED]
-        low, high = angle_rates(slow, fast, bend[i, 0], bend[i, 1], turn)
-        front_low, front_high = product(table[i + 1, FRONT_LOW], table[i + 1, FRONT_HIGH], low, high)
-        slow, fast = table[i + 1, SLOWEST], table[i + 1, SPEED]
-        low, high = angle_rates(slow, fast, bend[i + 1, 0], bend[i + 1, 1], turn)
-        rear_low, rear_high = product(table[i + 1, REAR_LOW], table[i + 1, REAR_HIGH], low, high)
+        turn = table[i + 1, bounds.TURN_LOW], table[i + 1, bounds.TURN_HIGH]
+        slow, fast = table[i, bounds.SLOWEST], table[i, bounds.SPEED]
+        low, high = bounds.angle_rates(slow, fast, bend[i, 0], bend[i, 1], turn)
+        front_low, front_high = bounds.product(
+            table[i + 1, bounds.FRONT_LOW], table[i + 1, bounds.FRONT_HIGH], low, high
+        )
+        slow, fast = table[i + 1, bounds.SLOWEST], table[i + 1, bounds.SPEED]
+        low, high = bounds.angle_rates(slow, fast, bend[i + 1, 0], bend[i + 1, 1], turn)
+        rear_low, rear_high = bounds.product(
+            table[i + 1, bounds.REAR_LOW], table[i + 1, bounds.REAR_HIGH], low, high
+        )
         rates[i + 1, 0] = rates[i, 0] - front_high + rear_low
         rates[i + 1, 1] = rates[i, 1] - front_low + rear_high
 
@@ -244,8 +220,8 @@ def most_of_handle(
         value = fast * math.sqrt(square) if square > 0.0 else 0.0
     else:
         across = fast * fast * square * bend
-        low, high = scaled(least_square, square, low, high)
-        along = fast * magnitude(drive[RATE] + low, drive[RATE] + high)
+        low, high = bounds.scaled(least_square, square, low, high)
+        along = fast * bounds.magnitude(drive[RATE] + low, drive[RATE] + high)
         value = math.hypot(along, across)
         if quantity != TOTAL:
             value = along if quantity == ALONG else across
@@ -262,30 +238,24 @@ def bound_side(links: int, drive: FloatArray, quantity: int, scratch: Scratch) -
     side_rates(links, table, bend, rates)
     for i in range(links + 1):
         low, high = rates[i, 0], rates[i, 1]
-        bent = magnitude(bend[i, 0], bend[i, 1])
-        value = most_of_handle(table[i, SPEED], low, high, bent, drive, quantity)
-        most[i] = max(most[i], ROUNDED_UP * value)
-        table[i, GROWTH_LOW] = lesser(table[i, GROWTH_LOW], low)
-        table[i, GROWTH_HIGH] = greater(table[i, GROWTH_HIGH], high)
+        bent = bounds.magnitude(bend[i, 0], bend[i, 1])
+        value = most_of_handle(table[i, bounds.SPEED], low, high, bent, drive, quantity)
+        most[i] = max(most[i], bounds.ROUNDED_UP * value)
+        table[i, bounds.GROWTH_LOW] = lesser(table[i, bounds.GROWTH_LOW], low)
+        table[i, bounds.GROWTH_HIGH] = greater(table[i, bounds.GROWTH_HIGH], high)
 
 
 @kernel
 def bound_sides(
-    rows: FloatArray,
-    places: Placements,
-    a: int,
-    b: int,
-    links: int,
-    drive: FloatArray,
-    quantity: int,
+    rows: FloatArray, places: Placements, a: int, b: int, links: int, drive: FloatArray, quantity: int,
     scratch: Scratch,
-) -> None:
+) -> None:  # fmt: skip
     """Fill scratch.most for an acceleration: over all sides of the jumps that are crossed."""
     table, bend, crossing, sides = scratch.table, scratch.bend, scratch.crossing, scratch.sides
     jumps = find_jumps(rows, places, a, b, links, scratch)
     for i in range(links + 1):
-        bend[i, 0], bend[i, 1] = table[i, RIGHT], table[i, LEFT]
-        table[i, GROWTH_LOW], table[i, GROWTH_HIGH] = math.inf, -math.inf
+        bend[i, 0], bend[i, 1] = table[i, bounds.RIGHT], table[i, bounds.LEFT]
+        table[i, bounds.GROWTH_LOW], table[i, bounds.GROWTH_HIGH] = math.inf, -math.inf
         scratch.most[i] = 0.0
     for side in range(1 << jumps):
         for n in range(jumps):
@@ -297,15 +267,9 @@ def bound_sides(
 
 @kernel
 def bound_step(
-    rows: FloatArray,
-    links: FloatArray,
-    places: Placements,
-    a: int,
-    b: int,
-    drive: FloatArray,
-    quantity: int,
-    scratch: Scratch,
-) -> None:
+    rows: FloatArray, links: FloatArray, places: Placements, a: int, b: int, drive: FloatArray,
+    quantity: int, scratch: Scratch,
+) -> None:  # fmt: skip
     """Fill scratch.most with the most that each handle reaches from slot a to slot b.
 
     Of a bench it stands at its rear handle. The table holds the handles' bounds; for accelerations its
@@ -316,10 +280,10 @@ def bound_step(
         for i in range(count + 1):
             most[i] = 0.0  # who stands needs no bound, not even where one is infinite
         return
-    bound_handles(rows, links, places, a, b, table)
+    bounds.bound_handles(rows, links, places, a, b, table)
     if quantity not in (SPEEDS, TURNING):
         bound_sides(rows, places, a, b, count, drive, quantity, scratch)
         return
-    column = SPEED if quantity == SPEEDS else TURNING_RATE
+    column = bounds.SPEED if quantity == SPEEDS else bounds.TURNING_RATE
     for i in range(count + 1):
-        most[i] = ROUNDED_UP * most_of_handle(table[i, column], 0.0, 0.0, 0.0, drive, quantity)
+        most[i] = bounds.ROUNDED_UP * most_of_handle(table[i, column], 0.0, 0.0, 0.0, drive, quantity)

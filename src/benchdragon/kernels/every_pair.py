@@ -60,12 +60,8 @@ def grow(circles: Circles, search: Search) -> None:
 
 @kernel
 def near_in_step(
-    search: Search,
-    circles: Circles,
-    wanted: float,
-    first: IntArray,
-    second: IntArray,
-) -> int:
+    search: Search, circles: Circles, wanted: float, first: IntArray, second: IntArray,
+) -> int:  # fmt: skip
     """Pairs that may come as near as `wanted` in the step from slot 0 to slot 1; how many.
 
     Counts on where first, second are full. Of `circles` the radii must be there.
@@ -97,14 +93,9 @@ def near_in_step(
 
 @kernel
 def search_near(
-    search: Search,
-    goal: int,
-    chain: Chain,
-    circles: Circles,
-    scratch: Pairs,
-    limits: Limits,
+    search: Search, goal: int, chain: Chain, circles: Circles, scratch: Pairs, limits: Limits,
     note: FloatArray,
-) -> int:
+) -> int:  # fmt: skip
     """Search the step from slot 0 to slot 1, both placed, for `goal`: see `search_all_pairs`."""
     count = chain.members.shape[0]
     bound_members(chain, search, 1)
@@ -126,20 +117,10 @@ def search_near(
 
 @kernel
 def search_steps(
-    search: Search,
-    goal: int,
-    rows: FloatArray,
-    links: FloatArray,
-    aside: FloatArray,
-    sizes: FloatArray,
-    at: FloatArray,
-    first: IntArray,
-    second: IntArray,
-    limits: Limits,
-    note: FloatArray,
-    members: IntArray,
-    scratch: FloatArray,
-) -> int:
+    search: Search, goal: int, rows: FloatArray, links: FloatArray, aside: FloatArray,
+    sizes: FloatArray, at: FloatArray, first: IntArray, second: IntArray, limits: Limits,
+    note: FloatArray, members: IntArray, scratch: FloatArray,
+) -> int:  # fmt: skip
     """As `search_all_pairs`, with scratch for the members and five rows for their circles."""
     for i in range(members.shape[0]):
         members[i] = i
@@ -171,21 +152,10 @@ def stopped(search: Search, slot: int, note: FloatArray) -> int:
 @entry
 @allocates
 def search_all_pairs(
-    search: Search,
-    goal: int,
-    rows: Table,
-    links: Vector,
-    aside: Vector,
-    sizes: Table,
-    at: Vector,
-    first: IntVector,
-    second: IntVector,
-    margin: float,
-    slack: float,
-    width: float,
-    most: int,
+    search: Search, goal: int, rows: Table, links: Vector, aside: Vector, sizes: Table, at: Vector,
+    first: IntVector, second: IntVector, margin: float, slack: float, width: float, most: int,
     note: Vector,
-) -> int:
+) -> int:  # fmt: skip
     """Search the head's steps at[t]..at[t + 1], m, for `goal` (FIRST_TOUCH or LEAST); how it ended.
 
     Handle i walks aside[i] metres to the left of the route. Pair p of benches, from 0, is first[p] and

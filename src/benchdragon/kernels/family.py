@@ -6,49 +6,22 @@ Routes are what few numbers describe: a spiral to a disc, a turn of a family, or
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import curve, route_parts
+from benchdragon.kernels import turn_families as families
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
 from benchdragon.kernels.cells import Kinds
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.course import Benches, Walk
-from benchdragon.kernels.curve import (
-    LENGTH,
-    MOST_METRES,
-    MOST_TURN,
-    S_START,
-    SPIRAL,
-    FloatArray,
-    spiral_length,
-)
+from benchdragon.kernels.curve import FloatArray, spiral_length
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.low_points import head_where_tail
 from benchdragon.kernels.route import END_SLACK
-from benchdragon.kernels.route_parts import (
-    FIRST,
-    HAND,
-    LAST,
-    PART_COLUMNS,
-    PART_KIND,
-    SIZE,
-    Pose,
-    farthest,
-    lay_rows,
-    row_count,
-)
+from benchdragon.kernels.route_parts import Pose, farthest, lay_rows, row_count
 from benchdragon.kernels.status import TurnStatus
 from benchdragon.kernels.step_bounds import place_chain
-from benchdragon.kernels.turn_families import (
-    LEAD,
-    LOOK,
-    PIECE_END,
-    PIECE_LENGTH,
-    PIECE_START,
-    TRAIL,
-    three_pieces,
-    turn_parts,
-    two_arcs,
-)
+from benchdragon.kernels.turn_families import three_pieces, turn_parts, two_arcs
 
 # What varies.
 PITCH, DISC, WIDTH, BENCH = 0, 1, 2, 3
@@ -141,12 +114,13 @@ def lay_spiral(family: Family, rows: FloatArray, size: float) -> int:
     pitch, disc = varied(numbers, PITCH, PITCH_SIZE, size), varied(numbers, DISC, DISC_RADIUS, size)
     k, start = pitch / (2.0 * math.pi), 2.0 * math.pi * numbers[START_TURN]
     end = disc / k if disc == disc else 0.0
-    if end >= start or max(start * k, spiral_length(k, start)) > MOST_METRES:
+    if end >= start or max(start * k, spiral_length(k, start)) > curve.MOST_METRES:
         return 0
-    for column in range(PART_COLUMNS):
+    for column in range(route_parts.PART_COLUMNS):
         part[0, column] = 0.0
-    part[0, PART_KIND], part[0, SIZE], part[0, HAND] = SPIRAL, pitch, numbers[HANDED]
-    part[0, FIRST], part[0, LAST] = start, end
+    part[0, route_parts.PART_KIND], part[0, route_parts.SIZE] = curve.SPIRAL, pitch
+    part[0, route_parts.HAND] = numbers[HANDED]
+    part[0, route_parts.FIRST], part[0, route_parts.LAST] = start, end
     lay_rows(part, Pose(0.0, 0.0, 0.0), 0, 0, rows[:1])
     return 1
 
@@ -156,7 +130,7 @@ def greatest_bend(pieces: FloatArray, count: int) -> float:
     """The greatest curvature of the first pieces of a turn, 1/m."""
     most = 0.0
     for n in range(count):
-        most = max(most, abs(pieces[n, PIECE_START]), abs(pieces[n, PIECE_END]))
+        most = max(most, abs(pieces[n, families.PIECE_START]), abs(pieces[n, families.PIECE_END]))
     return most
 
 
@@ -183,8 +157,8 @@ def turn_pieces(family: Family, pitch: float, disc: float, entry: float, leave: 
 def pieces_fit(pieces: FloatArray, count: int, link: float) -> bool:
     """Whether there may be curves like these pieces, and a bench of this link can follow them."""
     for n in range(count):
-        bend = max(abs(pieces[n, PIECE_START]), abs(pieces[n, PIECE_END]))
-        if not pieces[n, PIECE_LENGTH] * bend <= MOST_TURN:
+        bend = max(abs(pieces[n, families.PIECE_START]), abs(pieces[n, families.PIECE_END]))
+        if not pieces[n, families.PIECE_LENGTH] * bend <= curve.MOST_TURN:
             return False
     return link * greatest_bend(pieces, count) < 2.0
 
@@ -205,13 +179,13 @@ def lay_turn(family: Family, links: FloatArray, rows: FloatArray, size: float) -
     if count == 0 or not pieces_fit(family.pieces, count, longest):
         return 0
     parts = family.parts[: count + 2]
-    turn_parts(pitch, entry, leave, LEAD, TRAIL + whole, family.pieces[:count], parts)
+    turn_parts(pitch, entry, leave, families.LEAD, families.TRAIL + whole, family.pieces[:count], parts)
     wanted = row_count(parts)
     if wanted > rows.shape[0]:
         return -wanted
     laid = rows[:wanted]
     lay_rows(parts, Pose(0.0, 0.0, 0.0), 1, count + 1, laid)
-    reach = farthest(laid, laid[1, S_START], laid[wanted - 1, S_START], LOOK)
+    reach = farthest(laid, laid[1, curve.S_START], laid[wanted - 1, curve.S_START], families.LOOK)
     return wanted if reach <= disc + numbers[FITS] else 0
 
 
@@ -233,13 +207,13 @@ def set_walk(family: Family, walk: Walk, at: Vector, places: Placements, size: f
         count = lay_turn(family, walk.benches.links, rows, size)
     if count <= 0:
         return Way(count, math.nan, math.nan)
-    joint = rows[1, S_START] if numbers[ROUTE] == TURN else 0.0
+    joint = rows[1, curve.S_START] if numbers[ROUTE] == TURN else 0.0
     start = numbers[POSITION] if numbers[POSITION] == numbers[POSITION] else joint
     first, last = start + numbers[BEGIN_WAY], start + numbers[END_WAY]
     if last != last:  # as the kind of route says
-        last = rows[count - 1, S_START] + rows[count - 1, LENGTH]
+        last = rows[count - 1, curve.S_START] + rows[count - 1, curve.LENGTH]
         if numbers[ROUTE] == TURN:
-            out = rows[count - 1, S_START]
+            out = rows[count - 1, curve.S_START]
             last = head_where_tail(rows[:count], walk.benches.links, out, at, places)
         if last - start > numbers[MOST_WAY]:
             return nowhere
@@ -253,7 +227,7 @@ def falls_soon(rows: Table, links: Vector, sound: float, at: Vector, places: Pla
     `at` and `places` are scratch, of all handles and one slot.
     """
     last = rows.shape[0] - 1
-    length = rows[last, S_START] + rows[last, LENGTH]
+    length = rows[last, curve.S_START] + rows[last, curve.LENGTH]
     if sound + 2.0 * UNKNOWN > length + END_SLACK:
         return True
     for n in range(5):

@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels import route_parts
 from benchdragon.kernels.angles import NEAREST
 from benchdragon.kernels.arrays import Table
 from benchdragon.kernels.curve import (
@@ -21,20 +22,7 @@ from benchdragon.kernels.curve import (
 )
 from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.route import IntArray, evaluate
-from benchdragon.kernels.route_parts import (
-    EQUAL,
-    FIRST,
-    LAST,
-    PART_ANGLE,
-    PART_KIND,
-    PART_X,
-    PART_Y,
-    SIZE,
-    Pose,
-    lay_rows,
-    part_end,
-    row_count,
-)
+from benchdragon.kernels.route_parts import Pose, lay_rows, part_end, row_count
 from benchdragon.kernels.status import FitStatus, Smoothing
 
 # Newton's method for the shape of a clothoid: 4 steps are usual; half steps where it would overshoot.
@@ -134,7 +122,8 @@ def set_clothoid(poses: FloatArray, n: int, parts: FloatArray) -> FitStatus:
     length = chord / share
     add(parts, n, LINE if straight else CLOTHOID, length, poses[n, 0], poses[n, 1], poses[n, 2])
     if not straight:
-        parts[n, FIRST], parts[n, LAST] = (change - a) / length, (change + a) / length
+        parts[n, route_parts.FIRST] = (change - a) / length
+        parts[n, route_parts.LAST] = (change + a) / length
     return FitStatus.OK
 
 
@@ -144,8 +133,9 @@ def add(
 ) -> None:
     """Let part n be of a kind and a size, m, and begin in a pose."""
     parts[n] = 0.0
-    parts[n, PART_KIND], parts[n, SIZE] = kind, size
-    parts[n, PART_X], parts[n, PART_Y], parts[n, PART_ANGLE] = x, y, heading
+    parts[n, route_parts.PART_KIND], parts[n, route_parts.SIZE] = kind, size
+    parts[n, route_parts.PART_X], parts[n, route_parts.PART_Y] = x, y
+    parts[n, route_parts.PART_ANGLE] = heading
 
 
 @entry
@@ -254,7 +244,7 @@ def farthest_point(points: FloatArray, far: int) -> int:
     for n in range(points.shape[0]):
         x, y = points[n, 0] - points[0, 0], points[n, 1] - points[0, 1]
         away = abs(x * dy - y * dx) if far else math.hypot(x, y)
-        if away > most * EQUAL:
+        if away > most * route_parts.EQUAL:
             best, most = n, away
     return best
 
@@ -289,7 +279,7 @@ def simplified(
         for n in range(a + 1, b):
             away = off_segment(points, n, a, b)
             worst = max(worst, away)
-            if away > most * EQUAL:
+            if away > most * route_parts.EQUAL:
                 most, middle = away, n
         j = b % size
         apart = points[a, 0] != points[j, 0] or points[a, 1] != points[j, 1]
@@ -321,7 +311,7 @@ def set_sides(
         sides[n, TURN] = folded(sides[(n + 1) % count, HEADING] - sides[n, HEADING])
         if n == count - 1 and not closed:
             sides[n, TURN] = 0.0
-        if abs(sides[n, TURN]) > abs(sides[sharpest, TURN]) * EQUAL:
+        if abs(sides[n, TURN]) > abs(sides[sharpest, TURN]) * route_parts.EQUAL:
             sharpest = n
         half = 0.5 * abs(sides[n, TURN])
         eased = EASED_SHARE * half if smooth == Smoothing.G2 else 0.0
@@ -411,18 +401,18 @@ def add_bend(
     """Add to n parts an arc, or clothoid, arc and clothoid, that begin in a pose; how many then."""
     if eased == 0.0:
         add(parts, n, ARC, radius, start.x, start.y, start.heading)
-        parts[n, FIRST] = turn
+        parts[n, route_parts.FIRST] = turn
         return n + 1
     side = math.copysign(1.0, turn)
     length = 2.0 * radius * eased
     add(parts, n, CLOTHOID, length, start.x, start.y, start.heading)
-    parts[n, LAST] = side / radius
+    parts[n, route_parts.LAST] = side / radius
     pose = part_end(parts, n, row)
     add(parts, n + 1, ARC, radius, pose.x, pose.y, pose.heading)
-    parts[n + 1, FIRST] = turn - 2.0 * side * eased
+    parts[n + 1, route_parts.FIRST] = turn - 2.0 * side * eased
     pose = part_end(parts, n + 1, row)
     add(parts, n + 2, CLOTHOID, length, pose.x, pose.y, pose.heading)
-    parts[n + 2, FIRST] = side / radius
+    parts[n + 2, route_parts.FIRST] = side / radius
     return n + 3
 
 

@@ -104,15 +104,9 @@ def put_known(grid: Grid, places: Table) -> None:
 
 @entry
 def pairs_within(
-    grid: Grid,
-    others: Table,
-    places: Table,
-    start: int,
-    reach: float,
-    found: IntVector,
-    first: IntVector,
-    second: IntVector,
-) -> int:
+    grid: Grid, others: Table, places: Table, start: int, reach: float, found: IntVector,
+    first: IntVector, second: IntVector,
+) -> int:  # fmt: skip
     """Fill first, second with the pairs of places[start..] and others no farther apart than reach, m.
 
     `grid` holds the others. Places at NaN are none. Gives how many there are; counts on where first and

@@ -35,14 +35,9 @@ def distance_in_slot(
 
 @kernel
 def march_even(
-    rows: FloatArray,
-    links: FloatArray,
-    low: float,
-    high: float,
-    count: int,
-    at: FloatArray,
+    rows: FloatArray, links: FloatArray, low: float, high: float, count: int, at: FloatArray,
     places: Placements,
-) -> None:
+) -> None:  # fmt: skip
     """Place chains at so many head positions, the first slots, evenly from low to high, m."""
     for t in range(count):
         at[t] = high if t == count - 1 else low + (high - low) * t / (count - 1)
@@ -51,18 +46,9 @@ def march_even(
 
 @entry
 def low_point(
-    rows: Table,
-    links: Vector,
-    sizes: Table,
-    i: int,
-    j: int,
-    low: float,
-    high: float,
-    shrinks: int,
-    at: Vector,
-    places: Placements,
-    boxes: Table,
-) -> tuple[float, float]:
+    rows: Table, links: Vector, sizes: Table, i: int, j: int, low: float, high: float, shrinks: int,
+    at: Vector, places: Placements, boxes: Table,
+) -> tuple[float, float]:  # fmt: skip
     """The least distance of benches i < j with the head between low and high, m; where.
 
     It is looked for, not bounded; infinite where the dragon stands nowhere. Minus a depth inside. `at`
@@ -89,15 +75,9 @@ def low_point(
 
 @kernel
 def low_pair(
-    rows: Table,
-    links: Vector,
-    sizes: Table,
-    first: float,
-    last: float,
-    at: Vector,
-    places: Placements,
+    rows: Table, links: Vector, sizes: Table, first: float, last: float, at: Vector, places: Placements,
     boxes: Table,
-) -> tuple[float, float, int, int]:
+) -> tuple[float, float, int, int]:  # fmt: skip
     """A low distance with the head between first and last, m; where, and of which benches.
 
     It is looked for at HINT_PLACES head positions, and about the least of them: a hint, no bound.

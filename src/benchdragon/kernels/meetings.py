@@ -10,48 +10,12 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels import cells as of
+from benchdragon.kernels import course
 from benchdragon.kernels.box import CX, CY, half_diagonal, set_box
-from benchdragon.kernels.cells import (
-    CELL,
-    CELLS,
-    CHILD,
-    FIRST,
-    FOREMOST,
-    GROUP,
-    GROUPS,
-    LOW,
-    MIXED,
-    NEXT,
-    NUMBER,
-    PARTNER,
-    PARTS,
-    RADIUS,
-    REACH,
-    REAR,
-    REARMOST,
-    ROW,
-    WAYS,
-    Ground,
-    Kinds,
-)
+from benchdragon.kernels.cells import Ground, Kinds
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.course import (
-    AT,
-    BENCHES,
-    GOAL,
-    KNOWN,
-    PAIRS,
-    SLOT,
-    SLOTS,
-    SOUND,
-    STEP_END,
-    STEP_START,
-    UPTO,
-    Benches,
-    Room,
-    Walk,
-    place_block,
-)
+from benchdragon.kernels.course import Benches, Room, Walk, place_block
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import look_through
 from benchdragon.kernels.entries import allocates, kernel
@@ -77,7 +41,7 @@ NARROW = 4  # more room is wanted, see the counts
 @kernel
 def group_span_end(ground: Ground, a: int, b: int, s: float) -> float:
     """The end of the clear span of groups a and b that began by route position s, m; s without one."""
-    groups, end = ground.counts[GROUPS], s
+    groups, end = ground.counts[of.GROUPS], s
     each = ground.spans.shape[0] // (groups * groups)
     for n in range(each):
         row = (a * groups + b) * each + n
@@ -90,8 +54,8 @@ def group_span_end(ground: Ground, a: int, b: int, s: float) -> float:
 def clear_end(ground: Ground, head: int, s: float) -> float:
     """Up to where the head, of group `head`, surely meets no other, standing at s, m; s if nowhere."""
     end = math.inf
-    for b in range(ground.counts[GROUPS]):
-        if ground.groups[head, WAYS + b] < math.inf:
+    for b in range(ground.counts[of.GROUPS]):
+        if ground.groups[head, of.WAYS + b] < math.inf:
             end = min(end, group_span_end(ground, head, b, s))
     return end if end < math.inf else s
 
@@ -106,11 +70,11 @@ def prepare(walk: Walk, room: Room, upto: float, whole: IntArray, numbers: Float
     sweeper = Sweeper(numbers[6, 0], places, whole[2, 0], whole[2, 1], numbers[6, 1], numbers[7, 0, :1])
     if not extend(walk.rows, walk.kinds, room.ground, sweeper, room.grids, upto):
         return NARROW
-    way[UPTO] = upto
-    tally[SLOT] = tally[SLOTS] = 0
+    way[course.UPTO] = upto
+    tally[course.SLOT] = tally[course.SLOTS] = 0
     if look_through(walk, room, sweeper):
         return STEP
-    way[SOUND] = way[AT]
+    way[course.SOUND] = way[course.AT]
     return STOPPED
 
 
@@ -119,15 +83,15 @@ def prepare(walk: Walk, room: Room, upto: float, whole: IntArray, numbers: Float
 def next_stride(walk: Walk, room: Room, least: float) -> int:
     """Prepare the walk past SOUND, `least` metres or more; STEP, or DONE, STOPPED or NARROW."""
     ground, kinds, way = room.ground, walk.kinds, room.course.way
-    if way[SOUND] < way[UPTO]:
+    if way[course.SOUND] < way[course.UPTO]:
         return STOPPED
-    if way[UPTO] >= way[GOAL]:
+    if way[course.UPTO] >= way[course.GOAL]:
         return DONE
-    known = way[AT] - ground.counts[LOW] * ground.measures[CELL]
-    upto = way[AT] + max(least, SHARE * known)
-    if ground.counts[MIXED] == 0:
-        upto = max(upto, clear_end(ground, kinds.group[walk.benches.kind[0]], way[AT]))
-    upto = min(upto, way[GOAL])
+    known = way[course.AT] - ground.counts[of.LOW] * ground.measures[of.CELL]
+    upto = way[course.AT] + max(least, SHARE * known)
+    if ground.counts[of.MIXED] == 0:
+        upto = max(upto, clear_end(ground, kinds.group[walk.benches.kind[0]], way[course.AT]))
+    upto = min(upto, way[course.GOAL])
     return prepare(walk, room, upto, np.empty((3, 2, LANES), dtype=np.int64), np.empty((8, 2, LANES)))
 
 
@@ -152,55 +116,50 @@ def next_block(walk: Walk, room: Room) -> int:
     """Place dragons at the borders of the next steps; STEP, or STOPPED if they do not stand."""
     way, tally, counts = room.course.way, room.course.tally, room.ground.counts
     block, benches = room.block, walk.benches
-    cells = way[AT] < way[KNOWN]
-    end = way[KNOWN] if cells else way[SOUND]
-    size, slots, count = room.ground.measures[CELL] / PARTS, 1, block.at.shape[0]
-    block.at[0] = way[AT]
+    cells = way[course.AT] < way[course.KNOWN]
+    end = way[course.KNOWN] if cells else way[course.SOUND]
+    size, slots, count = room.ground.measures[of.CELL] / of.PARTS, 1, block.at.shape[0]
+    block.at[0] = way[course.AT]
     while slots < count and block.at[slots - 1] < end:
-        at = way[AT] + slots * size
+        at = way[course.AT] + slots * size
         # What rounding leaves of the last step is joined to it.
         block.at[slots] = end if at > end - 1e-3 * size else at
         slots += 1
-    back = (counts[REAR] + counts[LOW] * PARTS) * size - EDGE if cells else -math.inf
-    tally[BENCHES] = benches_reaching(benches, block.at[slots - 1], back)
-    tally[SLOT], tally[SLOTS] = 0, slots - 1
-    if tally[BENCHES] < 3:
+    back = (counts[of.REAR] + counts[of.LOW] * of.PARTS) * size - EDGE if cells else -math.inf
+    tally[course.BENCHES] = benches_reaching(benches, block.at[slots - 1], back)
+    tally[course.SLOT], tally[course.SLOTS] = 0, slots - 1
+    if tally[course.BENCHES] < 3:
         return STEP
-    links = benches.links if not cells else benches.links[: tally[BENCHES] - 1]
+    links = benches.links if not cells else benches.links[: tally[course.BENCHES] - 1]
     return STEP if place_block(walk.rows, links, block, tally, slots) else STOPPED
 
 
 @kernel
 def meeting_pairs(
-    benches: Benches,
-    kinds: Kinds,
-    ground: Ground,
-    s: FloatArray,
-    t: int,
-    count: int,
-    first: IntArray,
+    benches: Benches, kinds: Kinds, ground: Ground, s: FloatArray, t: int, count: int, first: IntArray,
     second: IntArray,
-) -> int:
+) -> int:  # fmt: skip
     """Pairs of the first benches that may meet between slots t and t + 1; how many.
 
     s[i, t] are their front handles' route positions, m. Counts on where first, second are full.
     """  # fmt: skip
     counts, tree, partners = ground.counts, ground.tree, ground.partners
-    size, low, most = ground.measures[CELL] / PARTS, counts[LOW] * PARTS, counts[CELLS] * PARTS
+    size = ground.measures[of.CELL] / of.PARTS
+    low, most = counts[of.LOW] * of.PARTS, counts[of.CELLS] * of.PARTS
     cells, found = ground.middles.shape[0], 0
     for i in range(count - 2):
         since, g = found, kinds.group[benches.kind[i]]
         a = math.floor((s[i, t] - EDGE) / size) - low
         b = math.floor((s[i, t + 1] + EDGE) / size) - low
         for c in range(max(a, 0), min(b, most - 1) + 1):
-            child = tree[g * cells + c // PARTS, CHILD]
-            n = tree[child + c % PARTS, PARTNER] if child else 0
+            child = tree[g * cells + c // of.PARTS, of.CHILD]
+            n = tree[child + c % of.PARTS, of.PARTNER] if child else 0
             while n:
-                row, n = partners[n - 1, ROW], partners[n - 1, NEXT]
-                back = (tree[row, NUMBER] + low) * size - EDGE
+                row, n = partners[n - 1, of.ROW], partners[n - 1, of.NEXT]
+                back = (tree[row, of.NUMBER] + low) * size - EDGE
                 j = first_behind(s, t, back + size + 2.0 * EDGE, i + 2, count)
                 while j < count and s[j, t + 1] >= back:
-                    if kinds.group[benches.kind[j]] == tree[row, GROUP]:
+                    if kinds.group[benches.kind[j]] == tree[row, of.GROUP]:
                         found = add_pair(first, second, since, found, i, j)
                     j += 1
     return found
@@ -216,16 +175,16 @@ def crowd_pairs(benches: Benches, room: Room, t: int) -> int:
     hulls, count, travel, found = crowd.hulls, benches.kind.shape[0], 0.0, 0
     for i in range(count + 1):
         travel = max(travel, block.s[i, t + 1] - block.s[i, t])
-    near, widest = room.ground.measures[REACH] + 2.0 * benches.lever[0] * travel, 0.0
+    near, widest = room.ground.measures[of.REACH] + 2.0 * benches.lever[0] * travel, 0.0
     for b in range(crowd.grid.heads.shape[0]):
         crowd.grid.heads[b] = 0
     for i in range(count):
         set_box(benches.sizes, i, block.places.x, block.places.y, t, hulls, i)
-        hulls[i, RADIUS] = half_diagonal(hulls, i)
-        widest = max(widest, hulls[i, RADIUS])
+        hulls[i, of.RADIUS] = half_diagonal(hulls, i)
+        widest = max(widest, hulls[i, of.RADIUS])
     for j in range(2, count):
         put(crowd.grid, j - 2, hulls[j - 2, CX], hulls[j - 2, CY])
-        far = hulls[j, RADIUS] + widest + near
+        far = hulls[j, of.RADIUS] + widest + near
         for n in range(gather(crowd.grid, hulls[j, CX], hulls[j, CY], far, crowd.found)):
             i = crowd.found[n]
             if boxes_near(hulls, i, j, near):
@@ -239,10 +198,10 @@ def crowd_pairs(benches: Benches, room: Room, t: int) -> int:
 def step_pairs(walk: Walk, room: Room) -> int:
     """Pairs of the next step of the block; how many."""
     way, tally, s, meeting = room.course.way, room.course.tally, room.block.s, room.meeting
-    t, count = tally[SLOT], tally[BENCHES]
+    t, count = tally[course.SLOT], tally[course.BENCHES]
     if count < 3:
         return 0
-    if way[AT] >= way[KNOWN]:
+    if way[course.AT] >= way[course.KNOWN]:
         return crowd_pairs(walk.benches, room, t)
     return meeting_pairs(
         walk.benches, walk.kinds, room.ground, s, t, count, meeting.first, meeting.second
@@ -257,21 +216,21 @@ def next_step(walk: Walk, room: Room, stride: float) -> int:
     """
     way, tally, at = room.course.way, room.course.tally, room.block.at
     for _ in range(STEPS_A_CALL):
-        if tally[SLOT] >= tally[SLOTS]:
+        if tally[course.SLOT] >= tally[course.SLOTS]:
             ending = STEP
-            if way[AT] >= way[SOUND]:
+            if way[course.AT] >= way[course.SOUND]:
                 ending = next_stride(walk, room, stride)
-            elif way[AT] >= way[KNOWN] or not skip_to_partners(room.ground, way):
+            elif way[course.AT] >= way[course.KNOWN] or not skip_to_partners(room.ground, way):
                 ending = next_block(walk, room)
             if ending != STEP:
                 return ending
             continue
-        t, found = tally[SLOT], step_pairs(walk, room)
-        tally[PAIRS] = found
+        t, found = tally[course.SLOT], step_pairs(walk, room)
+        tally[course.PAIRS] = found
         if found > room.meeting.first.shape[0]:
             return NARROW
-        way[STEP_START], way[STEP_END], way[AT] = at[t], at[t + 1], at[t + 1]
-        tally[SLOT] = t + 1
+        way[course.STEP_START], way[course.STEP_END], way[course.AT] = at[t], at[t + 1], at[t + 1]
+        tally[course.SLOT] = t + 1
         if found:
             return STEP
     return WAIT
@@ -280,14 +239,14 @@ def next_step(walk: Walk, room: Room, stride: float) -> int:
 @kernel
 def partners_ahead(ground: Ground, g: int, s: float) -> float:
     """Where the first part of group g that has partners begins, m, that ends past s; infinite: none."""
-    tree, cells, low = ground.tree, ground.middles.shape[0], ground.counts[LOW] * PARTS
-    size, most = ground.measures[CELL] / PARTS, ground.counts[CELLS] * PARTS
+    tree, cells, low = ground.tree, ground.middles.shape[0], ground.counts[of.LOW] * of.PARTS
+    size, most = ground.measures[of.CELL] / of.PARTS, ground.counts[of.CELLS] * of.PARTS
     c = max(math.floor(s / size) - low, 0)
     while c < most:
-        child = tree[g * cells + c // PARTS, CHILD]
-        if child and tree[child + c % PARTS, PARTNER]:
+        child = tree[g * cells + c // of.PARTS, of.CHILD]
+        if child and tree[child + c % of.PARTS, of.PARTNER]:
             return (c + low) * size
-        c = c + 1 if child else (c // PARTS + 1) * PARTS
+        c = c + 1 if child else (c // of.PARTS + 1) * of.PARTS
     return math.inf
 
 
@@ -299,10 +258,10 @@ def skip_to_partners(ground: Ground, way: FloatArray) -> bool:
     and where the last of them is is not known here.
     """
     begin, groups, edge = math.inf, ground.groups, 2.0 * EDGE
-    for g in range(ground.counts[GROUPS]):
-        if groups[g, REARMOST] == 0.0:
-            begin = min(begin, partners_ahead(ground, g, way[AT] - edge))
+    for g in range(ground.counts[of.GROUPS]):
+        if groups[g, of.REARMOST] == 0.0:
+            begin = min(begin, partners_ahead(ground, g, way[course.AT] - edge))
         else:
-            begin = min(begin, groups[g, FIRST] + groups[g, FOREMOST])
-    way[AT] = max(way[AT], min(begin - edge, way[KNOWN]))
-    return way[AT] >= way[KNOWN]
+            begin = min(begin, groups[g, of.FIRST] + groups[g, of.FOREMOST])
+    way[course.AT] = max(way[course.AT], min(begin - edge, way[course.KNOWN]))
+    return way[course.AT] >= way[course.KNOWN]

@@ -9,42 +9,10 @@ in partners can meet, whatever the time and however long the dragon.
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import cells as of
 from benchdragon.kernels.arrays import IntVector, Vector
 from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal
-from benchdragon.kernels.cells import (
-    BORDERS,
-    BOXED,
-    CELL,
-    CELLS,
-    CHILD,
-    DOUBTS,
-    END,
-    ENTRIES,
-    FIRST,
-    GROUP,
-    GROUPS,
-    HIND,
-    LEVEL,
-    LOW,
-    NEAR,
-    NEXT,
-    NUMBER,
-    PARTNER,
-    PARTS,
-    RADIUS,
-    REACH,
-    REAR,
-    ROW,
-    STATE,
-    TODO,
-    WAYS,
-    WIDEST,
-    Grids,
-    Ground,
-    Kinds,
-    cut,
-    has_room,
-)
+from benchdragon.kernels.cells import Grids, Ground, Kinds, cut, has_room
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
@@ -76,7 +44,7 @@ def count_borders(ground: Ground, places: Placements, count: int) -> None:
     """Count the benches at the first borders that stand."""
     for t in range(count):
         if not places.failed[0, t]:
-            ground.counts[BORDERS] += 1
+            ground.counts[of.BORDERS] += 1
 
 
 @kernel
@@ -92,31 +60,33 @@ def sweep_batch(
     sweep_cells(rows, link, kinds.sizes, k, places, some, targets, ground.hulls, sound)
     for n in range(boxes):
         row = targets[n]
-        if sound[n] == 0.0 and ground.tree[row, LEVEL] == 1:
-            doubt = ground.counts[DOUBTS]
-            ground.counts[DOUBTS] = doubt + 1
+        if sound[n] == 0.0 and ground.tree[row, of.LEVEL] == 1:
+            doubt = ground.counts[of.DOUBTS]
+            ground.counts[of.DOUBTS] = doubt + 1
             if doubt < ground.doubts.shape[0]:
                 ground.doubts[doubt, 0] = k
-                ground.doubts[doubt, 1] = ground.tree[row, NUMBER]
+                ground.doubts[doubt, 1] = ground.tree[row, of.NUMBER]
 
 
 @kernel
 def box_group(rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, k: int) -> None:
     """Widen what is wanted of the group of kind k by benches of that kind, some borders at a time."""
-    tree, at, low = ground.tree, sweeper.at, ground.counts[LOW]
-    hind, end = ground.groups[kinds.group[k], HIND], ground.measures[END]
+    tree, at, low = ground.tree, sweeper.at, ground.counts[of.LOW]
+    hind, end = ground.groups[kinds.group[k], of.HIND], ground.measures[of.END]
     slots, boxes, last = 0, 0, -2
-    for n in range(ground.counts[TODO]):
+    for n in range(ground.counts[of.TODO]):
         row = ground.todo[n]
-        if tree[row, GROUP] != kinds.group[k]:
+        if tree[row, of.GROUP] != kinds.group[k]:
             continue
         if slots + 2 > LANES:
             sweep_batch(rows, kinds, ground, sweeper, k, slots, boxes)
             slots, boxes, last = 0, 0, -2
-        level = tree[row, LEVEL]
-        number, size = tree[row, NUMBER] + low * level, ground.measures[CELL] / level
+        level = tree[row, of.LEVEL]
+        number, size = tree[row, of.NUMBER] + low * level, ground.measures[of.CELL] / level
         joined = (
-            last >= 0 and tree[last, LEVEL] == level and tree[last, NUMBER] + 1 == tree[row, NUMBER]
+            last >= 0
+            and tree[last, of.LEVEL] == level
+            and tree[last, of.NUMBER] + 1 == tree[row, of.NUMBER]
         )
         if not joined:
             at[slots] = min(max(number * size, hind), end)
@@ -134,22 +104,22 @@ def make_boxes(rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper,
     for k in range(kinds.group.shape[0]):
         box_group(rows, kinds, ground, sweeper, k)
     hulls, tree = ground.hulls, ground.tree
-    for n in range(ground.counts[TODO]):
+    for n in range(ground.counts[of.TODO]):
         row = ground.todo[n]
-        tree[row, STATE] = BOXED
-        hulls[row, RADIUS] = half_diagonal(hulls, row)
-        if tree[row, LEVEL] == 1 and not math.isnan(hulls[row, CX]):
-            g = tree[row, GROUP]
-            ground.groups[g, WIDEST] = max(ground.groups[g, WIDEST], hulls[row, RADIUS])
+        tree[row, of.STATE] = of.BOXED
+        hulls[row, of.RADIUS] = half_diagonal(hulls, row)
+        if tree[row, of.LEVEL] == 1 and not math.isnan(hulls[row, CX]):
+            g = tree[row, of.GROUP]
+            ground.groups[g, of.WIDEST] = max(ground.groups[g, of.WIDEST], hulls[row, of.RADIUS])
             put(grid, row, hulls[row, CX], hulls[row, CY])
-    ground.counts[TODO] = 0
+    ground.counts[of.TODO] = 0
 
 
 @kernel
 def boxes_near(hulls: FloatArray, i: int, j: int, reach: float) -> bool:
     """Whether two boxes are within reach, m; no box is near anything."""
     dx, dy = hulls[i, CX] - hulls[j, CX], hulls[i, CY] - hulls[j, CY]
-    most = hulls[i, RADIUS] + hulls[j, RADIUS] + reach
+    most = hulls[i, of.RADIUS] + hulls[j, of.RADIUS] + reach
     if not dx * dx + dy * dy <= most * most:
         return False
     return box_gap(hulls, i, j) <= reach and box_distance(hulls, i, j) <= reach
@@ -158,34 +128,34 @@ def boxes_near(hulls: FloatArray, i: int, j: int, reach: float) -> bool:
 @kernel
 def far_enough(tree: IntArray, i: int, j: int, cell: float, way: float) -> bool:
     """Whether a bench in box i may have one in box j behind it with another between them."""
-    return (tree[i, NUMBER] + 1 - tree[j, NUMBER]) * cell / tree[i, LEVEL] >= way
+    return (tree[i, of.NUMBER] + 1 - tree[j, of.NUMBER]) * cell / tree[i, of.LEVEL] >= way
 
 
 @kernel
 def add_near(counts: IntArray, near: IntArray, i: int, j: int) -> None:
     """Note a pair of rows that are near; beyond the room it is only counted."""
-    n = counts[NEAR]
+    n = counts[of.NEAR]
     if n < near.shape[0]:
         near[n, 0], near[n, 1] = i, j
-    counts[NEAR] = n + 1
+    counts[of.NEAR] = n + 1
 
 
 @kernel
 def find_near(ground: Ground, grid: Grid, found: IntArray, i: int) -> None:
     """Note all boxes of cells not beyond that of row i that are near it."""
-    tree, hulls, groups = ground.tree, ground.hulls, ground.counts[GROUPS]
-    a, c, reach, widest = tree[i, GROUP], tree[i, NUMBER], ground.measures[REACH], 0.0
+    tree, hulls, groups = ground.tree, ground.hulls, ground.counts[of.GROUPS]
+    a, c, reach, widest = tree[i, of.GROUP], tree[i, of.NUMBER], ground.measures[of.REACH], 0.0
     if math.isnan(hulls[i, CX]):
         return
     for b in range(groups):
-        if ground.groups[a, WAYS + b] < math.inf:
-            widest = max(widest, ground.groups[b, WIDEST])
-    far = hulls[i, RADIUS] + widest + reach
+        if ground.groups[a, of.WAYS + b] < math.inf:
+            widest = max(widest, ground.groups[b, of.WIDEST])
+    far = hulls[i, of.RADIUS] + widest + reach
     for n in range(gather(grid, hulls[i, CX], hulls[i, CY], far, found)):
         j = found[n]
-        b, d = tree[j, GROUP], tree[j, NUMBER]
-        way = ground.groups[a, WAYS + b]
-        if d > c or not way < math.inf or not far_enough(tree, i, j, ground.measures[CELL], way):
+        b, d = tree[j, of.GROUP], tree[j, of.NUMBER]
+        way = ground.groups[a, of.WAYS + b]
+        if d > c or not way < math.inf or not far_enough(tree, i, j, ground.measures[of.CELL], way):
             continue
         if may_meet(ground.span_of, c, d, a * groups + b) and boxes_near(hulls, i, j, reach):
             add_near(ground.counts, ground.near, i, j)
@@ -194,7 +164,7 @@ def find_near(ground: Ground, grid: Grid, found: IntArray, i: int) -> None:
 @kernel
 def cut_near(ground: Ground) -> None:
     """Cut all boxes that are in pairs."""
-    for n in range(ground.counts[NEAR]):
+    for n in range(ground.counts[of.NEAR]):
         for side in range(2):
             cut(ground.counts, ground.tree, ground.hulls, ground.todo, ground.near[n, side])
 
@@ -202,11 +172,11 @@ def cut_near(ground: Ground) -> None:
 @kernel
 def near_parts(ground: Ground, i: int, j: int, every: bool) -> bool:
     """Whether any parts of boxes i and j are near; if `every`, all such pairs are noted."""
-    tree, reach = ground.tree, ground.measures[REACH]
-    way, found = ground.groups[tree[i, GROUP], WAYS + tree[j, GROUP]], False
-    for p in range(tree[i, CHILD], tree[i, CHILD] + PARTS):
-        for q in range(tree[j, CHILD], tree[j, CHILD] + PARTS):
-            if far_enough(tree, p, q, ground.measures[CELL], way) and boxes_near(
+    tree, reach = ground.tree, ground.measures[of.REACH]
+    way, found = ground.groups[tree[i, of.GROUP], of.WAYS + tree[j, of.GROUP]], False
+    for p in range(tree[i, of.CHILD], tree[i, of.CHILD] + of.PARTS):
+        for q in range(tree[j, of.CHILD], tree[j, of.CHILD] + of.PARTS):
+            if far_enough(tree, p, q, ground.measures[of.CELL], way) and boxes_near(
                 ground.hulls, p, q, reach
             ):
                 if not every:
@@ -220,14 +190,14 @@ def near_parts(ground: Ground, i: int, j: int, every: bool) -> bool:
 def add_partners(ground: Ground, i: int, j: int) -> None:
     """Make part j a partner of part i."""
     counts, tree, groups = ground.counts, ground.tree, ground.groups
-    n, g, size = counts[ENTRIES], tree[i, GROUP], ground.measures[CELL] / PARTS
-    counts[ENTRIES] = n + 1
-    begin = (tree[i, NUMBER] + counts[LOW] * PARTS) * size
-    groups[g, FIRST] = min(groups[g, FIRST], begin)
-    counts[REAR] = min(counts[REAR], tree[j, NUMBER])
+    n, g, size = counts[of.ENTRIES], tree[i, of.GROUP], ground.measures[of.CELL] / of.PARTS
+    counts[of.ENTRIES] = n + 1
+    begin = (tree[i, of.NUMBER] + counts[of.LOW] * of.PARTS) * size
+    groups[g, of.FIRST] = min(groups[g, of.FIRST], begin)
+    counts[of.REAR] = min(counts[of.REAR], tree[j, of.NUMBER])
     if n < ground.partners.shape[0]:
-        ground.partners[n, ROW], ground.partners[n, NEXT] = j, tree[i, PARTNER]
-        tree[i, PARTNER] = n + 1
+        ground.partners[n, of.ROW], ground.partners[n, of.NEXT] = j, tree[i, of.PARTNER]
+        tree[i, of.PARTNER] = n + 1
 
 
 @kernel
@@ -235,27 +205,27 @@ def extend(
     rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, grids: Grids, upto: float
 ) -> bool:
     """Know the route up to position `upto`, m, and all partners there; False for want of room."""
-    counts, old = ground.counts, ground.counts[CELLS]
-    wanted = math.floor(upto / ground.measures[CELL]) + 1 - counts[LOW]
+    counts, old = ground.counts, ground.counts[of.CELLS]
+    wanted = math.floor(upto / ground.measures[of.CELL]) + 1 - counts[of.LOW]
     hind = math.inf
-    for g in range(counts[GROUPS]):
-        hind = min(hind, ground.groups[g, HIND])
+    for g in range(counts[of.GROUPS]):
+        hind = min(hind, ground.groups[g, of.HIND])
     if wanted <= old:
         return True
     for _ in range(old, wanted):
-        if counts[CELLS] == ground.middles.shape[0]:
+        if counts[of.CELLS] == ground.middles.shape[0]:
             return False
         c = add_cell(rows, ground, hind)
         expose_new(ground, grids.middles, grids.found, c)
         put(grids.middles, c, ground.middles[c, 0], ground.middles[c, 1])
     make_boxes(rows, kinds, ground, sweeper, grids.boxes)
-    for g in range(counts[GROUPS]):
+    for g in range(counts[of.GROUPS]):
         for c in range(old, wanted):
-            if ground.tree[g * ground.middles.shape[0] + c, STATE] == BOXED:
+            if ground.tree[g * ground.middles.shape[0] + c, of.STATE] == of.BOXED:
                 expose_behind(ground, grids.middles, grids.found, g * ground.middles.shape[0] + c)
     make_boxes(rows, kinds, ground, sweeper, grids.boxes)
-    counts[NEAR] = 0
-    for g in range(counts[GROUPS]):
+    counts[of.NEAR] = 0
+    for g in range(counts[of.GROUPS]):
         for c in range(old, wanted):
             find_near(ground, grids.boxes, grids.found, g * ground.middles.shape[0] + c)
     return has_room(ground) and refine(rows, kinds, ground, sweeper, grids.boxes, wanted - old)
@@ -267,7 +237,7 @@ def refine(
 ) -> bool:
     """From pairs of cells that are near to partners; False for want of room. So many cells are new."""
     counts, near = ground.counts, ground.near
-    cells = counts[NEAR]
+    cells = counts[of.NEAR]
     cut_near(ground)
     if not has_room(ground):
         return False
@@ -276,10 +246,10 @@ def refine(
         near_parts(ground, near[n, 0], near[n, 1], True)
     if not has_room(ground):
         return False
-    pairs = counts[NEAR] - cells
+    pairs = counts[of.NEAR] - cells
     for n in range(pairs):
         near[n, 0], near[n, 1] = near[cells + n, 0], near[cells + n, 1]
-    counts[NEAR] = pairs
+    counts[of.NEAR] = pairs
     finer = 0 < pairs <= SPARSE * fresh
     if finer:
         cut_near(ground)
@@ -289,5 +259,5 @@ def refine(
     for n in range(pairs):
         if not finer or near_parts(ground, near[n, 0], near[n, 1], False):
             add_partners(ground, near[n, 0], near[n, 1])
-    counts[NEAR] = 0
+    counts[of.NEAR] = 0
     return has_room(ground)

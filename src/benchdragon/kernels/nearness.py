@@ -1,19 +1,8 @@
 """How near two boxes are and where: a row of numbers, which hosts tell in words."""
 
+from benchdragon.kernels import box
 from benchdragon.kernels.arrays import Table, Vector
-from benchdragon.kernels.box import (
-    CX,
-    CY,
-    HALF_LENGTH,
-    HALF_WIDTH,
-    UX,
-    UY,
-    box_distance,
-    box_gap,
-    corner,
-    nearest_corner,
-    offset,
-)
+from benchdragon.kernels.box import box_distance, box_gap, corner, nearest_corner, offset
 from benchdragon.kernels.entries import entry, kernel
 
 # Columns of what is told of a pair: its rows, the smaller first,
@@ -33,14 +22,14 @@ SIDES, CORNERS = 2, 4
 def foot(boxes: Table, j: int, x: float, y: float) -> tuple[float, float, int]:
     """The point of box j nearest to (x, y), m, and its feature."""
     along, across = offset(boxes, j, x, y)
-    half, wide = boxes[j, HALF_LENGTH], boxes[j, HALF_WIDTH]
+    half, wide = boxes[j, box.HALF_LENGTH], boxes[j, box.HALF_WIDTH]
     a, b = min(max(along, -half), half), min(max(across, -wide), wide)
-    ux, uy = boxes[j, UX], boxes[j, UY]
+    ux, uy = boxes[j, box.UX], boxes[j, box.UY]
     end, flank = 1 if along < 0.0 else 0, 1 if across < 0.0 else 0
     feature = end if abs(along) - half > abs(across) - wide else SIDES + flank
     if abs(along) > half and abs(across) > wide:
         feature = CORNERS + 2 * end + flank
-    return boxes[j, CX] + a * ux - b * uy, boxes[j, CY] + a * uy + b * ux, feature
+    return boxes[j, box.CX] + a * ux - b * uy, boxes[j, box.CY] + a * uy + b * ux, feature
 
 
 @kernel

@@ -3,24 +3,15 @@
 Opened for a walk and an obstacle; each step ends as kernels/beside_search.py says.
 """
 
+from benchdragon.kernels import memory
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.beside import COUNT, WAY_COUNT, Beside, begin_beside
 from benchdragon.kernels.beside_search import seek_beside, step_beside
 from benchdragon.kernels.beside_ways import stands
 from benchdragon.kernels.entries import entry
-from benchdragon.kernels.memory import (
-    HEADER,
-    copy_row,
-    group_at,
-    new_block,
-    recall,
-    release_block,
-    remember,
-    slot_count,
-)
 from benchdragon.kernels.question import CLOSED, SPENT
 
-BASE, SLOTS = 8 * HEADER, slot_count(Beside)
+BASE, SLOTS = 8 * memory.HEADER, memory.slot_count(Beside)
 
 
 @entry
@@ -32,71 +23,71 @@ def open_obstacle(
     The dragon must be able to stand at both ends. `repeats` are those parts of the route that lead back
     to where it was (spans.REPEAT); `asked` is as in kernels/beside.py. All is copied.
     """
-    block = new_block(SLOTS)
+    block = memory.new_block(SLOTS)
     if block == 0:
         return 0
-    if begin_beside(block, HEADER, rows, links, sizes, outline, repeats, asked):
-        stands(group_at(Beside, block + BASE))
-        handle = remember(block)
+    if begin_beside(block, memory.HEADER, rows, links, sizes, outline, repeats, asked):
+        stands(memory.group_at(Beside, block + BASE))
+        handle = memory.remember(block)
         if handle:
             return handle
-    release_block(block)
+    memory.release_block(block)
     return 0
 
 
 @entry
 def seek_obstacle(handle: int, goal: int, narrow: float) -> bool:
     """Seek FIRST_TOUCH, or LEAST in a bracket so narrow, m; False if there is no such question."""
-    block = recall(handle)
+    block = memory.recall(handle)
     if block == 0:
         return False
-    seek_beside(group_at(Beside, block + BASE), goal, narrow)
+    seek_beside(memory.group_at(Beside, block + BASE), goal, narrow)
     return True
 
 
 @entry
 def step_obstacle(handle: int, left: float) -> int:
     """Go on for some hundredths of a second; about so many handles may be placed. How that ended."""
-    block = recall(handle)
+    block = memory.recall(handle)
     if block == 0:
         return CLOSED
-    group_at(Beside, block + BASE).figures[SPENT] = 0.0
-    return step_beside(block, HEADER, left)
+    memory.group_at(Beside, block + BASE).figures[SPENT] = 0.0
+    return step_beside(block, memory.HEADER, left)
 
 
 @entry
 def read_obstacle(handle: int, figures: Vector) -> bool:
     """Fill figures with what is known; False if there is no such question."""
-    block = recall(handle)
+    block = memory.recall(handle)
     if block == 0:
         return False
-    copy_row(figures, group_at(Beside, block + BASE).figures)
+    memory.copy_row(figures, memory.group_at(Beside, block + BASE).figures)
     return True
 
 
 @entry
 def read_found(handle: int, first: int, found: Table) -> bool:
     """Fill found with rows from a first on of what was found; False if there are not so many."""
-    block = recall(handle)
+    block = memory.recall(handle)
     if block == 0:
         return False
-    beside = group_at(Beside, block + BASE)
+    beside = memory.group_at(Beside, block + BASE)
     if first < 0 or first + found.shape[0] > beside.figures[COUNT]:
         return False
     for n in range(found.shape[0]):
-        copy_row(found[n], beside.found[first + n])
+        memory.copy_row(found[n], beside.found[first + n])
     return True
 
 
 @entry
 def read_ways(handle: int, ways: Table) -> int:
     """Fill ways with how each size of bench is walked; how many sizes there are."""
-    block, count = recall(handle), 0
+    block, count = memory.recall(handle), 0
     if block == 0:
         return 0
-    known = group_at(Beside, block + BASE).ways
+    known = memory.group_at(Beside, block + BASE).ways
     for i in range(known.shape[0]):
         if known[i, WAY_COUNT] > 0.0 and count < ways.shape[0]:
-            copy_row(ways[count], known[i])
+            memory.copy_row(ways[count], known[i])
             count += 1
     return count

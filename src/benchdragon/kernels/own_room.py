@@ -3,58 +3,16 @@
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import cells as of
+from benchdragon.kernels import course, memory
 from benchdragon.kernels.arrays import IntVector
 from benchdragon.kernels.beginning import CELL_SHARE, begin_walk
 from benchdragon.kernels.box import BOX_COLUMNS
-from benchdragon.kernels.cells import (
-    CELLS,
-    COUNTS,
-    DOUBTS,
-    ENTRIES,
-    HULL_COLUMNS,
-    MEASURES,
-    NEAR,
-    ROWS,
-    TREE_COLUMNS,
-    WAYS,
-    Grids,
-    Ground,
-)
-from benchdragon.kernels.course import (
-    AT,
-    COURSE,
-    GOAL,
-    KNOWN,
-    PAIRS,
-    PLACED,
-    SOUND,
-    TALLY,
-    UPTO,
-    Block,
-    Course,
-    Crowd,
-    Room,
-    Walk,
-)
+from benchdragon.kernels.cells import Grids, Ground
+from benchdragon.kernels.course import Block, Course, Crowd, Room, Walk
 from benchdragon.kernels.curve import LENGTH, S_START
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
-from benchdragon.kernels.memory import (
-    ADDRESS,
-    HEADER,
-    OWNED,
-    SLOTS,
-    allocate,
-    drop,
-    group_at,
-    integers_at,
-    lay_from,
-    lay_row,
-    lay_table,
-    release,
-    slot_count,
-    take,
-)
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import DEPTH
@@ -81,8 +39,8 @@ ROOMY, UNSTEADY, TOO_LONG, TOO_LARGE, NO_MEMORY, FOR_GROUND = range(6)
 # The memory of the block that the ground and what a step is searched in lie in.
 GROUND_MEMORY, STEP_MEMORY = 1, 2
 # Where parts of a room begin, in slots from its own first.
-BLOCK = slot_count(Ground) + slot_count(Grids)
-MEETING = BLOCK + slot_count(Block) + slot_count(Crowd) + slot_count(Course)
+BLOCK = memory.slot_count(Ground) + memory.slot_count(Grids)
+MEETING = BLOCK + memory.slot_count(Block) + memory.slot_count(Crowd) + memory.slot_count(Course)
 
 
 class Aim(NamedTuple):
@@ -98,8 +56,8 @@ class Aim(NamedTuple):
 def lay_placements(slots: IntArray, handles: int, count: int) -> None:
     """Lay chains of so many handles at so many head positions."""
     for _table in range(7):
-        lay_table(slots, handles, count)
-    lay_table(slots, 2, count)
+        memory.lay_table(slots, handles, count)
+    memory.lay_table(slots, 2, count)
 
 
 @kernel
@@ -108,10 +66,10 @@ def lay_grid(slots: IntArray, places: int) -> None:
     buckets = 16
     while buckets < 2 * places:
         buckets *= 2
-    lay_row(slots, 1)
-    lay_row(slots, buckets)
+    memory.lay_row(slots, 1)
+    memory.lay_row(slots, buckets)
     for _row in range(3):
-        lay_row(slots, places)
+        memory.lay_row(slots, places)
 
 
 @kernel
@@ -119,24 +77,24 @@ def lay_ground(slots: IntArray, slot: int, address: int, sizes: IntVector, group
     """Lay what is known of the route, from a slot and an address on; the bytes that takes."""
     cells, pairs, rows = sizes[OF_CELLS], sizes[OF_ENTRIES], sizes[ROUTE_ROWS]
     boxes = groups * cells + sizes[OF_PARTS]
-    lay_from(slots, slot, address)
-    lay_row(slots, COUNTS)
-    lay_row(slots, MEASURES)
-    lay_table(slots, groups, WAYS + groups)
-    lay_table(slots, groups * groups * rows, 2)
-    lay_table(slots, cells, groups * groups)
-    lay_table(slots, cells, 2)
-    lay_table(slots, boxes, HULL_COLUMNS)
-    lay_table(slots, boxes, TREE_COLUMNS)
-    lay_table(slots, pairs, 2)
-    lay_row(slots, boxes)
-    lay_table(slots, pairs, 2)
-    lay_table(slots, sizes[OF_DOUBTS], 2)
-    lay_table(slots, rows, SEAM_COLUMNS)
+    memory.lay_from(slots, slot, address)
+    memory.lay_row(slots, of.COUNTS)
+    memory.lay_row(slots, of.MEASURES)
+    memory.lay_table(slots, groups, of.WAYS + groups)
+    memory.lay_table(slots, groups * groups * rows, 2)
+    memory.lay_table(slots, cells, groups * groups)
+    memory.lay_table(slots, cells, 2)
+    memory.lay_table(slots, boxes, of.HULL_COLUMNS)
+    memory.lay_table(slots, boxes, of.TREE_COLUMNS)
+    memory.lay_table(slots, pairs, 2)
+    memory.lay_row(slots, boxes)
+    memory.lay_table(slots, pairs, 2)
+    memory.lay_table(slots, sizes[OF_DOUBTS], 2)
+    memory.lay_table(slots, rows, SEAM_COLUMNS)
     lay_grid(slots, cells)
     lay_grid(slots, groups * cells)
-    lay_row(slots, groups * cells)
-    return slots[ADDRESS] - address
+    memory.lay_row(slots, groups * cells)
+    return slots[memory.ADDRESS] - address
 
 
 @kernel
@@ -144,7 +102,7 @@ def ground_bytes(sizes: IntVector, groups: int) -> int:
     """What counts of that as the memory of a question."""
     cells = sizes[OF_CELLS]
     boxes = groups * cells + sizes[OF_PARTS]
-    columns = HULL_COLUMNS + TREE_COLUMNS + 1
+    columns = of.HULL_COLUMNS + of.TREE_COLUMNS + 1
     return 8 * (boxes * columns + 4 * sizes[OF_ENTRIES] + cells * groups * (groups + 2))
 
 
@@ -152,44 +110,44 @@ def ground_bytes(sizes: IntVector, groups: int) -> int:
 def lay_block(slots: IntArray, slot: int, address: int, benches: int, places: int) -> int:
     """Lay dragons at steps to come, the crowd and the course of a room; where that ends."""
     count = max(2, min(LANES, places // (benches + 1)))
-    lay_from(slots, slot + BLOCK, address)
-    lay_row(slots, count)
+    memory.lay_from(slots, slot + BLOCK, address)
+    memory.lay_row(slots, count)
     lay_placements(slots, benches + 1, count)
-    lay_table(slots, benches + 1, count)
-    lay_table(slots, benches, HULL_COLUMNS)
+    memory.lay_table(slots, benches + 1, count)
+    memory.lay_table(slots, benches, of.HULL_COLUMNS)
     lay_grid(slots, benches)
-    lay_row(slots, benches)
-    lay_row(slots, COURSE)
-    lay_row(slots, TALLY)
-    return slots[ADDRESS]
+    memory.lay_row(slots, benches)
+    memory.lay_row(slots, course.COURSE)
+    memory.lay_row(slots, course.TALLY)
+    return slots[memory.ADDRESS]
 
 
 @kernel
 def lay_search(slots: IntArray, handles: int, members: int, pairs: int) -> None:
     """Lay what steps are searched in: see `search.room`."""
-    lay_row(slots, DEPTH)
+    memory.lay_row(slots, DEPTH)
     lay_placements(slots, handles, DEPTH)
-    lay_table(slots, handles, HANDLE_COLUMNS)
-    lay_table(slots, members, BENCH_COLUMNS)
-    lay_table(slots, DEPTH * members, BOX_COLUMNS)
-    lay_row(slots, DEPTH * members)
-    lay_row(slots, handles)
-    lay_row(slots, handles)
-    lay_table(slots, DEPTH, pairs)
-    lay_row(slots, DEPTH)
+    memory.lay_table(slots, handles, HANDLE_COLUMNS)
+    memory.lay_table(slots, members, BENCH_COLUMNS)
+    memory.lay_table(slots, DEPTH * members, BOX_COLUMNS)
+    memory.lay_row(slots, DEPTH * members)
+    memory.lay_row(slots, handles)
+    memory.lay_row(slots, handles)
+    memory.lay_table(slots, DEPTH, pairs)
+    memory.lay_row(slots, DEPTH)
 
 
 @kernel
 def lay_step(slots: IntArray, slot: int, address: int, sizes: IntVector, benches: int) -> int:
     """Lay the pairs of a step and what it is searched in; the bytes that takes."""
     pairs, members = sizes[OF_PAIRS], sizes[OF_MEMBERS]
-    lay_from(slots, slot + MEETING, address)
+    memory.lay_from(slots, slot + MEETING, address)
     for _row in range(4):
-        lay_row(slots, pairs)
-    lay_row(slots, benches)
-    lay_row(slots, benches)
+        memory.lay_row(slots, pairs)
+    memory.lay_row(slots, benches)
+    memory.lay_row(slots, benches)
     lay_search(slots, benches + 1, members, pairs)
-    return slots[ADDRESS] - address
+    return slots[memory.ADDRESS] - address
 
 
 @kernel
@@ -236,31 +194,32 @@ def make_ground(slots: IntArray, slot: int, sizes: IntVector, groups: int, most:
     if ground_bytes(sizes, groups) > most:
         return TOO_LARGE
     size = lay_ground(slots, slot, 0, sizes, groups)
-    if not take(slots, GROUND_MEMORY, size):
+    if not memory.take(slots, GROUND_MEMORY, size):
         return NO_MEMORY
-    lay_ground(slots, slot, slots[OWNED + GROUND_MEMORY], sizes, groups)
+    lay_ground(slots, slot, slots[memory.OWNED + GROUND_MEMORY], sizes, groups)
     return ROOMY
 
 
 @kernel
 def make_step(block: int, slot: int, sizes: IntVector) -> int:
     """Make room to search a step in, whose pairs of benches stay known; how that ended."""
-    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
-    room = group_at(Room, block + 8 * slot)
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
+    room = memory.group_at(Room, block + 8 * slot)
     first, second = room.meeting.first, room.meeting.second
-    before, benches, pairs = slots[OWNED + STEP_MEMORY], room.crowd.found.shape[0], sizes[OF_PAIRS]
-    address = allocate(lay_step(slots, slot, 0, sizes, benches))
+    before = slots[memory.OWNED + STEP_MEMORY]
+    benches, pairs = room.crowd.found.shape[0], sizes[OF_PAIRS]
+    address = memory.allocate(lay_step(slots, slot, 0, sizes, benches))
     if address == 0:
         return NO_MEMORY
     lay_step(slots, slot, address, sizes, benches)
-    slots[OWNED + STEP_MEMORY] = address
-    known = integers_at(address, 4 * pairs + 2 * benches)
+    slots[memory.OWNED + STEP_MEMORY] = address
+    known = memory.integers_at(address, 4 * pairs + 2 * benches)
     for p in range(min(first.shape[0], pairs)):
         known[p], known[pairs + p] = first[p], second[p]
     for i in range(benches):
         known[4 * pairs + benches + i] = -1  # `place`
-    release(before)
-    room.course.tally[PLACED] = 0
+    memory.release(before)
+    room.course.tally[course.PLACED] = 0
     return ROOMY
 
 
@@ -286,21 +245,21 @@ def enlarge(sizes: IntVector, room: Room) -> int:
     """Let sizes be large enough where they were not: FOR_GROUND, or ROOMY for the step at hand."""
     counts, tally, ground = room.ground.counts, room.course.tally, room.ground
     cells, before = sizes[OF_CELLS], ground.middles.shape[0]
-    if counts[CELLS] >= cells:
+    if counts[of.CELLS] >= cells:
         if cells == sizes[MOST]:
             return TOO_LONG
         sizes[OF_CELLS] = cells = min(WIDER * cells, sizes[MOST])
-    parts = counts[ROWS] - ground.groups.shape[0] * before
-    entries, short = max(counts[ENTRIES], counts[NEAR]), cells > before
+    parts = counts[of.ROWS] - ground.groups.shape[0] * before
+    entries, short = max(counts[of.ENTRIES], counts[of.NEAR]), cells > before
     if parts > sizes[OF_PARTS]:
         sizes[OF_PARTS], short = WIDER * parts, True
     if entries > sizes[OF_ENTRIES]:
         sizes[OF_ENTRIES], short = WIDER * entries, True
-    if counts[DOUBTS] > sizes[OF_DOUBTS]:
-        sizes[OF_DOUBTS], short = WIDER * counts[DOUBTS], True
+    if counts[of.DOUBTS] > sizes[OF_DOUBTS]:
+        sizes[OF_DOUBTS], short = WIDER * counts[of.DOUBTS], True
     if short:
         return FOR_GROUND
-    pairs = WIDER * tally[PAIRS]
+    pairs = WIDER * tally[course.PAIRS]
     sizes[OF_PAIRS] = max(sizes[OF_PAIRS], pairs)
     sizes[OF_MEMBERS] = max(sizes[OF_MEMBERS], min(pairs, room.crowd.found.shape[0]))
     return ROOMY
@@ -309,29 +268,29 @@ def enlarge(sizes: IntVector, room: Room) -> int:
 @kernel
 def aim_room(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
     """Begin a walk in the room at a slot of a block; how that ended."""
-    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
-    if slots[OWNED + GROUND_MEMORY] == 0:
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
+    if slots[memory.OWNED + GROUND_MEMORY] == 0:
         ending = make_ground(slots, slot, sizes, group_count(walk), aim.most)
         if ending != ROOMY:
             return ending
-    return begin_in(walk, group_at(Room, block + 8 * slot), aim)
+    return begin_in(walk, memory.group_at(Room, block + 8 * slot), aim)
 
 
 @kernel
 def widen_room(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
     """Make room where it did not do: for the step at hand, or for the route, which begins anew."""
-    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
-    room = group_at(Room, block + 8 * slot)
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
+    room = memory.group_at(Room, block + 8 * slot)
     ending = enlarge(sizes, room)
     if ending == TOO_LONG:
         return ending
     if ending == ROOMY:
         return make_step(block, slot, sizes)
-    at, goal = room.course.way[AT], room.course.way[GOAL]
-    drop(slots, GROUND_MEMORY)
+    at, goal = room.course.way[course.AT], room.course.way[course.GOAL]
+    memory.drop(slots, GROUND_MEMORY)
     ending = aim_room(block, slot, sizes, walk, aim)
     if ending == ROOMY:
         way = room.course.way
-        way[AT] = way[UPTO] = way[KNOWN] = way[SOUND] = at
-        way[GOAL] = goal
+        way[course.AT] = way[course.UPTO] = way[course.KNOWN] = way[course.SOUND] = at
+        way[course.GOAL] = goal
     return ending

@@ -15,15 +15,7 @@ from benchdragon.kernels import step_bounds
 from benchdragon.kernels.arrays import Stack, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.drive import (
-    ACROSS,
-    ALONG,
-    SPEEDS,
-    TOTAL,
-    TURNING,
-    Scratch,
-    bound_step,
-)
+from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TOTAL, TURNING, Scratch, bound_step
 from benchdragon.kernels.entries import allocates, entry, kernel
 
 # Columns of what bounds a handle over a step: w, the turning rate of the bench before it, g, curvature.
@@ -45,14 +37,9 @@ HALVINGS = 52
 
 @kernel
 def widen(
-    rows: FloatArray,
-    links: FloatArray,
-    places: Placements,
-    a: int,
-    even: FloatArray,
-    scratch: Scratch,
+    rows: FloatArray, links: FloatArray, places: Placements, a: int, even: FloatArray, scratch: Scratch,
     hull: FloatArray,
-) -> None:
+) -> None:  # fmt: skip
     """Widen a hull, (handles, HULL_COLUMNS), by the step from slot a to the next.
 
     `even` is the drive of a steady head at 1 m/s, see drive.py.
@@ -72,14 +59,9 @@ def widen(
 
 @kernel
 def find_hull(
-    rows: FloatArray,
-    links: FloatArray,
-    places: Placements,
-    parts: int,
-    even: FloatArray,
-    scratch: Scratch,
-    hull: FloatArray,
-) -> None:
+    rows: FloatArray, links: FloatArray, places: Placements, parts: int, even: FloatArray,
+    scratch: Scratch, hull: FloatArray,
+) -> None:  # fmt: skip
     """Fill a hull with what holds from the first slot to the last of so many parts of a step."""
     for i in range(hull.shape[0]):
         hull[i, FAST] = hull[i, TURNING_RATE] = hull[i, BEND] = 0.0
@@ -206,13 +188,9 @@ def controllable(
 
 @kernel
 def fastest_pace(
-    table: FloatArray,
-    most: FloatArray,
-    lengths: FloatArray,
-    starts: FloatArray,
-    ends: FloatArray,
+    table: FloatArray, most: FloatArray, lengths: FloatArray, starts: FloatArray, ends: FloatArray,
     squares: FloatArray,
-) -> None:
+) -> None:  # fmt: skip
     """Fill squares, (steps + 1,), with the squares of the head's speed at the ends of the steps.
 
     What is passable is convex: of a way on from a greater square a share is one from a smaller.

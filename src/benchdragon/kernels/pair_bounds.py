@@ -6,38 +6,21 @@ of `sweeps` bounds its motion in between (kernels/step_bounds.py); h is the leng
 
 import math
 
-from benchdragon.kernels.box import (
-    CX,
-    CY,
-    HALF_LENGTH,
-    HALF_WIDTH,
-    UX,
-    UY,
-    box_distance,
-    corner,
-    half_diagonal,
-    nearest_corner,
-    offset,
-)
+from benchdragon.kernels import box
+from benchdragon.kernels import step_bounds as bounds
+from benchdragon.kernels.box import box_distance, corner, half_diagonal, nearest_corner, offset
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.step_bounds import (
-    ANGULAR_ACCELERATION,
-    POINT_ACCELERATION,
-    POINT_SPEED,
-    TRAVEL,
-    TURN,
-)
 
 
 @kernel
 def separation(boxes: FloatArray, i: int, j: int, nx: float, ny: float) -> float:
     """How far box j lies beyond box i along the unit vector (nx, ny), m; a lower bound of distance."""
-    total = (boxes[j, CX] - boxes[i, CX]) * nx + (boxes[j, CY] - boxes[i, CY]) * ny
+    total = (boxes[j, box.CX] - boxes[i, box.CX]) * nx + (boxes[j, box.CY] - boxes[i, box.CY]) * ny
     for k in (i, j):
-        ux, uy = boxes[k, UX], boxes[k, UY]
-        total -= boxes[k, HALF_LENGTH] * abs(ux * nx + uy * ny)
-        total -= boxes[k, HALF_WIDTH] * abs(ux * ny - uy * nx)
+        ux, uy = boxes[k, box.UX], boxes[k, box.UY]
+        total -= boxes[k, box.HALF_LENGTH] * abs(ux * nx + uy * ny)
+        total -= boxes[k, box.HALF_WIDTH] * abs(ux * ny - uy * nx)
     return total
 
 
@@ -48,14 +31,15 @@ def face_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) -
     The height of a corner P over a face with normal N and foot Y is (P - Y) . N, with second derivative
     at most pull + 2 pace turn + |P - Y| (twist + turn^2).
     """
-    along, across = offset(boxes, j, boxes[i, CX], boxes[i, CY])
-    ahead = max(abs(along) - boxes[j, HALF_LENGTH], 0.0)
-    aside = max(abs(across) - boxes[j, HALF_WIDTH], 0.0)
-    pace = sweeps[i, POINT_SPEED] + sweeps[j, POINT_SPEED]
+    along, across = offset(boxes, j, boxes[i, box.CX], boxes[i, box.CY])
+    ahead = max(abs(along) - boxes[j, box.HALF_LENGTH], 0.0)
+    aside = max(abs(across) - boxes[j, box.HALF_WIDTH], 0.0)
+    pace = sweeps[i, bounds.POINT_SPEED] + sweeps[j, bounds.POINT_SPEED]
     far = math.hypot(ahead, aside) + half_diagonal(boxes, i)
-    turn = sweeps[j, TURN]
-    second = sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] + 2.0 * pace * turn
-    second += (far + pace * h) * (sweeps[j, ANGULAR_ACCELERATION] + turn * turn)
+    turn = sweeps[j, bounds.TURN]
+    second = sweeps[i, bounds.POINT_ACCELERATION] + sweeps[j, bounds.POINT_ACCELERATION]
+    second += 2.0 * pace * turn
+    second += (far + pace * h) * (sweeps[j, bounds.ANGULAR_ACCELERATION] + turn * turn)
     return 0.125 * second * h * h
 
 
@@ -63,7 +47,7 @@ def face_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) -
 def face_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
     """Least separation that a face of bench j keeps from bench i over a step, m."""
     ib, jb = end + i, end + j
-    ax, ay, bx, by = boxes[j, UX], boxes[j, UY], boxes[jb, UX], boxes[jb, UY]
+    ax, ay, bx, by = boxes[j, box.UX], boxes[j, box.UY], boxes[jb, box.UX], boxes[jb, box.UY]
     front = min(separation(boxes, j, i, ax, ay), separation(boxes, jb, ib, bx, by))
     rear = min(separation(boxes, j, i, -ax, -ay), separation(boxes, jb, ib, -bx, -by))
     left = min(separation(boxes, j, i, -ay, ax), separation(boxes, jb, ib, -by, bx))
@@ -86,7 +70,7 @@ def face_ceiling(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int
                 x, y = corner(boxes, row, k)
                 along, across = offset(boxes, base, x, y)
                 out = along if face < 2 else across
-                half = boxes[base, HALF_LENGTH] if face < 2 else boxes[base, HALF_WIDTH]
+                half = boxes[base, box.HALF_LENGTH] if face < 2 else boxes[base, box.HALF_WIDTH]
                 height = max(height, (out if face % 2 == 0 else -out) - half)
             nearest = min(nearest, height)
         most = max(most, nearest)
@@ -107,16 +91,16 @@ def facing_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int
     owner, other = (i, j) if mine else (j, i)
     x, y = corner(boxes, owner, which)
     along, across = offset(boxes, other, x, y)
-    half, wide = boxes[other, HALF_LENGTH], boxes[other, HALF_WIDTH]
+    half, wide = boxes[other, box.HALF_LENGTH], boxes[other, box.HALF_WIDTH]
     ahead, aside = along - min(max(along, -half), half), across - min(max(across, -wide), wide)
     apart = math.hypot(ahead, aside)
     if apart == 0.0:
         return -math.inf
-    ux, uy = boxes[other, UX], boxes[other, UY]
+    ux, uy = boxes[other, box.UX], boxes[other, box.UY]
     nx, ny = (ahead * ux - aside * uy) / apart, (ahead * uy + aside * ux) / apart
     if mine:  # from i towards j
         nx, ny = -nx, -ny
-    loss = 0.125 * (sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION]) * h * h
+    loss = 0.125 * (sweeps[i, bounds.POINT_ACCELERATION] + sweeps[j, bounds.POINT_ACCELERATION]) * h * h
     return min(separation(boxes, i, j, nx, ny), separation(boxes, end + i, end + j, nx, ny)) - loss
 
 
@@ -130,8 +114,8 @@ def apart_bound(
     others follow faces and directions to second order.
     """
     before, after = box_distance(boxes, i, j), box_distance(boxes, end + i, end + j)
-    best = 0.5 * (before + after - sweeps[i, TRAVEL] - sweeps[j, TRAVEL])
-    smooth = math.isfinite(sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION])
+    best = 0.5 * (before + after - sweeps[i, bounds.TRAVEL] - sweeps[j, bounds.TRAVEL])
+    smooth = math.isfinite(sweeps[i, bounds.POINT_ACCELERATION] + sweeps[j, bounds.POINT_ACCELERATION])
     if best > wanted or not smooth:
         return best
     best = max(best, face_bound(boxes, sweeps, end, i, j, h))

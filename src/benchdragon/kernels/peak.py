@@ -220,15 +220,9 @@ def divide(heap: Heap, counts: IntArray, batch: Batch, step: float) -> None:
 
 @kernel
 def look_by_cells(
-    cells: Cells,
-    group: IntArray,
-    aim: Aim,
-    drives: Drives,
-    heap: Heap,
-    batch: Batch,
-    notes: FloatArray,
-    counts: IntArray,
-) -> None:
+    cells: Cells, group: IntArray, aim: Aim, drives: Drives, heap: Heap, batch: Batch,
+    notes: FloatArray, counts: IntArray,
+) -> None:  # fmt: skip
     """Bound steps of the batch's first part by cells, and let wait what they leave open."""
     a, b, stretch = batch.parts[0, START], batch.parts[0, END], batch.marks[0, STRETCH]
     wanted = enough(believed(notes), aim.tolerance, aim.limit)
@@ -299,16 +293,9 @@ def place_batch(
 
 @kernel
 def keep(
-    aim: Aim,
-    heap: Heap,
-    batch: Batch,
-    n: int,
-    t: int,
-    most: FloatArray,
-    off: FloatArray,
-    notes: FloatArray,
-    counts: IntArray,
-) -> None:
+    aim: Aim, heap: Heap, batch: Batch, n: int, t: int, most: FloatArray, off: FloatArray,
+    notes: FloatArray, counts: IntArray,
+) -> None:  # fmt: skip
     """Let the piece of the batch's part n that begins in slot t wait, if it may exceed what is seen.
 
     `most` bounds its handles as they were computed; exactly they may do more by what `off` says of its
@@ -333,16 +320,9 @@ def keep(
 
 @kernel
 def see(
-    rows: FloatArray,
-    links: int,
-    quantity: int,
-    drives: Drives,
-    batch: Batch,
-    n: int,
-    chains: Chains,
-    notes: FloatArray,
-    counts: IntArray,
-) -> None:
+    rows: FloatArray, links: int, quantity: int, drives: Drives, batch: Batch, n: int, chains: Chains,
+    notes: FloatArray, counts: IntArray,
+) -> None:  # fmt: skip
     """Keep the greatest value at the ends of the pieces of the batch's part n.
 
     What is seen of handles at a jump of the curvature may belong to its other side: it is not sure.
@@ -370,17 +350,9 @@ def see(
 
 @kernel
 def look_by_chains(
-    rows: FloatArray,
-    links: FloatArray,
-    aim: Aim,
-    drives: Drives,
-    heap: Heap,
-    batch: Batch,
-    n: int,
-    chains: Chains,
-    notes: FloatArray,
-    counts: IntArray,
-) -> None:
+    rows: FloatArray, links: FloatArray, aim: Aim, drives: Drives, heap: Heap, batch: Batch, n: int,
+    chains: Chains, notes: FloatArray, counts: IntArray,
+) -> None:  # fmt: skip
     """Bound the pieces of the batch's part n, whose chains are placed, and let wait what is open."""
     first, stretch, drive = batch.slots[n, SLOT], batch.marks[n, STRETCH], batch.drive
     scratch = chains.scratch
@@ -393,19 +365,9 @@ def look_by_chains(
 
 @kernel
 def seek_peak(
-    rows: Table,
-    links: Vector,
-    group: IntVector,
-    cells: Cells,
-    aim: Aim,
-    drives: Drives,
-    heap: Heap,
-    batch: Batch,
-    chains: Chains,
-    notes: Vector,
-    counts: IntVector,
-    budget: int,
-) -> Ended:
+    rows: Table, links: Vector, group: IntVector, cells: Cells, aim: Aim, drives: Drives, heap: Heap,
+    batch: Batch, chains: Chains, notes: Vector, counts: IntVector, budget: int,
+) -> Ended:  # fmt: skip
     """Look through the parts that wait; notes and counts receive what was found.
 
     To be called again, after MORE (about so many handles as `budget` were placed) as it is, after ROOM

@@ -43,15 +43,9 @@ ON, DONE, FALLEN = range(3)
 
 @entry
 def open_peak(
-    rows: Table,
-    links: Vector,
-    kinds: Vector,
-    group: IntVector,
-    drives: peak.Drives,
-    tolerances: Vector,
-    limits: Vector,
-    numbers: Vector,
-) -> int:
+    rows: Table, links: Vector, kinds: Vector, group: IntVector, drives: peak.Drives,
+    tolerances: Vector, limits: Vector, numbers: Vector,
+) -> int:  # fmt: skip
     """Open a question about quantities with a tolerance; its handle, 0 if there is no memory.
 
     `kinds`: the links, each once, the shortest first. Limits are infinite where there is none. What is
@@ -370,11 +364,8 @@ def settle(asked: Asked) -> None:
         if exceeds >= figures[told.HIGHER] and figures[told.DECIDES] >= 0.0:
             return
         figures[told.HIGHER], figures[told.DECIDES] = exceeds, q
-    figures[told.VALUE], figures[told.LEAST], figures[told.MOST] = (
-        notes[peak.SEEN],
-        notes[peak.SURE],
-        most,
-    )
+    figures[told.VALUE], figures[told.LEAST] = notes[peak.SEEN], notes[peak.SURE]
+    figures[told.MOST] = most
     figures[told.AT], figures[told.STRETCH] = notes[peak.WHERE], asked.counts[peak.WHEN]
     places, row, fast = asked.chains.places, asked.counts[peak.ROW], 0.0
     asked.batch.at[0] = notes[peak.WHERE]
@@ -430,15 +421,9 @@ def step_peak(handle: int, left: float) -> int:
 
 @entry
 def bound_peak(
-    handle: int,
-    at: Vector,
-    first: int,
-    last: int,
-    square: float,
-    limits: Vector,
-    most: Vector,
+    handle: int, at: Vector, first: int, last: int, square: float, limits: Vector, most: Vector,
     table: Stack,
-) -> int:
+) -> int:  # fmt: skip
     """Fill most and table for steps first..last-1 of a pace: see `pacing.tabulate`; DONE or FALLEN.
 
     Each step has as many parts, bounded together, as `at` has between two of its ends, m.

@@ -7,40 +7,13 @@ k / (1 - aside k). So everything that is known of chains on a route holds for it
 
 import math
 
+from benchdragon.kernels import curve, step_bounds
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import (
-    U_BACK,
-    U_END,
-    U_START,
-    FloatArray,
-    curvature,
-    place,
-    stretch,
-    walks_up,
-)
+from benchdragon.kernels.curve import FloatArray, curvature, place, stretch, walks_up
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import FOLD_COSINE, locate
 from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import (
-    ACCELERATION,
-    GROWTH_HIGH,
-    GROWTH_LOW,
-    HEADING_CHANGE,
-    LEFT,
-    PATH,
-    RIGHT,
-    SLOWEST,
-    SPEED,
-    TURNING_RATE,
-    bench_angles,
-    bound_next,
-    curvature_range,
-    heading_bound,
-    magnitude,
-    path_bound,
-    place_chain,
-)
 
 # Newton steps for the way along the route by which a handle gives, on the route's curvature.
 STEPS = 3
@@ -57,14 +30,14 @@ LEAST_RADIUS = 0.05
 def moved(rows: FloatArray, j: int, u: float, way: float) -> tuple[int, float]:
     """The place about `way` metres on from place (j, u), to first order; no end stops it."""
     u += walks_up(rows, j) * way / stretch(rows, j, u)
-    while j + 1 < rows.shape[0] and (u - rows[j, U_END]) * walks_up(rows, j) > 0.0:
-        rest = abs(u - rows[j, U_END]) * stretch(rows, j, rows[j, U_END])
+    while j + 1 < rows.shape[0] and (u - rows[j, curve.U_END]) * walks_up(rows, j) > 0.0:
+        rest = abs(u - rows[j, curve.U_END]) * stretch(rows, j, rows[j, curve.U_END])
         j += 1
-        u = rows[j, U_START] + walks_up(rows, j) * rest / stretch(rows, j, rows[j, U_START])
-    while j > 0 and (u - rows[j, U_BACK]) * walks_up(rows, j) < 0.0:
-        rest = abs(u - rows[j, U_BACK]) * stretch(rows, j, rows[j, U_BACK])
+        u = rows[j, curve.U_START] + walks_up(rows, j) * rest / stretch(rows, j, rows[j, curve.U_START])
+    while j > 0 and (u - rows[j, curve.U_BACK]) * walks_up(rows, j) < 0.0:
+        rest = abs(u - rows[j, curve.U_BACK]) * stretch(rows, j, rows[j, curve.U_BACK])
         j -= 1
-        u = rows[j, U_END] - walks_up(rows, j) * rest / stretch(rows, j, rows[j, U_END])
+        u = rows[j, curve.U_END] - walks_up(rows, j) * rest / stretch(rows, j, rows[j, curve.U_END])
     return j, u
 
 
@@ -113,14 +86,9 @@ def settle(
 
 @kernel
 def place_perturbed(
-    rows: FloatArray,
-    links: FloatArray,
-    aside: FloatArray,
-    at: FloatArray,
-    near: int,
-    t: int,
+    rows: FloatArray, links: FloatArray, aside: FloatArray, at: FloatArray, near: int, t: int,
     places: Placements,
-) -> bool:
+) -> bool:  # fmt: skip
     """Place the chain in slot t beside the route, its head at at[t]; whether all of it can stand there.
 
     The head keeps its place along the route. Every other handle is sought where its speed in slot
@@ -141,7 +109,7 @@ def place_perturbed(
         given += settle(rows, links[i - 1], aside[i], j, u, t, i, places)
         if given == math.inf:
             return False
-        _, front, _, rear = bench_angles(places, i - 1, t, links[i - 1])
+        _, front, _, rear = step_bounds.bench_angles(places, i - 1, t, links[i - 1])
         if min(front, rear) < FOLD_COSINE:
             return False
         places.ratio[i, t] = places.ratio[i - 1, t] * front / rear
@@ -150,14 +118,9 @@ def place_perturbed(
 
 @kernel
 def place_beside(
-    rows: FloatArray,
-    links: FloatArray,
-    aside: FloatArray,
-    at: FloatArray,
-    near: int,
-    t: int,
+    rows: FloatArray, links: FloatArray, aside: FloatArray, at: FloatArray, near: int, t: int,
     out: Placements,
-) -> bool:
+) -> bool:  # fmt: skip
     """Place the chain in slot t with its head at at[t], on the route if `aside` is empty, else beside.
 
     Beside it, it is followed on from slot `near`; where that is t, or fails, from where it would stand
@@ -165,7 +128,7 @@ def place_beside(
     """
     if aside.shape[0] and near != t and place_perturbed(rows, links, aside, at, near, t, out):
         return True
-    sound = place_chain(rows, links, at, t, t + 1, out)
+    sound = step_bounds.place_chain(rows, links, at, t, t + 1, out)
     return sound and (aside.shape[0] == 0 or place_perturbed(rows, links, aside, at, t, t, out))
 
 
@@ -187,25 +150,29 @@ def parallel_bend(bend: float, aside: float) -> float:
 
 @kernel
 def bound_beside(
-    rows: FloatArray,
-    links: FloatArray,
-    aside: FloatArray,
-    places: Placements,
-    a: int,
-    b: int,
+    rows: FloatArray, links: FloatArray, aside: FloatArray, places: Placements, a: int, b: int,
     bounds: FloatArray,
-) -> None:
+) -> None:  # fmt: skip
     """`bound_handles` for handles beside the route: paths are longer by what the route turns."""
     for i in range(aside.shape[0]):
         ja, ua = places.row[i, a], places.u[i, a]
         jb, ub = places.row[i, b], places.u[i, b]
-        low, high = curvature_range(rows, ja, ua, jb, ub)
-        bounds[i, RIGHT], bounds[i, LEFT] = parallel_bend(low, aside[i]), parallel_bend(high, aside[i])
-        bounds[i, HEADING_CHANGE] = heading_bound(rows, ja, ua, jb, ub)
-        bounds[i, PATH] = path_bound(rows, ja, ua, jb, ub) + abs(aside[i]) * bounds[i, HEADING_CHANGE]
+        low, high = step_bounds.curvature_range(rows, ja, ua, jb, ub)
+        bounds[i, step_bounds.RIGHT] = parallel_bend(low, aside[i])
+        bounds[i, step_bounds.LEFT] = parallel_bend(high, aside[i])
+        bend = step_bounds.heading_bound(rows, ja, ua, jb, ub)
+        bounds[i, step_bounds.HEADING_CHANGE] = bend
+        bounds[i, step_bounds.PATH] = (
+            step_bounds.path_bound(rows, ja, ua, jb, ub) + abs(aside[i]) * bend
+        )
         if i > 0:
-            bound_next(links[i - 1], places, i - 1, a, b, bounds[0, PATH], bounds)
+            step_bounds.bound_next(
+                links[i - 1], places, i - 1, a, b, bounds[0, step_bounds.PATH], bounds
+            )
             continue
-        bounds[0, SLOWEST], bounds[0, SPEED] = 1.0, 1.0
-        bounds[0, GROWTH_LOW], bounds[0, GROWTH_HIGH], bounds[0, TURNING_RATE] = 0.0, 0.0, 0.0
-        bounds[0, ACCELERATION] = magnitude(bounds[0, RIGHT], bounds[0, LEFT])
+        bounds[0, step_bounds.SLOWEST], bounds[0, step_bounds.SPEED] = 1.0, 1.0
+        bounds[0, step_bounds.GROWTH_LOW], bounds[0, step_bounds.GROWTH_HIGH] = 0.0, 0.0
+        bounds[0, step_bounds.TURNING_RATE] = 0.0
+        bounds[0, step_bounds.ACCELERATION] = step_bounds.magnitude(
+            bounds[0, step_bounds.RIGHT], bounds[0, step_bounds.LEFT]
+        )

@@ -13,15 +13,7 @@ from typing import NamedTuple
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import (
-    KIND,
-    SPIRAL,
-    FloatArray,
-    P,
-    bend_slope,
-    curvature,
-    stretch,
-)
+from benchdragon.kernels.curve import KIND, SPIRAL, FloatArray, P, bend_slope, curvature, stretch
 from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TURNING, jump_beside
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.rounding import ABOUT, HALF_UNIT, angle_error, link_error, place_error
@@ -77,15 +69,9 @@ def chord_share(
 
 @kernel
 def turn_error(
-    places: Placements,
-    turn: FloatArray,
-    i: int,
-    t: int,
-    link: float,
-    angles: tuple[float, float],
-    chord: float,
-    errors: Errors,
-) -> float:
+    places: Placements, turn: FloatArray, i: int, t: int, link: float, angles: tuple[float, float],
+    chord: float, errors: Errors,
+) -> float:  # fmt: skip
     """What the turning rate of bench i may be off by in slot t, rad/m.
 
     The angles to the route at its handles are off by `angles`, rad, their distance by a share `chord`.
@@ -100,16 +86,9 @@ def turn_error(
 
 @kernel
 def change_error(
-    rows: FloatArray,
-    places: Placements,
-    change: FloatArray,
-    turn: FloatArray,
-    i: int,
-    t: int,
-    link: float,
-    angles: tuple[float, float],
-    errors: Errors,
-) -> float:
+    rows: FloatArray, places: Placements, change: FloatArray, turn: FloatArray, i: int, t: int,
+    link: float, angles: tuple[float, float], errors: Errors,
+) -> float:  # fmt: skip
     """What the acceleration of handle i + 1 along the route may be off by in slot t, 1/m."""
     sine, cosine, rear_sine, rear_cosine = bench_angles(places, i, t, link)
     sine, rear_sine = abs(sine), abs(rear_sine)
@@ -145,14 +124,9 @@ def bend_errors(rows: FloatArray, places: Placements, t: int, links: int, errors
 
 @kernel
 def rate_errors(
-    rows: FloatArray,
-    links: FloatArray,
-    places: Placements,
-    change: FloatArray,
-    turn: FloatArray,
-    t: int,
-    errors: Errors,
-) -> None:
+    rows: FloatArray, links: FloatArray, places: Placements, change: FloatArray, turn: FloatArray,
+    t: int, errors: Errors,
+) -> None:  # fmt: skip
     """Fill errors.change and turn in slot t; change and turn are `chain.rates`'.
 
     After `bend_errors` of the same slot.
@@ -167,16 +141,9 @@ def rate_errors(
 
 @kernel
 def value_error(
-    rows: FloatArray,
-    places: Placements,
-    change: FloatArray,
-    i: int,
-    t: int,
-    square: float,
-    rate: float,
-    quantity: int,
-    errors: Errors,
-) -> float:
+    rows: FloatArray, places: Placements, change: FloatArray, i: int, t: int, square: float,
+    rate: float, quantity: int, errors: Errors,
+) -> float:  # fmt: skip
     """What a quantity of handle i may be off by in slot t; of a bench it stands at its rear handle.
 
     See `drive.value_at`.
@@ -199,16 +166,9 @@ def value_error(
 
 @kernel
 def weigh_values(
-    rows: FloatArray,
-    places: Placements,
-    change: FloatArray,
-    t: int,
-    links: int,
-    square: float,
-    rate: float,
-    quantity: int,
-    errors: Errors,
-) -> None:
+    rows: FloatArray, places: Placements, change: FloatArray, t: int, links: int, square: float,
+    rate: float, quantity: int, errors: Errors,
+) -> None:  # fmt: skip
     """Fill errors.sought in slot t with what a quantity of each handle may be off by.
 
     With the square of the head's speed and its acceleration.

@@ -7,36 +7,16 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels import box
+from benchdragon.kernels import step_bounds as bounds
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.box import (
-    BOX_COLUMNS,
-    CX,
-    CY,
-    HALF_LENGTH,
-    HALF_WIDTH,
-    UX,
-    UY,
-    corner,
-    offset,
-    place_box,
-)
+from benchdragon.kernels.box import corner, offset, place_box
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
 from benchdragon.kernels.entries import allocates, kernel
 from benchdragon.kernels.route import IntArray, step_back
 from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import (
-    BENCH_COLUMNS,
-    HANDLE_COLUMNS,
-    PATH,
-    POINT_ACCELERATION,
-    SPEED,
-    TRAVEL,
-    bound_bench,
-    bound_handles,
-    heading_bound,
-    path_bound,
-)
+from benchdragon.kernels.step_bounds import bound_bench, bound_handles, heading_bound, path_bound
 
 # Below this turning between two handles, rad, the chord grows all the way from one to the other.
 SQUARE = 0.5 * math.pi - 2e-3
@@ -111,32 +91,25 @@ def grows(
 @kernel
 @allocates
 def sweep_cells(
-    rows: Table,
-    links: Vector,
-    sizes: Table,
-    k: int,
-    places: Placements,
-    slots: IntVector,
-    targets: IntVector,
-    hulls: Table,
-    sound: Vector,
-) -> None:
+    rows: Table, links: Vector, sizes: Table, k: int, places: Placements, slots: IntVector,
+    targets: IntVector, hulls: Table, sound: Vector,
+) -> None:  # fmt: skip
     """Widen hulls[targets[n]], empty where NaN, to hold every bench of the sizes in column k in cell n.
 
     `places` are the two handles of such a bench with the front one at the cell's borders, which are
     slots[n] and the next. sound[n] is 1, or 0 where it is not sure that the bench can walk through;
     one that cannot stand at both borders is not held.
     """
-    handles, bench = np.empty((2, HANDLE_COLUMNS)), np.empty(BENCH_COLUMNS)
-    ends = np.empty((2, BOX_COLUMNS))
+    handles, bench = np.empty((2, bounds.HANDLE_COLUMNS)), np.empty(bounds.BENCH_COLUMNS)
+    ends = np.empty((2, box.BOX_COLUMNS))
     for n in range(slots.shape[0]):
         a, c = slots[n], targets[n]
         sound[n] = 1.0 if walks_on(rows, places, a, links, handles) else 0.0
         if places.failed[0, a] != Status.OK or places.failed[0, a + 1] != Status.OK:
             continue
         bound_bench(handles, 0, sizes, k, bench)
-        h = handles[0, PATH]
-        bulge = min(0.125 * bench[POINT_ACCELERATION] * h * h, 0.5 * bench[TRAVEL])
+        h = handles[0, bounds.PATH]
+        bulge = min(0.125 * bench[bounds.POINT_ACCELERATION] * h * h, 0.5 * bench[bounds.TRAVEL])
         widen(sizes, k, places, a, bulge, hulls, c, ends)
 
 
@@ -148,45 +121,39 @@ def walks_on(
     if places.failed[0, a] != Status.OK or places.failed[0, a + 1] != Status.OK:
         return False
     bound_handles(rows, links, places, a, a + 1, handles)
-    return handles[1, SPEED] < math.inf and follows(rows, places, a, a + 1, links[0])
+    return handles[1, bounds.SPEED] < math.inf and follows(rows, places, a, a + 1, links[0])
 
 
 @kernel
 def widen(
-    sizes: FloatArray,
-    k: int,
-    places: Placements,
-    a: int,
-    bulge: float,
-    hulls: FloatArray,
-    c: int,
+    sizes: FloatArray, k: int, places: Placements, a: int, bulge: float, hulls: FloatArray, c: int,
     ends: FloatArray,
-) -> None:
+) -> None:  # fmt: skip
     """Make hull c hold the bench of sizes k as in slots a and a + 1, and `bulge` metres more.
 
     `ends` is scratch, (2, BOX_COLUMNS).
     """
     place_box(sizes, k, 0, places.x, places.y, a, ends, 0)
     place_box(sizes, k, 0, places.x, places.y, a + 1, ends, 1)
-    if math.isnan(hulls[c, CX]):
-        ux, uy = ends[0, UX] + ends[1, UX], ends[0, UY] + ends[1, UY]
+    if math.isnan(hulls[c, box.CX]):
+        ux, uy = ends[0, box.UX] + ends[1, box.UX], ends[0, box.UY] + ends[1, box.UY]
         size = math.hypot(ux, uy)
-        hulls[c, UX], hulls[c, UY] = ux / size, uy / size
-        hulls[c, CX], hulls[c, CY] = ends[0, CX], ends[0, CY]
-        hulls[c, HALF_LENGTH] = hulls[c, HALF_WIDTH] = 0.0
-    low_x, high_x = -hulls[c, HALF_LENGTH], hulls[c, HALF_LENGTH]
-    low_y, high_y = -hulls[c, HALF_WIDTH], hulls[c, HALF_WIDTH]
+        hulls[c, box.UX], hulls[c, box.UY] = ux / size, uy / size
+        hulls[c, box.CX], hulls[c, box.CY] = ends[0, box.CX], ends[0, box.CY]
+        hulls[c, box.HALF_LENGTH] = hulls[c, box.HALF_WIDTH] = 0.0
+    low_x, high_x = -hulls[c, box.HALF_LENGTH], hulls[c, box.HALF_LENGTH]
+    low_y, high_y = -hulls[c, box.HALF_WIDTH], hulls[c, box.HALF_WIDTH]
     for end in range(2):
         for n in range(4):
             x, y = corner(ends, end, n)
             along, across = offset(hulls, c, x, y)
             low_x, high_x = min(low_x, along - bulge), max(high_x, along + bulge)
             low_y, high_y = min(low_y, across - bulge), max(high_y, across + bulge)
-    ux, uy = hulls[c, UX], hulls[c, UY]
+    ux, uy = hulls[c, box.UX], hulls[c, box.UY]
     ahead, aside = 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
-    hulls[c, CX] += ahead * ux - aside * uy
-    hulls[c, CY] += ahead * uy + aside * ux
-    hulls[c, HALF_LENGTH], hulls[c, HALF_WIDTH] = 0.5 * (high_x - low_x), 0.5 * (high_y - low_y)
+    hulls[c, box.CX] += ahead * ux - aside * uy
+    hulls[c, box.CY] += ahead * uy + aside * ux
+    hulls[c, box.HALF_LENGTH], hulls[c, box.HALF_WIDTH] = 0.5 * (high_x - low_x), 0.5 * (high_y - low_y)
 
 
 @kernel

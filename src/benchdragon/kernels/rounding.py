@@ -10,30 +10,11 @@ Errors below are bounds to first order; what is left out is smaller by 1e-9 or m
 
 import math
 
+from benchdragon.kernels import curve
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import (
-    ANGLE,
-    ARC,
-    AXIS_X,
-    AXIS_Y,
-    CLOTHOID_TURN,
-    KIND,
-    LINE,
-    S_START,
-    SPIRAL,
-    U_END,
-    U_START,
-    FloatArray,
-    P,
-    X,
-    Y,
-    curvature,
-    heading,
-    place,
-    stretch,
-)
+from benchdragon.kernels.curve import FloatArray, curvature, heading, place, stretch
 from benchdragon.kernels.drive import jump_beside
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import on_bend
@@ -68,18 +49,19 @@ ABOUT = 1.0 + 1e-9
 @kernel
 def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float:
     """How far the place (x, y) of parameter u on row j may be from the exact one, m."""
-    kind, off = rows[j, KIND], abs(x) + abs(y)
-    if kind == SPIRAL:
-        return HALF_UNIT * (off + SPIRAL_UNITS * rows[j, P] * u)
+    kind, off = rows[j, curve.KIND], abs(x) + abs(y)
+    if kind == curve.SPIRAL:
+        return HALF_UNIT * (off + SPIRAL_UNITS * rows[j, curve.P] * u)
     if u == 0.0:  # the start of a row is as it is stored
         return 0.0
-    far = abs(x - rows[j, X]) + abs(y - rows[j, Y])
-    if kind == LINE:  # along an axis nothing is rounded but the sum
-        along = rows[j, AXIS_X] == 0.0 or rows[j, AXIS_Y] == 0.0
+    far = abs(x - rows[j, curve.X]) + abs(y - rows[j, curve.Y])
+    if kind == curve.LINE:  # along an axis nothing is rounded but the sum
+        along = rows[j, curve.AXIS_X] == 0.0 or rows[j, curve.AXIS_Y] == 0.0
         return HALF_UNIT * (off if along else off + LINE_UNITS * far)
-    off += PIECE_UNITS * far + (ARC_UNITS if kind == ARC else WAY_UNITS) * abs(u)
-    turn = heading(rows, j, u) - rows[j, ANGLE]
-    if kind != ARC and abs(turn) > CLOTHOID_TURN:  # it winds on: its angle counts by its radius
+    off += PIECE_UNITS * far + (ARC_UNITS if kind == curve.ARC else WAY_UNITS) * abs(u)
+    turn = heading(rows, j, u) - rows[j, curve.ANGLE]
+    # Where it winds on, its angle counts by its radius.
+    if kind != curve.ARC and abs(turn) > curve.CLOTHOID_TURN:
         off += TURN_UNITS * abs(turn / curvature(rows, j, u))
     return HALF_UNIT * off
 
@@ -87,11 +69,12 @@ def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float
 @kernel
 def tilt_error(rows: FloatArray, j: int, u: float) -> float:
     """How far the computed heading at u of row j may be off, rad."""
-    kind, turn = rows[j, KIND], 0.0
-    if kind != SPIRAL:
-        turn = abs(heading(rows, j, u) - rows[j, ANGLE])
-    if kind not in (LINE, ARC, SPIRAL):  # bends either way may cancel, their rounding does not
-        turn = max(turn, CLOTHOID_TURN)
+    kind, turn = rows[j, curve.KIND], 0.0
+    if kind != curve.SPIRAL:
+        turn = abs(heading(rows, j, u) - rows[j, curve.ANGLE])
+    # Bends either way may cancel, their rounding does not.
+    if kind not in (curve.LINE, curve.ARC, curve.SPIRAL):
+        turn = max(turn, curve.CLOTHOID_TURN)
     return HALF_UNIT * (TANGENT_UNITS + TURN_UNITS * turn)
 
 
@@ -103,7 +86,7 @@ def find_seams(rows: Table, out: Table) -> None:
     """
     out[0, GAP], out[0, TILT] = 0.0, 0.0
     for j in range(1, rows.shape[0]):
-        end, start = rows[j - 1, U_END], rows[j, U_START]
+        end, start = rows[j - 1, curve.U_END], rows[j, curve.U_START]
         x, y, tx, ty = place(rows, j - 1, end)
         next_x, next_y, next_tx, next_ty = place(rows, j, start)
         gap = abs(next_x - x) + abs(next_y - y)
@@ -125,8 +108,9 @@ def seam_error(rows: FloatArray, seams: FloatArray, seen: int, j: int, x: float,
     if j == seen:
         return 0.0
     a, b = min(j, seen), max(j, seen)
-    start_x, start_y, _, _ = place(rows, b, rows[b, U_START])
-    far = math.sqrt((x - start_x) ** 2 + (y - start_y) ** 2) + rows[b, S_START] - rows[a + 1, S_START]
+    start_x, start_y, _, _ = place(rows, b, rows[b, curve.U_START])
+    far = math.sqrt((x - start_x) ** 2 + (y - start_y) ** 2)
+    far = far + rows[b, curve.S_START] - rows[a + 1, curve.S_START]
     return seams[b, GAP] - seams[a, GAP] + (seams[b, TILT] - seams[a, TILT]) * far
 
 
@@ -149,14 +133,9 @@ def mark_lanes(
 
 @kernel
 def link_error(
-    rows: FloatArray,
-    links: FloatArray,
-    seams: FloatArray,
-    places: Placements,
-    lanes: FloatArray,
-    i: int,
-    t: int,
-) -> tuple[float, float]:
+    rows: FloatArray, links: FloatArray, seams: FloatArray, places: Placements, lanes: FloatArray,
+    i: int, t: int,
+) -> tuple[float, float]:  # fmt: skip
     """What the link behind handle i may leave its chord wrong by, m; and what its rear place, along."""
     link, j, k = links[i], places.row[i, t], places.row[i + 1, t]
     u, v = places.u[i, t], places.u[i + 1, t]
@@ -168,24 +147,19 @@ def link_error(
     x, y, back_x, back_y = places.x[i, t], places.y[i, t], places.x[i + 1, t], places.y[i + 1, t]
     off = CHORD_UNITS * HALF_UNIT * link
     if j == k and on_bend(rows, j, u, link) == v:
-        return LINE_CHORD * HALF_UNIT * link if rows[j, KIND] == LINE else off, along
+        return LINE_CHORD * HALF_UNIT * link if rows[j, curve.KIND] == curve.LINE else off, along
     off += place_error(rows, j, u, x, y) + place_error(rows, k, v, back_x, back_y)
     off += seam_error(rows, seams, j, k, back_x, back_y)
-    if rows[j, KIND] == SPIRAL:
+    if rows[j, curve.KIND] == curve.SPIRAL:
         off += HALF_UNIT * abs(u) * stretch(rows, j, u)
     return off, along
 
 
 @kernel
 def handle_errors(
-    rows: FloatArray,
-    links: FloatArray,
-    seams: FloatArray,
-    places: Placements,
-    lanes: FloatArray,
-    t: int,
-    out: FloatArray,
-) -> None:
+    rows: FloatArray, links: FloatArray, seams: FloatArray, places: Placements, lanes: FloatArray,
+    t: int, out: FloatArray,
+) -> None:  # fmt: skip
     """Fill out[i] with how far along the route handle i may be from where it exactly is, m.
 
     Of the chain of these links in slot t, whose head is where it is said to be; `lanes` are those of
@@ -206,19 +180,15 @@ def bend_beyond(rows: FloatArray, j: int, u: float, along: float) -> float:
     k = jump_beside(rows, j, u, along)
     if k < 0:
         return 0.0
-    return abs(curvature(rows, k + 1, rows[k + 1, U_START]) - curvature(rows, k, rows[k, U_END]))
+    after = curvature(rows, k + 1, rows[k + 1, curve.U_START])
+    return abs(after - curvature(rows, k, rows[k, curve.U_END]))
 
 
 @kernel
 def angle_error(
-    rows: FloatArray,
-    seams: FloatArray,
-    places: Placements,
-    i: int,
-    t: int,
-    link: float,
+    rows: FloatArray, seams: FloatArray, places: Placements, i: int, t: int, link: float,
     errors: FloatArray,
-) -> tuple[float, float]:
+) -> tuple[float, float]:  # fmt: skip
     """What the angle from bench i to the route may be off by at its two handles, rad.
 
     What the front handle is off along the route, `errors`, moves the whole bench on as it walks; what
@@ -243,15 +213,9 @@ def angle_error(
 
 @kernel
 def ratio_errors(
-    rows: FloatArray,
-    links: FloatArray,
-    seams: FloatArray,
-    places: Placements,
-    lanes: FloatArray,
-    t: int,
-    errors: FloatArray,
-    out: FloatArray,
-) -> None:
+    rows: FloatArray, links: FloatArray, seams: FloatArray, places: Placements, lanes: FloatArray,
+    t: int, errors: FloatArray, out: FloatArray,
+) -> None:  # fmt: skip
     """Fill out[i, t] with what the speed ratio of handle i may be off by in slot t, as a share.
 
     At each link a ratio changes by that of two cosines, whose angles are off by what their handles and
@@ -270,15 +234,9 @@ def ratio_errors(
 
 @kernel
 def bench_error(
-    rows: FloatArray,
-    seams: FloatArray,
-    places: Placements,
-    sizes: FloatArray,
-    i: int,
-    t: int,
-    seen: int,
-    errors: FloatArray,
-) -> float:
+    rows: FloatArray, seams: FloatArray, places: Placements, sizes: FloatArray, i: int, t: int,
+    seen: int, errors: FloatArray,
+) -> float:  # fmt: skip
     """How far any point of bench i may be off in slot t, m, seen from row `seen` of the route.
 
     `errors` are those of `handle_errors`; sizes are (4, benches).
@@ -301,17 +259,9 @@ def still_error(boxes: FloatArray, n: int) -> float:
 
 @entry
 def bench_errors(
-    rows: Table,
-    links: Vector,
-    sizes: Table,
-    seams: Table,
-    places: Placements,
-    t: int,
-    seen: int,
-    lanes: Vector,
-    errors: Vector,
-    out: Vector,
-) -> None:
+    rows: Table, links: Vector, sizes: Table, seams: Table, places: Placements, t: int, seen: int,
+    lanes: Vector, errors: Vector, out: Vector,
+) -> None:  # fmt: skip
     """Fill out[i] with how far any point of bench i may be off in slot t: see `bench_error`.
 
     Seen from row `seen`, or if that is negative from the row of the head. `errors` receives those of

@@ -31,16 +31,7 @@ from benchdragon.kernels.curve import (
 from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.rounding import GAP, KINK, TILT
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.spans import (
-    BEGUN,
-    HIGH,
-    LOW,
-    MISSED,
-    PERIOD,
-    REPEAT,
-    begin_repeats,
-    new_spans,
-)
+from benchdragon.kernels.spans import BEGUN, HIGH, LOW, MISSED, PERIOD, REPEAT, begin_repeats, new_spans
 
 # A round leads back to where it began if it misses that by less, m; distances count as off by twice it.
 MOST_MISSED = 1e-4
@@ -158,14 +149,9 @@ def find_bends(rows: FloatArray, back: bool, known: FloatArray) -> int:
 
 @kernel
 def add_run(
-    rows: FloatArray,
-    seams: FloatArray,
-    reach: float,
-    run: tuple[int, int, int],
-    used: IntArray,
-    known: FloatArray,
-    count: int,
-) -> int:
+    rows: FloatArray, seams: FloatArray, reach: float, run: tuple[int, int, int], used: IntArray,
+    known: FloatArray, count: int,
+) -> int:  # fmt: skip
     """Take down a run: rows from which to which so many, the third, come again and again; how many."""
     begin, end, period = run
     first, missed = begin + period, 0.0
@@ -227,15 +213,9 @@ def put_in_order(values: FloatArray, count: int, chosen: IntArray) -> None:
 @entry
 @allocates
 def spans_left(
-    rows: Table,
-    links: Vector,
-    known: Table,
-    first: float,
-    last: float,
-    at: Vector,
-    places: Placements,
+    rows: Table, links: Vector, known: Table, first: float, last: float, at: Vector, places: Placements,
     spans: Table,
-) -> tuple[int, float]:
+) -> tuple[int, float]:  # fmt: skip
     """Fill in the spans of the head's way from first to last, m, that repeat nothing before them there.
 
     How many, at most one more than is `known` to repeat, and what places may be off by from those some

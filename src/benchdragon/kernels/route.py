@@ -5,26 +5,8 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.kernels import curve
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.curve import (
-    ARC,
-    KIND,
-    LENGTH,
-    LINE,
-    S_START,
-    U_BACK,
-    U_END,
-    FloatArray,
-    P,
-    curvature,
-    heading,
-    length_at,
-    parameter_at,
-    place,
-    stretch,
-    turning_bound,
-    walks_up,
-)
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.status import Status
 
@@ -43,13 +25,13 @@ MAX_POLISH = 80
 
 
 @kernel
-def row_at(rows: FloatArray, s: float) -> int:
+def row_at(rows: curve.FloatArray, s: float) -> int:
     """Number of the row that holds route position s; the first or last for what lies outside."""
     low = 0
     high = rows.shape[0] - 1
     while low < high:
         middle = (low + high + 1) // 2
-        if rows[middle, S_START] <= s:
+        if rows[middle, curve.S_START] <= s:
             low = middle
         else:
             high = middle - 1
@@ -57,13 +39,13 @@ def row_at(rows: FloatArray, s: float) -> int:
 
 
 @kernel
-def locate(rows: FloatArray, s: float) -> tuple[int, float, Status]:
+def locate(rows: curve.FloatArray, s: float) -> tuple[int, float, Status]:
     """Row and parameter of route position s (m), which may lie on the extension behind the start."""
     j = row_at(rows, s)
-    u = parameter_at(rows, j, min(s - rows[j, S_START], rows[j, LENGTH]))
-    if s > rows[j, S_START] + rows[j, LENGTH] + END_SLACK:
+    u = curve.parameter_at(rows, j, min(s - rows[j, curve.S_START], rows[j, curve.LENGTH]))
+    if s > rows[j, curve.S_START] + rows[j, curve.LENGTH] + END_SLACK:
         return j, u, Status.AFTER_ROUTE
-    if s < 0.0 and math.isfinite(rows[0, U_BACK]):
+    if s < 0.0 and math.isfinite(rows[0, curve.U_BACK]):
         return j, u, Status.BEFORE_ROUTE
     return j, u, Status.OK
 
@@ -77,26 +59,26 @@ def evaluate(rows: Table, s: Vector, out: Table) -> None:
             for column in range(4):
                 out[i, column] = math.nan
             continue
-        out[i, 0], out[i, 1], _, _ = place(rows, j, u)
-        out[i, 2] = heading(rows, j, u)
-        out[i, 3] = curvature(rows, j, u)
+        out[i, 0], out[i, 1], _, _ = curve.place(rows, j, u)
+        out[i, 2] = curve.heading(rows, j, u)
+        out[i, 3] = curve.curvature(rows, j, u)
 
 
 @entry
 def positions(rows: Table, row: IntVector, u: Vector, out: Vector) -> None:
     """Fill out with the route positions, m, of the places (row, u); all flat."""
     for i in range(out.shape[0]):
-        out[i] = rows[row[i], S_START] + length_at(rows, row[i], u[i])
+        out[i] = rows[row[i], curve.S_START] + curve.length_at(rows, row[i], u[i])
 
 
 @kernel
-def step_back(rows: FloatArray, j: int, u: float, reach: float) -> float:
+def step_back(rows: curve.FloatArray, j: int, u: float, reach: float) -> float:
     """A parameter behind u on row j, at most `reach` metres of arc away, not beyond the row."""
-    sign = walks_up(rows, j)
+    sign = curve.walks_up(rows, j)
     if sign < 0.0:  # the arc grows with theta: divide by what it is at the far end
-        reach /= stretch(rows, j, u + reach / stretch(rows, j, u))
-        return min(u + reach, rows[j, U_BACK])
-    return max(u - reach / stretch(rows, j, u), rows[j, U_BACK])
+        reach /= curve.stretch(rows, j, u + reach / curve.stretch(rows, j, u))
+        return min(u + reach, rows[j, curve.U_BACK])
+    return max(u - reach / curve.stretch(rows, j, u), rows[j, curve.U_BACK])
 
 
 @kernel
@@ -106,22 +88,24 @@ def grain(x: float, y: float, link: float, arc: float) -> float:
 
 
 @kernel
-def polish(rows: FloatArray, j: int, near: float, far: float, x: float, y: float, link: float) -> float:
+def polish(
+    rows: curve.FloatArray, j: int, near: float, far: float, x: float, y: float, link: float
+) -> float:
     """The one parameter between near (chord < link) and far (chord >= link) with chord = link.
 
     Newton on the squared chord, kept inside the bracket by bisection to guarantee progress.
     """
     u = near
     for _ in range(MAX_POLISH):
-        px, py, tx, ty = place(rows, j, u)
+        px, py, tx, ty = curve.place(rows, j, u)
         dx, dy = x - px, y - py
         error = dx * dx + dy * dy - link * link
         if error < 0.0:
             near = u
         else:
             far = u
-        metres = stretch(rows, j, u)
-        step = error / (2.0 * (dx * tx + dy * ty) * metres * walks_up(rows, j))
+        metres = curve.stretch(rows, j, u)
+        step = error / (2.0 * (dx * tx + dy * ty) * metres * curve.walks_up(rows, j))
         guess = u + step
         if not min(near, far) <= guess <= max(near, far):
             guess = 0.5 * (near + far)
@@ -133,7 +117,7 @@ def polish(rows: FloatArray, j: int, near: float, far: float, x: float, y: float
 
 @kernel
 def growing_chord(
-    rows: FloatArray, j: int, u: float, chord: float, cosine: float, slack: float
+    rows: curve.FloatArray, j: int, u: float, chord: float, cosine: float, slack: float
 ) -> float:
     """A parameter up to which the chord provably grows behind u, by more than a safe step; else u.
 
@@ -143,29 +127,30 @@ def growing_chord(
         return u
     # Beyond the root by Newton's measure, but no farther than half the swing that is allowed.
     allowed = math.asin(cosine)
-    most = 0.5 * allowed / (abs(curvature(rows, j, u)) + 1.0 / chord)
+    most = 0.5 * allowed / (abs(curve.curvature(rows, j, u)) + 1.0 / chord)
     if most <= slack:
         return u
     far = step_back(rows, j, u, min(2.0 * slack / cosine, most))
-    width = abs(far - u) * max(stretch(rows, j, u), stretch(rows, j, far))  # <= most < 0.8 chord
-    swing = turning_bound(rows, j, u, far) + math.asin(width / chord)
+    # At most `most`, which is less than 0.8 chord.
+    width = abs(far - u) * max(curve.stretch(rows, j, u), curve.stretch(rows, j, far))
+    swing = curve.turning_bound(rows, j, u, far) + math.asin(width / chord)
     return far if swing < allowed else u
 
 
 @kernel
-def on_bend(rows: FloatArray, j: int, u: float, link: float) -> float:
+def on_bend(rows: curve.FloatArray, j: int, u: float, link: float) -> float:
     """The parameter one link behind u on row j, where that is a line or an arc; NaN if none is."""
-    bend, back = abs(rows[j, P]), math.nan
-    if rows[j, KIND] == LINE:
+    bend, back = abs(rows[j, curve.P]), math.nan
+    if rows[j, curve.KIND] == curve.LINE:
         back = u - link
-    elif rows[j, KIND] == ARC and 0.5 * link * bend < 1.0:
+    elif rows[j, curve.KIND] == curve.ARC and 0.5 * link * bend < 1.0:
         back = u - 2.0 * math.asin(0.5 * link * bend) / bend
-    return back if back >= rows[j, U_BACK] else math.nan
+    return back if back >= rows[j, curve.U_BACK] else math.nan
 
 
 @kernel
 def next_handle(
-    rows: FloatArray, j: int, u: float, x: float, y: float, link: float
+    rows: curve.FloatArray, j: int, u: float, x: float, y: float, link: float
 ) -> tuple[int, float, Status]:
     """Row and parameter of the nearest place behind (j, u), at (x, y), that is one link away.
 
@@ -177,27 +162,27 @@ def next_handle(
         return j, back, Status.OK
     slack = link
     for _ in range(MAX_STEPS + 2 * rows.shape[0]):
-        if u == rows[j, U_BACK]:
+        if u == rows[j, curve.U_BACK]:
             if j == 0:
                 return j, u, Status.ROUTE_TOO_SHORT
             j -= 1
-            u = rows[j, U_END]
+            u = rows[j, curve.U_END]
         else:
             u = step_back(rows, j, u, slack)
-        px, py, tx, ty = place(rows, j, u)
+        px, py, tx, ty = curve.place(rows, j, u)
         dx, dy = x - px, y - py
         chord = math.hypot(dx, dy)
         slack = link - chord
         if chord == 0.0:
             continue
         cosine = min((dx * tx + dy * ty) / chord, 1.0)
-        if slack <= grain(x, y, link, abs(u) * stretch(rows, j, u)):
+        if slack <= grain(x, y, link, abs(u) * curve.stretch(rows, j, u)):
             reach = max(slack, 0.0) / max(cosine, FOLD_COSINE)
             return j, step_back(rows, j, u, reach), Status.OK
         far = growing_chord(rows, j, u, chord, cosine, slack)
         if far == u:
             continue
-        px, py, _, _ = place(rows, j, far)
+        px, py, _, _ = curve.place(rows, j, far)
         slack = link - math.hypot(x - px, y - py)
         if slack <= 0.0:
             return j, polish(rows, j, u, far, x, y, link), Status.OK
@@ -206,9 +191,9 @@ def next_handle(
 
 
 @kernel
-def folded(rows: FloatArray, front: int, rear: int, link: float) -> Status:
+def folded(rows: curve.FloatArray, front: int, rear: int, link: float) -> Status:
     """What to call a fold between two rows: the link's length, if an arc is to blame."""
     for j in (front, rear):
-        if rows[j, KIND] == ARC and link * abs(rows[j, P]) >= 2.0:
+        if rows[j, curve.KIND] == curve.ARC and link * abs(rows[j, curve.P]) >= 2.0:
             return Status.LINK_OVER_DIAMETER
     return Status.FOLDED

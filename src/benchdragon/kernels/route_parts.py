@@ -6,36 +6,10 @@ Parts are a table of floats as well, one row a curve, its columns named below: w
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import curve
 from benchdragon.kernels.angles import sincos_of
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.curve import (
-    ANGLE,
-    ARC,
-    AXIS_X,
-    AXIS_Y,
-    CLOTHOID,
-    CLOTHOID_TURN,
-    COLUMNS,
-    KIND,
-    LENGTH,
-    LINE,
-    LOG_SPIRAL,
-    PART,
-    S_START,
-    SPIRAL,
-    U_BACK,
-    U_END,
-    U_START,
-    FloatArray,
-    P,
-    Q,
-    X,
-    Y,
-    curvature,
-    heading,
-    length_at,
-    place,
-)
+from benchdragon.kernels.curve import FloatArray, curvature, heading, length_at, place
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import locate
 
@@ -66,10 +40,10 @@ class Pose(NamedTuple):
 @kernel
 def cuts(parts: FloatArray, i: int) -> int:
     """Rows that part i fills: a clothoid several, if it turns too far for one quadrature."""
-    if parts[i, PART_KIND] != CLOTHOID:
+    if parts[i, PART_KIND] != curve.CLOTHOID:
         return 1
     turn = parts[i, SIZE] * max(abs(parts[i, FIRST]), abs(parts[i, LAST]))
-    return max(1, math.ceil(turn / CLOTHOID_TURN))
+    return max(1, math.ceil(turn / curve.CLOTHOID_TURN))
 
 
 @entry
@@ -95,13 +69,14 @@ def lay_rows(parts: Table, start: Pose, first: int, stop: int, rows: Table) -> N
         write_row(parts, i, rows, j, s)
         if first <= i < stop:
             move_row(rows, j, pose)
-            parts[i, PART_X] = rows[j, X]
-            parts[i, PART_Y] = rows[j, Y]
-            parts[i, PART_ANGLE] = rows[j, ANGLE]
+            parts[i, PART_X] = rows[j, curve.X]
+            parts[i, PART_Y] = rows[j, curve.Y]
+            parts[i, PART_ANGLE] = rows[j, curve.ANGLE]
         count = cuts(parts, i)
-        piece = rows[j, LENGTH]
+        piece = rows[j, curve.LENGTH]
         for n in range(1, count):
-            continue_clothoid(rows, j + n, s + piece * n, parts[i, FIRST] + rows[j, Q] * piece * n)
+            bend = parts[i, FIRST] + rows[j, curve.Q] * piece * n
+            continue_clothoid(rows, j + n, s + piece * n, bend)
         j += count
         s += piece * (count - 1) + piece
         pose = end_pose(rows, j - 1)
@@ -110,51 +85,51 @@ def lay_rows(parts: Table, start: Pose, first: int, stop: int, rows: Table) -> N
 @kernel
 def set_axis(rows: FloatArray, j: int) -> None:
     """Fill the cosine and sine of row j's ANGLE."""
-    rows[j, AXIS_Y], rows[j, AXIS_X] = sincos_of(rows[j, ANGLE])
+    rows[j, curve.AXIS_Y], rows[j, curve.AXIS_X] = sincos_of(rows[j, curve.ANGLE])
 
 
 @kernel
 def write_row(parts: FloatArray, i: int, rows: FloatArray, j: int, s: float) -> None:
     """Row j, at route position s, for part i; for a clothoid that is cut the first of its rows."""
     kind, size, first, last = parts[i, PART_KIND], parts[i, SIZE], parts[i, FIRST], parts[i, LAST]
-    rows[j, KIND] = kind
-    rows[j, PART] = i
-    rows[j, S_START] = s
-    rows[j, X] = parts[i, PART_X]
-    rows[j, Y] = parts[i, PART_Y]
-    rows[j, ANGLE] = parts[i, PART_ANGLE]
-    rows[j, P] = first
-    rows[j, Q] = 0.0
-    rows[j, U_START] = 0.0
-    rows[j, LENGTH] = size
-    if kind == SPIRAL:
-        rows[j, P] = size / (2.0 * math.pi)
-        rows[j, Q] = parts[i, HAND]
-        rows[j, U_START] = first
-        rows[j, U_END] = last
-        rows[j, LENGTH] = length_at(rows, j, last)
-    elif kind == ARC:
-        rows[j, P] = math.copysign(1.0 / size, first)
-        rows[j, LENGTH] = size * abs(first)
-    elif kind == CLOTHOID:
-        rows[j, LENGTH] = size / cuts(parts, i)
-        rows[j, Q] = (last - first) / size
-    elif kind == LOG_SPIRAL:
-        rows[j, Q] = (first - last) / last / size
-    if kind != SPIRAL:
-        rows[j, U_END] = rows[j, LENGTH]
+    rows[j, curve.KIND] = kind
+    rows[j, curve.PART] = i
+    rows[j, curve.S_START] = s
+    rows[j, curve.X] = parts[i, PART_X]
+    rows[j, curve.Y] = parts[i, PART_Y]
+    rows[j, curve.ANGLE] = parts[i, PART_ANGLE]
+    rows[j, curve.P] = first
+    rows[j, curve.Q] = 0.0
+    rows[j, curve.U_START] = 0.0
+    rows[j, curve.LENGTH] = size
+    if kind == curve.SPIRAL:
+        rows[j, curve.P] = size / (2.0 * math.pi)
+        rows[j, curve.Q] = parts[i, HAND]
+        rows[j, curve.U_START] = first
+        rows[j, curve.U_END] = last
+        rows[j, curve.LENGTH] = length_at(rows, j, last)
+    elif kind == curve.ARC:
+        rows[j, curve.P] = math.copysign(1.0 / size, first)
+        rows[j, curve.LENGTH] = size * abs(first)
+    elif kind == curve.CLOTHOID:
+        rows[j, curve.LENGTH] = size / cuts(parts, i)
+        rows[j, curve.Q] = (last - first) / size
+    elif kind == curve.LOG_SPIRAL:
+        rows[j, curve.Q] = (first - last) / last / size
+    if kind != curve.SPIRAL:
+        rows[j, curve.U_END] = rows[j, curve.LENGTH]
     set_axis(rows, j)
-    rows[j, U_BACK] = rows[j, U_START]
+    rows[j, curve.U_BACK] = rows[j, curve.U_START]
     if j == 0:
-        rows[j, U_BACK] = extension_end(kind, first, last)
+        rows[j, curve.U_BACK] = extension_end(kind, first, last)
 
 
 @kernel
 def extension_end(kind: float, first: float, last: float) -> float:
     """U_BACK of a route's first row: a line runs on straight behind it, an inward spiral outward."""
-    if kind == LINE:
+    if kind == curve.LINE:
         return -math.inf
-    if kind == SPIRAL:
+    if kind == curve.SPIRAL:
         return math.inf if last < first else first
     return 0.0
 
@@ -162,30 +137,30 @@ def extension_end(kind: float, first: float, last: float) -> float:
 @kernel
 def continue_clothoid(rows: FloatArray, j: int, s: float, bend: float) -> None:
     """Row j of a clothoid where row j - 1 of it ends, at s and with this curvature."""
-    for column in range(COLUMNS):
+    for column in range(curve.COLUMNS):
         rows[j, column] = rows[j - 1, column]
     pose = end_pose(rows, j - 1)
-    rows[j, X], rows[j, Y], rows[j, ANGLE] = pose.x, pose.y, pose.heading
+    rows[j, curve.X], rows[j, curve.Y], rows[j, curve.ANGLE] = pose.x, pose.y, pose.heading
     set_axis(rows, j)
-    rows[j, S_START] = s
-    rows[j, P] = bend
-    rows[j, U_BACK] = 0.0
+    rows[j, curve.S_START] = s
+    rows[j, curve.P] = bend
+    rows[j, curve.U_BACK] = 0.0
 
 
 @kernel
 def move_row(rows: FloatArray, j: int, pose: Pose) -> None:
     """Let row j begin at a pose."""
-    if rows[j, KIND] != SPIRAL:
-        rows[j, X], rows[j, Y], rows[j, ANGLE] = pose.x, pose.y, pose.heading
+    if rows[j, curve.KIND] != curve.SPIRAL:
+        rows[j, curve.X], rows[j, curve.Y], rows[j, curve.ANGLE] = pose.x, pose.y, pose.heading
         set_axis(rows, j)
         return
     old = start_pose(rows, j)
     turn = pose.heading - old.heading
     s, c = sincos_of(turn)
-    dx, dy = rows[j, X] - old.x, rows[j, Y] - old.y
-    rows[j, X] = pose.x + c * dx - s * dy
-    rows[j, Y] = pose.y + s * dx + c * dy
-    rows[j, ANGLE] += turn
+    dx, dy = rows[j, curve.X] - old.x, rows[j, curve.Y] - old.y
+    rows[j, curve.X] = pose.x + c * dx - s * dy
+    rows[j, curve.Y] = pose.y + s * dx + c * dy
+    rows[j, curve.ANGLE] += turn
     set_axis(rows, j)
 
 
@@ -199,13 +174,13 @@ def pose_at(rows: FloatArray, j: int, u: float) -> Pose:
 @entry
 def start_pose(rows: Table, j: int) -> Pose:
     """The pose at the start of row j."""
-    return pose_at(rows, j, rows[j, U_START])
+    return pose_at(rows, j, rows[j, curve.U_START])
 
 
 @entry
 def end_pose(rows: Table, j: int) -> Pose:
     """The pose at the end of row j."""
-    return pose_at(rows, j, rows[j, U_END])
+    return pose_at(rows, j, rows[j, curve.U_END])
 
 
 @kernel
@@ -227,7 +202,8 @@ def put_part(parts: FloatArray, i: int, pose: Pose, row: FloatArray) -> Pose:
     """Let part i, which fills one row, begin at a pose; the pose at its end."""
     write_row(parts, i, row, 0, 0.0)
     move_row(row, 0, pose)
-    parts[i, PART_X], parts[i, PART_Y], parts[i, PART_ANGLE] = row[0, X], row[0, Y], row[0, ANGLE]
+    parts[i, PART_X], parts[i, PART_Y] = row[0, curve.X], row[0, curve.Y]
+    parts[i, PART_ANGLE] = row[0, curve.ANGLE]
     return end_pose(row, 0)
 
 
@@ -247,22 +223,22 @@ def settle_rows(rows: Table, x: float, y: float) -> None:
 
     Far from the origin rounding leaves gaps between rows; here they are closed.
     """
-    rows[0, X] -= x
-    rows[0, Y] -= y
+    rows[0, curve.X] -= x
+    rows[0, curve.Y] -= y
     for j in range(1, rows.shape[0]):
-        end_x, end_y, _, _ = place(rows, j - 1, rows[j - 1, U_END])
-        rows[j, X] = rows[j, Y] = 0.0
-        start_x, start_y, _, _ = place(rows, j, rows[j, U_START])
-        rows[j, X], rows[j, Y] = end_x - start_x, end_y - start_y
+        end_x, end_y, _, _ = place(rows, j - 1, rows[j - 1, curve.U_END])
+        rows[j, curve.X] = rows[j, curve.Y] = 0.0
+        start_x, start_y, _, _ = place(rows, j, rows[j, curve.U_START])
+        rows[j, curve.X], rows[j, curve.Y] = end_x - start_x, end_y - start_y
 
 
 @entry
 def misfits(rows: Table, out: Table) -> None:
     """Fill out[i] with the gap, m, and the kink, rad, between parts i and i + 1."""
     for j in range(1, rows.shape[0]):
-        if rows[j, PART] == rows[j - 1, PART]:
+        if rows[j, curve.PART] == rows[j - 1, curve.PART]:
             continue
-        i = int(rows[j, PART]) - 1
+        i = int(rows[j, curve.PART]) - 1
         before, after = end_pose(rows, j - 1), start_pose(rows, j)
         out[i, 0] = math.hypot(after.x - before.x, after.y - before.y)
         kink = after.heading - before.heading
@@ -275,10 +251,10 @@ def tightest_bend(rows: Table) -> tuple[float, float]:
     most, there, where = 0.0, 0.0, 0.0
     for j in range(rows.shape[0]):
         for n in range(2):
-            bend = abs(curvature(rows, j, rows[j, U_END if n else U_START]))
+            bend = abs(curvature(rows, j, rows[j, curve.U_END if n else curve.U_START]))
             most = max(most, bend)
             if bend > there * EQUAL:
-                there, where = bend, rows[j, S_START] + n * rows[j, LENGTH]
+                there, where = bend, rows[j, curve.S_START] + n * rows[j, curve.LENGTH]
     return most, where
 
 

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from benchdragon.kernels import step_bounds as bounds
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.chain import Placements, empty_placements
@@ -18,14 +19,7 @@ from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.pair_bounds import apart_bound, gap_ceiling
 from benchdragon.kernels.perturbed import bound_beside, place_beside
 from benchdragon.kernels.rounding import bench_error, handle_errors, mark_lanes, still_error
-from benchdragon.kernels.step_bounds import (
-    BENCH_COLUMNS,
-    HANDLE_COLUMNS,
-    PATH,
-    TRAVEL,
-    bound_bench,
-    bound_handles,
-)
+from benchdragon.kernels.step_bounds import bound_bench, bound_handles
 
 # What a search is after.
 FIRST_TOUCH = 0  # the first head position at which a pair is nearer than the margin
@@ -113,28 +107,18 @@ class Search(NamedTuple):
 def room(handles: int, members: int, pairs: int) -> Search:
     """Room for searches of up to so many handles, members and pairs."""
     return Search(
-        np.empty(DEPTH),
-        empty_placements(handles, DEPTH),
-        np.empty((handles, HANDLE_COLUMNS)),
-        np.empty((members, BENCH_COLUMNS)),
-        np.empty((DEPTH * members, BOX_COLUMNS)),
-        np.empty(DEPTH * members),
-        np.empty(handles),
-        np.empty(handles),
-        np.empty((DEPTH, pairs), dtype=np.int64),
-        np.empty(DEPTH, dtype=np.int64),
-    )
+        np.empty(DEPTH), empty_placements(handles, DEPTH), np.empty((handles, bounds.HANDLE_COLUMNS)),
+        np.empty((members, bounds.BENCH_COLUMNS)), np.empty((DEPTH * members, BOX_COLUMNS)),
+        np.empty(DEPTH * members), np.empty(handles), np.empty(handles),
+        np.empty((DEPTH, pairs), dtype=np.int64), np.empty(DEPTH, dtype=np.int64),
+    )  # fmt: skip
 
 
 @kernel
 def number_members(
-    first: IntVector,
-    second: IntVector,
-    members: IntVector,
-    place: IntVector,
-    mine: IntVector,
+    first: IntVector, second: IntVector, members: IntVector, place: IntVector, mine: IntVector,
     other: IntVector,
-) -> int:
+) -> int:  # fmt: skip
     """Fill members with the benches of pairs, ascending, and mine, other with the pairs by members.
 
     Gives how many members there are. Pair p is benches first[p] < second[p]. `place` is scratch, one
@@ -207,12 +191,8 @@ def weigh_slot(chain: Chain, search: Search, slot: int) -> None:
     Seen from the row of the head, or where something stands still from the route's first.
     """
     rows, seams, sizes, places, still = (
-        chain.rows,
-        chain.seams,
-        chain.sizes,
-        search.places,
-        chain.standing,
-    )
+        chain.rows, chain.seams, chain.sizes, search.places, chain.standing,
+    )  # fmt: skip
     row, errors = slot * member_count(chain), search.errors
     exact = seams.shape[0] == 0
     if not exact:
@@ -241,7 +221,7 @@ def bound_members(chain: Chain, search: Search, top: int) -> None:
         i = chain.members[m]
         bound_bench(search.handles, i, chain.sizes, i, search.sweeps[m])
     for m in range(chain.members.shape[0], member_count(chain)):
-        for k in range(BENCH_COLUMNS):
+        for k in range(bounds.BENCH_COLUMNS):
             search.sweeps[m, k] = 0.0
 
 
@@ -293,7 +273,7 @@ def keep_near(
 
     With a slack they are left alive that may exactly come so near, whatever rounding has made of them.
     """
-    h, kept, lowest = search.handles[0, PATH], 0, math.inf
+    h, kept, lowest = search.handles[0, bounds.PATH], 0, math.inf
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         i, j = pairs.first[p], pairs.second[p]
@@ -356,11 +336,11 @@ def judge_end(
         a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
         unsure = doubt(search, top, count, i, j, limits.slack)
         note[OFF], freed = max(note[OFF], unsure), min(freed, a - unsure)
-        spent = search.sweeps[i, TRAVEL] + search.sweeps[j, TRAVEL]
+        spent = search.sweeps[i, bounds.TRAVEL] + search.sweeps[j, bounds.TRAVEL]
         held = held or 0.5 * (a + b + spent) < margin - unsure
         ceiling = math.inf
         if not held and max(a, b) < margin + 2.0 * unsure:
-            h = search.handles[0, PATH]
+            h = search.handles[0, bounds.PATH]
             ceiling = gap_ceiling(search.boxes, search.sweeps, top * count, i, j, h)
             held = ceiling < min(margin - unsure, 0.0)
         if a < nearest:
@@ -406,15 +386,9 @@ def judge(
 
 @kernel
 def bisect(
-    search: Search,
-    goal: int,
-    chain: Chain,
-    pairs: Pairs,
-    top: int,
-    ready: int,
-    limits: Limits,
+    search: Search, goal: int, chain: Chain, pairs: Pairs, top: int, ready: int, limits: Limits,
     note: FloatArray,
-) -> int:
+) -> int:  # fmt: skip
     """Search a step that was begun for `goal`, whose chains before slot `ready` were placed.
 
     How it ended; `note` receives what was found. For LEAST note[NEAREST] and note[FLOOR] hold what

@@ -8,42 +8,11 @@ it, be it the kernels' search of a walk or a test's made-up numbers.
 
 import math
 
+from benchdragon.kernels import size_bracket as bracket
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.size_bracket import (
-    AT,
-    BAD,
-    FAILS,
-    FARTHEST,
-    GOOD,
-    GROWN,
-    GROWTH,
-    MOST_GROWTHS,
-    MOST_TRIALS,
-    NOW,
-    PASSES,
-    PHASE,
-    ROOT,
-    SECANTS,
-    SECOND_LAST,
-    SENSE,
-    SHIFT,
-    SIZE,
-    SLACK,
-    SLOPE,
-    STAGE,
-    TOLERANCE,
-    TRIALS,
-    TRIED,
-    UNDECIDED,
-    VALUE,
-    VALUE_THERE,
-    add_doubt,
-    is_over,
-    next_target,
-    take_result,
-)
+from benchdragon.kernels.size_bracket import add_doubt, is_over, next_target, take_result
 
 # What is sought; the first two go over into the last.
 GROW = 0  # a size that passes, from SIZE on, then the limit beside it
@@ -94,7 +63,7 @@ def same_pair(meetings: FloatArray, one: int, two: int) -> bool:
 @kernel
 def ask(state: FloatArray, phase: int, task: int, size: float) -> int:
     """Ask for a task in the walk of a size."""
-    state[PHASE], state[NOW] = phase, size
+    state[bracket.PHASE], state[bracket.NOW] = phase, size
     return task
 
 
@@ -102,14 +71,14 @@ def ask(state: FloatArray, phase: int, task: int, size: float) -> int:
 def ask_for_target(state: FloatArray, doubts: FloatArray, rooted: bool) -> int:
     """Ask how the walk of the next size goes."""
     next_target(state, doubts, rooted)
-    return ask(state, AFTER_WALK, WALK, state[SIZE])
+    return ask(state, AFTER_WALK, WALK, state[bracket.SIZE])
 
 
 @kernel
 def ask_for_guide(state: FloatArray, meetings: FloatArray, size: float) -> int:
     """Ask which pair to go by from now on, seen in the walk of a size."""
     copy_meeting(meetings, GUIDE, BEFORE)
-    state[AT], meetings[GUIDE, MEET_FRONT] = size, NOBODY
+    state[bracket.AT], meetings[GUIDE, MEET_FRONT] = size, NOBODY
     return ask(state, AFTER_LOW_PAIR, LOW_PAIR, size)
 
 
@@ -119,46 +88,46 @@ def ask_for_root(state: FloatArray, doubts: FloatArray, meetings: FloatArray) ->
     if meetings[GUIDE, MEET_FRONT] == NOBODY:
         return ask_for_target(state, doubts, False)
     copy_meeting(meetings, GUIDE, ROOTED)
-    state[SECANTS], state[SLOPE] = 0.0, math.nan
-    return ask(state, AFTER_FIRST, DISTANCE, state[AT])
+    state[bracket.SECANTS], state[bracket.SLOPE] = 0.0, math.nan
+    return ask(state, AFTER_FIRST, DISTANCE, state[bracket.AT])
 
 
 @kernel
 def after_next(state: FloatArray, doubts: FloatArray, there: float) -> int:
     """Take a step of the secant method, the distance being `there` at NOW, m."""
-    a, b, fa, fb = state[SECOND_LAST], state[NOW], state[VALUE_THERE], there
-    if not abs(fb) < math.inf or fb == fa or b <= 0.0 or state[SECANTS] >= MOST_SECANTS:
+    a, b, fa, fb = state[bracket.SECOND_LAST], state[bracket.NOW], state[bracket.VALUE_THERE], there
+    if not abs(fb) < math.inf or fb == fa or b <= 0.0 or state[bracket.SECANTS] >= MOST_SECANTS:
         return ask_for_target(state, doubts, False)
     if abs(b - a) > SHARP * abs(a):
-        state[SLOPE] = (fb - fa) / (b - a)
-    size = min(max(b - fb / state[SLOPE], b / LONGEST_SECANT), b * LONGEST_SECANT)
-    if abs(size - b) <= max(SETTLED * abs(b), AT_REST * state[TOLERANCE]):
-        state[ROOT] = size
+        state[bracket.SLOPE] = (fb - fa) / (b - a)
+    size = min(max(b - fb / state[bracket.SLOPE], b / LONGEST_SECANT), b * LONGEST_SECANT)
+    if abs(size - b) <= max(SETTLED * abs(b), AT_REST * state[bracket.TOLERANCE]):
+        state[bracket.ROOT] = size
         return ask_for_target(state, doubts, True)
-    state[SECOND_LAST], state[VALUE_THERE] = b, fb
-    state[SECANTS] += 1.0
+    state[bracket.SECOND_LAST], state[bracket.VALUE_THERE] = b, fb
+    state[bracket.SECANTS] += 1.0
     return ask(state, AFTER_NEXT, DISTANCE, size)
 
 
 @kernel
 def after_growing(state: FloatArray, doubts: FloatArray, meetings: FloatArray, result: int) -> int:
     """Go on after a walk of GROW."""
-    size = state[SIZE]
-    if result == PASSES:
-        state[STAGE], state[GOOD] = NARROW, size
-        if state[TRIED] > 0.0:
+    size = state[bracket.SIZE]
+    if result == bracket.PASSES:
+        state[bracket.STAGE], state[bracket.GOOD] = NARROW, size
+        if state[bracket.TRIED] > 0.0:
             return after_failure(state, doubts, meetings)
-        state[BAD] = size * FARTHEST ** -state[SENSE]
+        state[bracket.BAD] = size * bracket.FARTHEST ** -state[bracket.SENSE]
         return ask_for_guide(state, meetings, size)
-    if result == UNDECIDED:
+    if result == bracket.UNDECIDED:
         add_doubt(state, doubts)
     else:
-        state[BAD], state[TRIED] = size, 1.0
-    state[GROWN] += 1.0
-    state[SIZE] = size * GROWTH ** state[SENSE]
-    if state[GROWN] >= MOST_GROWTHS:
+        state[bracket.BAD], state[bracket.TRIED] = size, 1.0
+    state[bracket.GROWN] += 1.0
+    state[bracket.SIZE] = size * bracket.GROWTH ** state[bracket.SENSE]
+    if state[bracket.GROWN] >= bracket.MOST_GROWTHS:
         return INFEASIBLE
-    return ask(state, AFTER_WALK, WALK, state[SIZE])
+    return ask(state, AFTER_WALK, WALK, state[bracket.SIZE])
 
 
 @kernel
@@ -168,7 +137,7 @@ def after_failure(state: FloatArray, doubts: FloatArray, meetings: FloatArray) -
     Where none met it may be that there is no such walk.
     """
     if meetings[FAILED, MEET_FRONT] != NOBODY:
-        return ask_for_guide(state, meetings, state[BAD])
+        return ask_for_guide(state, meetings, state[bracket.BAD])
     meetings[GUIDE, MEET_FRONT] = NOBODY
     return ask_for_target(state, doubts, False)
 
@@ -178,7 +147,7 @@ def after_low_pair(state: FloatArray, doubts: FloatArray, meetings: FloatArray, 
     """Go by the nearest or deepest pair, `least` metres; by the one met first if that was before."""
     if not least <= NEARBY:
         meetings[GUIDE, MEET_FRONT] = NOBODY
-    failed = state[TRIED] > 0.0 and state[AT] == state[BAD]
+    failed = state[bracket.TRIED] > 0.0 and state[bracket.AT] == state[bracket.BAD]
     if failed and (meetings[GUIDE, MEET_FRONT] == NOBODY or same_pair(meetings, GUIDE, BEFORE)):
         copy_meeting(meetings, FAILED, GUIDE)
     return ask_for_root(state, doubts, meetings)
@@ -188,7 +157,7 @@ def after_low_pair(state: FloatArray, doubts: FloatArray, meetings: FloatArray, 
 def ended(state: FloatArray, doubts: FloatArray, meetings: FloatArray) -> int:
     """How the search ended: the pair that decides is the one that met in the walk of BAD; or NARROW."""
     over = is_over(state, doubts)
-    if not over and state[TRIALS] < MOST_TRIALS:
+    if not over and state[bracket.TRIALS] < bracket.MOST_TRIALS:
         return NARROW
     copy_meeting(meetings, FAILED, GUIDE)
     return FOUND if over else EXHAUSTED
@@ -197,21 +166,21 @@ def ended(state: FloatArray, doubts: FloatArray, meetings: FloatArray) -> int:
 @kernel
 def after_narrowing(state: FloatArray, doubts: FloatArray, meetings: FloatArray, result: int) -> int:
     """Go on after a walk of NARROW."""
-    size, untried = state[SIZE], state[TRIED] == 0.0
+    size, untried = state[bracket.SIZE], state[bracket.TRIED] == 0.0
     take_result(state, doubts, result, same_pair(meetings, FAILED, ROOTED))
-    state[VALUE] = state[GOOD]
-    if result == PASSES and state[SHIFT] > 0.0:
-        below = size - math.copysign(2.0 * state[SHIFT], state[SENSE])
+    state[bracket.VALUE] = state[bracket.GOOD]
+    if result == bracket.PASSES and state[bracket.SHIFT] > 0.0:
+        below = size - math.copysign(2.0 * state[bracket.SHIFT], state[bracket.SENSE])
         return ask(state, AFTER_BELOW, DISTANCE, below)
-    if result == PASSES and untried and size == state[BAD]:
+    if result == bracket.PASSES and untried and size == state[bracket.BAD]:
         meetings[GUIDE, MEET_FRONT] = NOBODY
         return UNLIMITED
     ending = ended(state, doubts, meetings)
     if ending != NARROW:
         return ending
-    if result == PASSES:
+    if result == bracket.PASSES:
         return ask_for_guide(state, meetings, size)
-    if result == FAILS:
+    if result == bracket.FAILS:
         return after_failure(state, doubts, meetings)
     return ask_for_root(state, doubts, meetings)
 
@@ -219,8 +188,9 @@ def after_narrowing(state: FloatArray, doubts: FloatArray, meetings: FloatArray,
 @kernel
 def after_below(state: FloatArray, doubts: FloatArray, meetings: FloatArray, there: float) -> int:
     """Go on when the size near a root passed, the pair's distance beyond the root being `there`, m."""
-    if there < -state[SLACK]:
-        state[BAD], state[TRIED], state[VALUE] = state[NOW], 1.0, state[ROOT]
+    if there < -state[bracket.SLACK]:
+        state[bracket.BAD], state[bracket.TRIED] = state[bracket.NOW], 1.0
+        state[bracket.VALUE] = state[bracket.ROOT]
         copy_meeting(meetings, ROOTED, GUIDE)
         return FOUND
     meetings[GUIDE, MEET_FRONT] = NOBODY
@@ -231,12 +201,12 @@ def after_below(state: FloatArray, doubts: FloatArray, meetings: FloatArray, the
 @kernel
 def after_walk(state: FloatArray, doubts: FloatArray, meetings: FloatArray, result: int) -> int:
     """Go on after a walk."""
-    if state[STAGE] == GROW:
+    if state[bracket.STAGE] == GROW:
         return after_growing(state, doubts, meetings, result)
-    if state[STAGE] == NARROW:
+    if state[bracket.STAGE] == NARROW:
         return after_narrowing(state, doubts, meetings, result)
-    state[STAGE] = NARROW
-    if result == FAILS:
+    state[bracket.STAGE] = NARROW
+    if result == bracket.FAILS:
         return after_failure(state, doubts, meetings)
     return ask_for_target(state, doubts, False)
 
@@ -249,9 +219,9 @@ def next_task(state: Vector, doubts: Vector, meetings: Table, value: float) -> i
     NaN or infinite if there is no such walk. `doubts` holds the sizes that could not be decided. A
     search begins with PHASE 0, STAGE, SIZE (with GOOD, BAD and TRIED for a border), and no meetings.
     """
-    phase = int(state[PHASE])
+    phase = int(state[bracket.PHASE])
     if phase == OPENED:
-        return ask(state, AFTER_WALK, WALK, state[SIZE])
+        return ask(state, AFTER_WALK, WALK, state[bracket.SIZE])
     if phase == AFTER_WALK:
         return after_walk(state, doubts, meetings, int(value))
     if phase == AFTER_LOW_PAIR:
@@ -260,5 +230,6 @@ def next_task(state: Vector, doubts: Vector, meetings: Table, value: float) -> i
         return after_below(state, doubts, meetings, value)
     if phase == AFTER_NEXT:
         return after_next(state, doubts, value)
-    state[SECOND_LAST], state[VALUE_THERE] = state[NOW], value
-    return ask(state, AFTER_NEXT, DISTANCE, state[NOW] * (1.0 + state[SENSE] * FIRST_STEP))
+    state[bracket.SECOND_LAST], state[bracket.VALUE_THERE] = state[bracket.NOW], value
+    size = state[bracket.NOW] * (1.0 + state[bracket.SENSE] * FIRST_STEP)
+    return ask(state, AFTER_NEXT, DISTANCE, size)

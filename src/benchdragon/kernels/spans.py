@@ -22,13 +22,9 @@ BEGINS, BEGUN = 4, 5  # of one that is begun: from where on the head stands wher
 
 @kernel
 def begin_repeats(
-    rows: FloatArray,
-    links: Vector,
-    repeats: FloatArray,
-    at: Vector,
-    places: Placements,
+    rows: FloatArray, links: Vector, repeats: FloatArray, at: Vector, places: Placements,
     begun: FloatArray,
-) -> int:
+) -> int:  # fmt: skip
     """Fill begun with the repeats that benches of these links have anything of; how many.
 
     Those come first that leave out most; what is left out for one before is left out once.

@@ -12,20 +12,9 @@ add up to 1e-11 m and not 1e-7 m.
 
 import math
 
+from benchdragon.kernels import curve
 from benchdragon.kernels.angles import MOST_ANGLE, sincos, small_sincos
-from benchdragon.kernels.curve import (
-    AXIS_X,
-    AXIS_Y,
-    KIND,
-    SPIRAL,
-    U_BACK,
-    FloatArray,
-    P,
-    Q,
-    X,
-    Y,
-    walks_up,
-)
+from benchdragon.kernels.curve import FloatArray, walks_up
 from benchdragon.kernels.entries import kernel
 
 # The lanes take only steps for which design/spiral_step.py proves that F' > 0 up to the root, so that
@@ -56,12 +45,12 @@ STATE = 5 * LANES
 @kernel
 def takes_link(rows: FloatArray, j: int, least: float, most: float, link: float) -> bool:
     """Whether fronts at angles least..most on row j can take this link by `spiral_links`."""
-    if rows[j, KIND] != SPIRAL or least < LEAST_ANGLE or most > MOST_ANGLE:
+    if rows[j, curve.KIND] != curve.SPIRAL or least < LEAST_ANGLE or most > MOST_ANGLE:
         return False
-    d = link / rows[j, P]
+    d = link / rows[j, curve.P]
     if walks_up(rows, j) < 0.0:
-        return d <= MOST_LINK_INWARD * least and most + STEP_INWARD * d / least <= rows[j, U_BACK]
-    return d <= MOST_LINK_OUTWARD * least and least - STEP_OUTWARD * d / least >= rows[j, U_BACK]
+        return d <= MOST_LINK_INWARD * least and most + STEP_INWARD * d / least <= rows[j, curve.U_BACK]
+    return d <= MOST_LINK_OUTWARD * least and least - STEP_OUTWARD * d / least >= rows[j, curve.U_BACK]
 
 
 @kernel
@@ -69,7 +58,7 @@ def angles_after(
     rows: FloatArray, j: int, least: float, most: float, link: float
 ) -> tuple[float, float]:
     """Bounds of the rear angles for fronts at least..most, all taken by `spiral_links`."""
-    d = link / rows[j, P]
+    d = link / rows[j, curve.P]
     if walks_up(rows, j) < 0.0:
         return least, most + STEP_INWARD * d / least
     return least - STEP_OUTWARD * d / least, most
@@ -110,26 +99,17 @@ def rear_ratio(
 
 @kernel
 def halley_pass(
-    rows: FloatArray,
-    j: int,
-    link: float,
-    scale: float,
-    i: int,
-    start: int,
-    end: int,
-    state: FloatArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-) -> int:
+    rows: FloatArray, j: int, link: float, scale: float, i: int, start: int, end: int,
+    state: FloatArray, u: FloatArray, x: FloatArray, y: FloatArray, ratio: FloatArray,
+) -> int:  # fmt: skip
     """One Halley pass over the lanes of times start..end: handle i + 1 behind handle i on row j.
 
     Reads u[i], ratio[i] and the lanes' REST and GUESS (of h / scale); writes the rest. Returns how
     many lanes still took a large step.
     """
-    k, hand, sigma = rows[j, P], rows[j, Q], -walks_up(rows, j)
-    axis_x, axis_y, centre_x, centre_y = rows[j, AXIS_X], rows[j, AXIS_Y], rows[j, X], rows[j, Y]
+    k, hand, sigma = rows[j, curve.P], rows[j, curve.Q], -walks_up(rows, j)
+    axis_x, axis_y = rows[j, curve.AXIS_X], rows[j, curve.AXIS_Y]
+    centre_x, centre_y = rows[j, curve.X], rows[j, curve.Y]
     d2 = (link / k) * (link / k)
     large, i, start = 0, max(i, 0), max(start, 0)
     for lane in range(end - start):
@@ -153,19 +133,9 @@ def halley_pass(
 
 @kernel
 def spiral_links(
-    rows: FloatArray,
-    j: int,
-    link: float,
-    scale: float,
-    i: int,
-    start: int,
-    end: int,
-    state: FloatArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-) -> bool:
+    rows: FloatArray, j: int, link: float, scale: float, i: int, start: int, end: int,
+    state: FloatArray, u: FloatArray, x: FloatArray, y: FloatArray, ratio: FloatArray,
+) -> bool:  # fmt: skip
     """Place handle i + 1 at times start..end along spiral row j; False if a lane would not settle."""
     for _ in range(MAX_PASSES):
         if halley_pass(rows, j, link, scale, i, start, end, state, u, x, y, ratio) == 0:

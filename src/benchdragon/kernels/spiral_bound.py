@@ -10,19 +10,9 @@ radius decides (design/spiral_bound.py shows how near they come to what benches 
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import curve
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.curve import (
-    KIND,
-    LENGTH,
-    S_START,
-    SPIRAL,
-    U_BACK,
-    U_END,
-    U_START,
-    FloatArray,
-    P,
-    length_at,
-)
+from benchdragon.kernels.curve import FloatArray, length_at
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.regions import SQUARE
@@ -156,13 +146,14 @@ def clear_radius(b: float, inner: Shape, outer: Shape, between: float) -> float:
 @kernel
 def clear_part(rows: FloatArray, j: int, theta: float, way: float) -> tuple[float, float]:
     """Where, on row j, a front handle has both handles of its bench on the row and outside theta."""
-    start, end = rows[j, S_START], rows[j, S_START] + rows[j, LENGTH]
-    inmost = min(rows[j, U_START], rows[j, U_END])
-    outmost, endless = max(rows[j, U_START], rows[j, U_END]), math.isinf(rows[j, U_BACK])
+    start, end = rows[j, curve.S_START], rows[j, curve.S_START] + rows[j, curve.LENGTH]
+    inmost = min(rows[j, curve.U_START], rows[j, curve.U_END])
+    outmost = max(rows[j, curve.U_START], rows[j, curve.U_END])
+    endless = math.isinf(rows[j, curve.U_BACK])
     if theta >= outmost and not (endless and math.isfinite(theta)):
         return 0.0, 0.0
     border = start + length_at(rows, j, max(theta, inmost))
-    if rows[j, U_END] > rows[j, U_START]:
+    if rows[j, curve.U_END] > rows[j, curve.U_START]:
         return border + way, end
     return (-math.inf if endless else start + way), border
 
@@ -177,11 +168,11 @@ def clear_spans(rows: Table, ahead: Shape, behind: Shape, between: float, spans:
     """
     count = 0
     for j in range(rows.shape[0]):
-        if rows[j, KIND] != SPIRAL:
+        if rows[j, curve.KIND] != curve.SPIRAL:
             continue
-        inward = rows[j, U_END] < rows[j, U_START]
+        inward = rows[j, curve.U_END] < rows[j, curve.U_START]
         inner, outer = (ahead, behind) if inward else (behind, ahead)
-        theta = clear_radius(rows[j, P], inner, outer, between) / rows[j, P]
+        theta = clear_radius(rows[j, curve.P], inner, outer, between) / rows[j, curve.P]
         start, end = clear_part(rows, j, theta, WAY * max(ahead.link, behind.link))
         if start < end:
             spans[count, 0], spans[count, 1] = start, end

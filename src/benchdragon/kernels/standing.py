@@ -9,39 +9,15 @@ sides of a polygon, the centre of a circle), to the search as benches that do no
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import box
+from benchdragon.kernels import search as steps
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.box import (
-    BOX_COLUMNS,
-    CX,
-    CY,
-    HALF_LENGTH,
-    HALF_WIDTH,
-    box_distance,
-    half_diagonal,
-    offset,
-    place_box,
-)
+from benchdragon.kernels.box import box_distance, half_diagonal, offset, place_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import UNIT, finest
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.regions import EDGE, walks_on
-from benchdragon.kernels.search import (
-    CLEAR,
-    EVALUATIONS,
-    GRAZE,
-    LEAST,
-    LOWER,
-    NEAREST,
-    PAIR,
-    UPPER,
-    Chain,
-    Limits,
-    Pairs,
-    Search,
-    bisect,
-    box_slot,
-    open_step,
-)
+from benchdragon.kernels.search import Chain, Limits, Pairs, Search, bisect, box_slot, open_step
 from benchdragon.kernels.step_bounds import TRAVEL, bound_bench, place_chain
 from benchdragon.kernels.walk_search import ASTRAY, WIDTH_ROUNDINGS
 
@@ -81,7 +57,7 @@ def walks_step(bench: Bench, search: Search) -> bool:
 def centre_distance(boxes: FloatArray, n: int, x: float, y: float) -> float:
     """Distance of point (x, y) from box n, m; 0 inside."""
     along, across = offset(boxes, n, x, y)
-    ahead, aside = abs(along) - boxes[n, HALF_LENGTH], abs(across) - boxes[n, HALF_WIDTH]
+    ahead, aside = abs(along) - boxes[n, box.HALF_LENGTH], abs(across) - boxes[n, box.HALF_WIDTH]
     return math.hypot(max(ahead, 0.0), max(aside, 0.0))
 
 
@@ -93,14 +69,14 @@ def gather_near(bench: Bench, standing: Standing, search: Search, wanted: float)
     """
     bound_bench(search.handles, 0, bench.sizes, 0, search.sweeps[0])
     place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, search.boxes, 0)
-    x, y = search.boxes[0, CX], search.boxes[0, CY]
+    x, y = search.boxes[0, box.CX], search.boxes[0, box.CY]
     reach = half_diagonal(search.boxes, 0)
     reach += search.sweeps[0, TRAVEL] + wanted + EDGE
     count = 0
     for n in range(standing.boxes.shape[0]):
         if not centre_distance(standing.boxes, n, x, y) > reach:
             standing.number[count] = n
-            for k in range(BOX_COLUMNS):
+            for k in range(box.BOX_COLUMNS):
                 standing.near[count, k] = standing.boxes[n, k]
             standing.first[count], standing.second[count] = 0, count + 1
             count += 1
@@ -112,55 +88,49 @@ def search_step(
     bench: Bench, standing: Standing, search: Search, goal: int, limits: Limits, note: FloatArray
 ) -> int:
     """Search the step whose ends are placed in slots 0 and 1 for `goal`; how that ended."""
-    wanted = note[NEAREST] - limits.slack if goal == LEAST else limits.margin + limits.slack
+    wanted = note[steps.NEAREST] - limits.slack if goal == steps.LEAST else limits.margin + limits.slack
     start, end = search.at[0], search.at[1]
     count = gather_near(bench, standing, search, wanted)
     if count == 0:
-        note[LOWER] = end
-        return CLEAR
+        note[steps.LOWER] = end
+        return steps.CLEAR
     near, members = standing.near[:count], standing.members
     chain = Chain(bench.rows, bench.link, note[:0], bench.sizes, members, near, bench.seams)
     box_slot(chain, search, 0)
     box_slot(chain, search, 1)
     top = open_step(search, count, start, end)
-    before, note[PAIR] = note[PAIR], -1.0
+    before, note[steps.PAIR] = note[steps.PAIR], -1.0
     pairs = Pairs(standing.first[:count], standing.second[:count])
     ending = bisect(search, goal, chain, pairs, top, 2, limits, note)
-    p = int(note[PAIR])
-    note[PAIR] = before if p < 0 else float(standing.number[p])
+    p = int(note[steps.PAIR])
+    note[steps.PAIR] = before if p < 0 else float(standing.number[p])
     return ending
 
 
 @kernel
 def search_span(
-    bench: Bench,
-    standing: Standing,
-    search: Search,
-    goal: int,
-    start: float,
-    end: float,
-    limits: Limits,
-    note: FloatArray,
-) -> int:
+    bench: Bench, standing: Standing, search: Search, goal: int, start: float, end: float,
+    limits: Limits, note: FloatArray,
+) -> int:  # fmt: skip
     """Search from route position start to end, m, for `goal`; how that ended, or ASTRAY.
 
     ASTRAY: past note[LOWER] it could not be shown that the bench walks on.
     """
-    at, step, worst = start, STRETCH, CLEAR
+    at, step, worst = start, STRETCH, steps.CLEAR
     while at < end:
         ahead = end if at + step >= end else at + step
         search.at[0], search.at[1] = at, ahead
-        note[EVALUATIONS] += 2.0
+        note[steps.EVALUATIONS] += 2.0
         if not walks_step(bench, search):
             step = 0.5 * min(step, end - at)
             if step < finest(at):
-                note[LOWER], note[UPPER] = at, ahead
+                note[steps.LOWER], note[steps.UPPER] = at, ahead
                 return ASTRAY
             continue
         narrow = max(limits.width, WIDTH_ROUNDINGS * UNIT * abs(ahead))
         fitting = Limits(limits.margin, limits.slack, narrow, limits.most)
         ending = search_step(bench, standing, search, goal, fitting, note)
-        if ending not in (CLEAR, GRAZE) or (ending == GRAZE and goal != LEAST):
+        if ending not in (steps.CLEAR, steps.GRAZE) or (ending == steps.GRAZE and goal != steps.LEAST):
             return ending
         worst = max(worst, ending)
         at, step = ahead, min(2.0 * step, STRETCH)
@@ -179,15 +149,15 @@ def look_along(bench: Bench, standing: Standing, search: Search, spans: Table, n
             continue
         place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, standing.near, 0)
         near = standing.near
-        x, y = near[0, CX], near[0, CY]
+        x, y = near[0, box.CX], near[0, box.CY]
         around = half_diagonal(near, 0)
         for n in range(standing.boxes.shape[0]):
-            if centre_distance(standing.boxes, n, x, y) - around < note[NEAREST]:
-                for k in range(BOX_COLUMNS):
+            if centre_distance(standing.boxes, n, x, y) - around < note[steps.NEAREST]:
+                for k in range(box.BOX_COLUMNS):
                     near[1, k] = standing.boxes[n, k]
                 apart = box_distance(near, 0, 1)
-                if apart < note[NEAREST]:
-                    note[NEAREST], note[UPPER], note[PAIR] = apart, search.at[0], n
+                if apart < note[steps.NEAREST]:
+                    note[steps.NEAREST], note[steps.UPPER], note[steps.PAIR] = apart, search.at[0], n
 
 
 @entry
@@ -198,12 +168,12 @@ def distances_to(boxes: Table, standing: Table, near: Table, out: Vector, which:
     """
     for i in range(boxes.shape[0]):
         out[i], which[i] = math.inf, -1
-        for k in range(BOX_COLUMNS):
+        for k in range(box.BOX_COLUMNS):
             near[0, k] = boxes[i, k]
         around = half_diagonal(boxes, i)
         for n in range(standing.shape[0]):
-            if centre_distance(standing, n, boxes[i, CX], boxes[i, CY]) - around < out[i]:
-                for k in range(BOX_COLUMNS):
+            if centre_distance(standing, n, boxes[i, box.CX], boxes[i, box.CY]) - around < out[i]:
+                for k in range(box.BOX_COLUMNS):
                     near[1, k] = standing[n, k]
                 apart = box_distance(near, 0, 1)
                 if apart < out[i]:

@@ -9,17 +9,10 @@ what makes a few evaluations enough (design/first_contact.py).
 
 import math
 
+from benchdragon.kernels import curve
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements, march
-from benchdragon.kernels.curve import (
-    U_END,
-    U_START,
-    FloatArray,
-    curvature,
-    place,
-    stretch,
-    turning_bound,
-)
+from benchdragon.kernels.curve import FloatArray, curvature, place, stretch, turning_bound
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.route import FOLD_COSINE
@@ -82,15 +75,15 @@ def path_bound(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> floa
     """At least the path, m, from place (ja, ua) on to (jb, ub), gaps at joints included."""
     if ja == jb:
         return abs(ub - ua) * max(stretch(rows, ja, ua), stretch(rows, ja, ub))
-    end, start = rows[ja, U_END], rows[jb, U_START]
+    end, start = rows[ja, curve.U_END], rows[jb, curve.U_START]
     path = abs(end - ua) * max(stretch(rows, ja, ua), stretch(rows, ja, end))
     path += abs(ub - start) * max(stretch(rows, jb, ub), stretch(rows, jb, start))
     for j in range(ja, jb):
-        x, y, _, _ = place(rows, j, rows[j, U_END])
-        next_x, next_y, _, _ = place(rows, j + 1, rows[j + 1, U_START])
+        x, y, _, _ = place(rows, j, rows[j, curve.U_END])
+        next_x, next_y, _, _ = place(rows, j + 1, rows[j + 1, curve.U_START])
         path += math.hypot(next_x - x, next_y - y)
         if j > ja:
-            a, b = rows[j, U_START], rows[j, U_END]
+            a, b = rows[j, curve.U_START], rows[j, curve.U_END]
             path += abs(b - a) * max(stretch(rows, j, a), stretch(rows, j, b))
     return path
 
@@ -104,11 +97,12 @@ def curvature_range(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) ->
     ends = curvature(rows, ja, ua), curvature(rows, jb, ub)
     low, high = min(ends), max(ends)
     for j in range(ja, jb):
-        x, y, tx, ty = place(rows, j, rows[j, U_END])
-        next_x, next_y, next_tx, next_ty = place(rows, j + 1, rows[j + 1, U_START])
+        x, y, tx, ty = place(rows, j, rows[j, curve.U_END])
+        next_x, next_y, next_tx, next_ty = place(rows, j + 1, rows[j + 1, curve.U_START])
         if max(abs(next_tx - tx), abs(next_ty - ty), abs(next_x - x), abs(next_y - y)) > SMOOTH:
             return -math.inf, math.inf
-        before, after = curvature(rows, j, rows[j, U_END]), curvature(rows, j + 1, rows[j + 1, U_START])
+        before = curvature(rows, j, rows[j, curve.U_END])
+        after = curvature(rows, j + 1, rows[j + 1, curve.U_START])
         low, high = min(low, before, after), max(high, before, after)
     return low, high
 
@@ -118,14 +112,14 @@ def heading_bound(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> f
     """At least the angle, rad, by which the heading varies in all from (ja, ua) on to (jb, ub)."""
     if ja == jb:
         return turning_bound(rows, ja, ua, ub)
-    total = turning_bound(rows, ja, ua, rows[ja, U_END])
-    total += turning_bound(rows, jb, rows[jb, U_START], ub)
+    total = turning_bound(rows, ja, ua, rows[ja, curve.U_END])
+    total += turning_bound(rows, jb, rows[jb, curve.U_START], ub)
     for j in range(ja, jb):
-        _, _, tx, ty = place(rows, j, rows[j, U_END])
-        _, _, next_tx, next_ty = place(rows, j + 1, rows[j + 1, U_START])
+        _, _, tx, ty = place(rows, j, rows[j, curve.U_END])
+        _, _, next_tx, next_ty = place(rows, j + 1, rows[j + 1, curve.U_START])
         total += abs(math.atan2(tx * next_ty - ty * next_tx, tx * next_tx + ty * next_ty))
         if j > ja:
-            total += turning_bound(rows, j, rows[j, U_START], rows[j, U_END])
+            total += turning_bound(rows, j, rows[j, curve.U_START], rows[j, curve.U_END])
     return total
 
 
@@ -206,11 +200,8 @@ def bound_handles(
     bounds[0, PATH], bounds[0, SLOWEST], bounds[0, SPEED] = h, 1.0, 1.0
     bounds[0, GROWTH_LOW], bounds[0, GROWTH_HIGH] = 0.0, 0.0
     bounds[0, ACCELERATION], bounds[0, TURNING_RATE] = magnitude(low, high), 0.0
-    bounds[0, LEFT], bounds[0, RIGHT], bounds[0, HEADING_CHANGE] = (
-        high,
-        low,
-        heading_bound(rows, ja, ua, jb, ub),
-    )
+    bounds[0, LEFT], bounds[0, RIGHT] = high, low
+    bounds[0, HEADING_CHANGE] = heading_bound(rows, ja, ua, jb, ub)
     for i in range(links.shape[0]):
         ja, ua = places.row[i + 1, a], places.u[i + 1, a]
         jb, ub = places.row[i + 1, b], places.u[i + 1, b]

@@ -9,33 +9,19 @@ narrowed. At a limit or where peaks meet, such steps close in on the best turn a
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import turn_trial
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.turn_trial import (
-    KIND,
-    MEASURE,
-    MOST_KEPT,
-    NOTED,
-    PEAK,
-    ROUTE,
-    SOUGHT,
-    UNKNOWNS,
-    VALUE,
-    Trial,
-    greatest,
-    lay_trial,
-    look,
-    narrow,
-)
+from benchdragon.kernels.turn_trial import Trial, greatest, lay_trial, look, narrow
 
 # How much a limit counts that is exceeded by all of itself: more than what exceeding it may gain.
 HARD = 30.0
 # The unknowns of a step besides those of turns: what is sought, and by how much limits are exceeded.
-BEST, WORST, COLUMNS = UNKNOWNS, UNKNOWNS + 1, UNKNOWNS + 2
+BEST, WORST, COLUMNS = turn_trial.UNKNOWNS, turn_trial.UNKNOWNS + 1, turn_trial.UNKNOWNS + 2
 # Rows of a step's lines: the peaks, both ends of each unknown's range, and no less than no excess.
 # Behind the columns: what a row must be at least, by how much it is more, and how much that counts.
-MOST_LINES = MOST_KEPT + 2 * UNKNOWNS + 1
+MOST_LINES = turn_trial.MOST_KEPT + 2 * turn_trial.UNKNOWNS + 1
 LEAST, SPARE, DUAL, LINE = COLUMNS, COLUMNS + 1, COLUMNS + 2, COLUMNS + 3
 # Steps of the interior point's method at most, how far it goes towards a border, by what its gap
 # shrinks, and the gap at which it ends.
@@ -89,9 +75,10 @@ def begin_at(trial: Trial, descent: Descent, trust: float, step: float) -> None:
 def learn(trial: Trial, descent: Descent) -> None:
     """Keep the peaks of the trial, which is at x."""
     descent.state[EXCESS] = max(greatest(trial, False), 0.0)
-    descent.state[KNOWN] = trial.counts[NOTED] if trial.counts[NOTED] <= MOST_KEPT else 0
+    noted = trial.counts[turn_trial.NOTED]
+    descent.state[KNOWN] = noted if noted <= turn_trial.MOST_KEPT else 0
     for n in range(int(descent.state[KNOWN])):
-        for k in range(PEAK):
+        for k in range(turn_trial.PEAK):
             descent.known[n, k] = trial.peaks[n, k]
 
 
@@ -111,7 +98,7 @@ def set_slopes(trial: Trial, descent: Descent) -> None:
                 side = 1.0 if n == 0 else -1.0
                 see_again(trial, descent)
                 for m in range(int(descent.state[KNOWN])):
-                    rise = trial.peaks[m, MEASURE] - descent.known[m, MEASURE]
+                    rise = trial.peaks[m, turn_trial.MEASURE] - descent.known[m, turn_trial.MEASURE]
                     descent.slopes[m, k] = rise / (CHANGE * side)
         for m in range(int(descent.state[KNOWN]) if side == 0.0 else 0):
             descent.slopes[m, k] = 0.0
@@ -121,11 +108,11 @@ def set_slopes(trial: Trial, descent: Descent) -> None:
 @kernel
 def see_again(trial: Trial, descent: Descent) -> None:
     """Look at known peaks, near their places, in a turn that is hardly another."""
-    rows = trial.rows[: trial.counts[ROUTE]]
+    rows = trial.rows[: trial.counts[turn_trial.ROUTE]]
     for n in range(int(descent.state[KNOWN])):
-        for k in range(PEAK):
+        for k in range(turn_trial.PEAK):
             trial.peaks[n, k] = descent.known[n, k]
-        trial.peaks[n, VALUE] = -math.inf
+        trial.peaks[n, turn_trial.VALUE] = -math.inf
         narrow(trial, rows, n, NEARBY, NARROWED)
 
 
@@ -133,18 +120,14 @@ def see_again(trial: Trial, descent: Descent) -> None:
 def draw_lines(trial: Trial, descent: Descent) -> int:
     """Fill what a step must keep, and begin within it; how many lines that are."""
     x, z, lines, known, trust = (
-        descent.x,
-        descent.move,
-        descent.lines,
-        descent.known,
-        descent.state[TRUST],
-    )
+        descent.x, descent.move, descent.lines, descent.known, descent.state[TRUST],
+    )  # fmt: skip
     count, peaks = 0, int(descent.state[KNOWN])
     z[BEST] = z[WORST] = 0.0
     for n in range(MOST_LINES):
         for k in range(LINE):
             lines[n, k] = 0.0
-    for k in range(UNKNOWNS):
+    for k in range(turn_trial.UNKNOWNS):
         z[k] = 0.0
         width = trial.high[k] - trial.low[k] if k < x.shape[0] else 0.0
         down, up = -trust, trust
@@ -158,9 +141,9 @@ def draw_lines(trial: Trial, descent: Descent) -> int:
     lines[count, WORST] = 1.0
     count += 1
     for n in range(peaks):
-        column = BEST if known[n, KIND] == trial.told[SOUGHT] else WORST
-        lines[count, column], lines[count, LEAST] = 1.0, known[n, MEASURE]
-        there = known[n, MEASURE]
+        column = BEST if known[n, turn_trial.KIND] == trial.told[turn_trial.SOUGHT] else WORST
+        lines[count, column], lines[count, LEAST] = 1.0, known[n, turn_trial.MEASURE]
+        there = known[n, turn_trial.MEASURE]
         for k in range(x.shape[0]):
             lines[count, k] = -descent.slopes[n, k]
             there += descent.slopes[n, k] * z[k]

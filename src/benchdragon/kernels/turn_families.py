@@ -7,30 +7,12 @@ those eased by clothoids by Newton's method from there.
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import curve
 from benchdragon.kernels.angles import sincos_of
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.curve import (
-    ARC,
-    CLOTHOID,
-    CLOTHOID_TURN,
-    LINE,
-    MOST_TURN,
-    SPIRAL,
-    FloatArray,
-    clothoid_chord,
-    spiral_angle,
-    spiral_length,
-)
+from benchdragon.kernels.curve import FloatArray, clothoid_chord, spiral_angle, spiral_length
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.route_parts import (
-    FIRST,
-    HAND,
-    LAST,
-    PART_ANGLE,
-    PART_COLUMNS,
-    PART_KIND,
-    SIZE,
-)
+from benchdragon.kernels.route_parts import FIRST, HAND, LAST, PART_ANGLE, PART_COLUMNS, PART_KIND, SIZE
 from benchdragon.kernels.status import TurnStatus
 
 # A piece of a turn, one row of a table: its length, m, and its curvature at both ends, 1/m, left
@@ -99,14 +81,9 @@ def bridge_between(pitch: float, entry_radius: float, exit_radius: float) -> Bri
 
 @entry
 def two_arcs(
-    pitch: float,
-    entry_radius: float,
-    exit_radius: float,
-    ratio: float,
-    ease: float,
-    arcs: Table,
+    pitch: float, entry_radius: float, exit_radius: float, ratio: float, ease: float, arcs: Table,
     pieces: Table,
-) -> tuple[int, TurnStatus]:
+) -> tuple[int, TurnStatus]:  # fmt: skip
     """Fill `pieces` with the turn of two arcs with radii r1 : r2 = ratio; how many, and the status.
 
     `arcs` is scratch, (ARCS, 2), `pieces` (MOST_PIECES, 3). With `ease` (m) a clothoid of that length
@@ -135,16 +112,9 @@ def two_arcs(
 
 @entry
 def three_pieces(
-    pitch: float,
-    entry_radius: float,
-    exit_radius: float,
-    first_radius: float,
-    bend: float,
-    last_radius: float,
-    ease: float,
-    arcs: Table,
-    pieces: Table,
-) -> tuple[int, TurnStatus]:
+    pitch: float, entry_radius: float, exit_radius: float, first_radius: float, bend: float,
+    last_radius: float, ease: float, arcs: Table, pieces: Table,
+) -> tuple[int, TurnStatus]:  # fmt: skip
     """Fill `pieces` with the turn of an arc to the right, a line or arc, and an arc to the left.
 
     `bend` is the curvature of what lies between, 1/m, left positive; all else is as in `two_arcs`.
@@ -330,9 +300,9 @@ def missed(
     for n in range(lay_pieces(easing, ratio, arcs, pieces)):
         length, start, end = pieces[n, PIECE_LENGTH], pieces[n, PIECE_START], pieces[n, PIECE_END]
         turn = max(abs(start), abs(end)) * abs(length)
-        if not turn < MOST_TURN:
+        if not turn < curve.MOST_TURN:
             return math.nan, math.nan, math.nan
-        cuts = max(1, math.ceil(turn / CLOTHOID_TURN))
+        cuts = max(1, math.ceil(turn / curve.CLOTHOID_TURN))
         cut = length / cuts
         for i in range(cuts):
             bend = start + (end - start) * i / cuts
@@ -347,14 +317,9 @@ def missed(
 
 @entry
 def turn_parts(
-    pitch: float,
-    entry_radius: float,
-    exit_radius: float,
-    lead: float,
-    trail: float,
-    pieces: Table,
+    pitch: float, entry_radius: float, exit_radius: float, lead: float, trail: float, pieces: Table,
     parts: Table,
-) -> None:
+) -> None:  # fmt: skip
     """Fill the parts of a route, two more than pieces: a spiral in, the pieces, a spiral out.
 
     The spirals are `lead` and `trail` metres long. The pieces are not yet in place: `lay_rows` moves
@@ -369,14 +334,14 @@ def turn_parts(
     set_spiral(parts, last, pitch, math.pi, exit_radius / k, theta_after(k, exit_radius / k, trail))
     for n in range(last - 1):
         length, start, end = pieces[n, PIECE_LENGTH], pieces[n, PIECE_START], pieces[n, PIECE_END]
-        parts[n + 1, PART_KIND] = LINE
+        parts[n + 1, PART_KIND] = curve.LINE
         parts[n + 1, SIZE] = length
         if start != end:
-            parts[n + 1, PART_KIND] = CLOTHOID
+            parts[n + 1, PART_KIND] = curve.CLOTHOID
             parts[n + 1, FIRST] = start
             parts[n + 1, LAST] = end
         elif start != 0.0:
-            parts[n + 1, PART_KIND] = ARC
+            parts[n + 1, PART_KIND] = curve.ARC
             parts[n + 1, SIZE] = 1.0 / abs(start)
             parts[n + 1, FIRST] = length * start
 
@@ -386,7 +351,7 @@ def set_spiral(
     parts: FloatArray, i: int, pitch: float, rotation: float, first: float, last: float
 ) -> None:
     """Let part i be a spiral about the origin between these angles, rad."""
-    parts[i, PART_KIND] = SPIRAL
+    parts[i, PART_KIND] = curve.SPIRAL
     parts[i, PART_ANGLE] = rotation
     parts[i, SIZE] = pitch
     parts[i, FIRST] = first

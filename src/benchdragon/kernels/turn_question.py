@@ -8,68 +8,19 @@ where that ends. Given a point, it goes downhill from there alone.
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import memory, turn_descent, turn_trial
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.curve import COLUMNS as ROUTE_COLUMNS
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.memory import (
-    ADDRESS,
-    HEADER,
-    OWNED,
-    copy_row,
-    copy_table,
-    floats_at,
-    group_at,
-    integers_at,
-    lay_from,
-    lay_row,
-    lay_table,
-    new_block,
-    recall,
-    release_block,
-    remember,
-    slot_count,
-    take,
-)
 from benchdragon.kernels.own_room import lay_placements
 from benchdragon.kernels.question import CLOSED, MORE, SPENT
 from benchdragon.kernels.question import TOLD as OWN
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.route_parts import PART_COLUMNS
-from benchdragon.kernels.turn_descent import (
-    COLUMNS,
-    EXCESS,
-    KNOWN,
-    LINE,
-    MERIT,
-    MOST_LINES,
-    STATE,
-    Descent,
-    begin_at,
-    descend,
-)
+from benchdragon.kernels.turn_descent import Descent, begin_at, descend
 from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
-from benchdragon.kernels.turn_trial import (
-    COUNTS,
-    FEW,
-    KIND,
-    KINDS,
-    MOST_KEPT,
-    MOST_NOTED,
-    MOST_ROWS,
-    PEAK,
-    PLACED,
-    RATES,
-    SLOTS,
-    TOLD,
-    UNKNOWNS,
-    VALUE,
-    Trial,
-    exceeding,
-    figures_of,
-    greatest,
-    look,
-)
+from benchdragon.kernels.turn_trial import Trial, exceeding, figures_of, greatest, look
 
 # Points that are strewn for each unknown with a range, the best of them that are gone on from, how far
 # apart those are, as a share of ranges, and what a limit counts that is exceeded by all of itself.
@@ -99,48 +50,48 @@ class Asked(NamedTuple):
     figures: Vector
 
 
-BASE, END_SLOT = 8 * HEADER, HEADER + slot_count(Asked)
+BASE, END_SLOT = 8 * memory.HEADER, memory.HEADER + memory.slot_count(Asked)
 
 
 @kernel
 def lay_asked(slots: IntArray, address: int, x: int, benches: int, boxes: int, obstacles: int) -> int:
     """Lay all of a question from an address on; the bytes that takes."""
-    few = min(FEW, benches)
-    lay_from(slots, HEADER, address)
-    lay_row(slots, TOLD)
-    lay_row(slots, x)
-    lay_row(slots, x)
-    lay_row(slots, KINDS)
-    lay_table(slots, 4, benches)
-    lay_row(slots, benches)
-    lay_table(slots, boxes, BOX_COLUMNS)
-    lay_row(slots, obstacles + 1)
-    lay_table(slots, obstacles, 2)
-    lay_table(slots, ARCS, 2)
-    lay_table(slots, MOST_PIECES, 3)
-    lay_table(slots, MOST_PIECES + 2, PART_COLUMNS)
-    lay_table(slots, MOST_ROWS, ROUTE_COLUMNS)
-    lay_row(slots, SLOTS)
-    lay_placements(slots, few + 1, SLOTS)
-    lay_table(slots, benches + 1, SLOTS)
-    lay_table(slots, benches + 1, SLOTS)
+    few = min(turn_trial.FEW, benches)
+    memory.lay_from(slots, memory.HEADER, address)
+    memory.lay_row(slots, turn_trial.TOLD)
+    memory.lay_row(slots, x)
+    memory.lay_row(slots, x)
+    memory.lay_row(slots, turn_trial.KINDS)
+    memory.lay_table(slots, 4, benches)
+    memory.lay_row(slots, benches)
+    memory.lay_table(slots, boxes, BOX_COLUMNS)
+    memory.lay_row(slots, obstacles + 1)
+    memory.lay_table(slots, obstacles, 2)
+    memory.lay_table(slots, ARCS, 2)
+    memory.lay_table(slots, MOST_PIECES, 3)
+    memory.lay_table(slots, MOST_PIECES + 2, PART_COLUMNS)
+    memory.lay_table(slots, turn_trial.MOST_ROWS, ROUTE_COLUMNS)
+    memory.lay_row(slots, turn_trial.SLOTS)
+    lay_placements(slots, few + 1, turn_trial.SLOTS)
+    memory.lay_table(slots, benches + 1, turn_trial.SLOTS)
+    memory.lay_table(slots, benches + 1, turn_trial.SLOTS)
     lay_placements(slots, benches + 1, 1)
-    lay_table(slots, 2, BOX_COLUMNS)
-    lay_table(slots, 2 * RATES, few + 1)
-    lay_row(slots, 2)
-    lay_table(slots, MOST_NOTED, PEAK)
-    lay_row(slots, COUNTS)
-    lay_row(slots, x)
-    lay_row(slots, x)
-    lay_row(slots, COLUMNS)
-    lay_table(slots, MOST_KEPT, PEAK)
-    lay_table(slots, MOST_KEPT, UNKNOWNS)
-    lay_table(slots, MOST_LINES, LINE)
-    lay_table(slots, COLUMNS, COLUMNS + 1)
-    lay_row(slots, STATE)
-    lay_table(slots, STARTS, UNKNOWNS + 1)
-    lay_row(slots, FIGURES)
-    return slots[ADDRESS] - address
+    memory.lay_table(slots, 2, BOX_COLUMNS)
+    memory.lay_table(slots, 2 * turn_trial.RATES, few + 1)
+    memory.lay_row(slots, 2)
+    memory.lay_table(slots, turn_trial.MOST_NOTED, turn_trial.PEAK)
+    memory.lay_row(slots, turn_trial.COUNTS)
+    memory.lay_row(slots, x)
+    memory.lay_row(slots, x)
+    memory.lay_row(slots, turn_descent.COLUMNS)
+    memory.lay_table(slots, turn_trial.MOST_KEPT, turn_trial.PEAK)
+    memory.lay_table(slots, turn_trial.MOST_KEPT, turn_trial.UNKNOWNS)
+    memory.lay_table(slots, turn_descent.MOST_LINES, turn_descent.LINE)
+    memory.lay_table(slots, turn_descent.COLUMNS, turn_descent.COLUMNS + 1)
+    memory.lay_row(slots, turn_descent.STATE)
+    memory.lay_table(slots, STARTS, turn_trial.UNKNOWNS + 1)
+    memory.lay_row(slots, FIGURES)
+    return slots[memory.ADDRESS] - address
 
 
 @entry
@@ -154,31 +105,31 @@ def open_turn(
     `standing` has the boxes of all obstacles, border[o] the first of each and last their number, `keep`
     (obstacles, 2) what benches keep from each, m, and 1 if its inside is forbidden, -1 if its outside.
     """
-    block = new_block(END_SLOT - HEADER)
+    block = memory.new_block(END_SLOT - memory.HEADER)
     if block == 0:
         return 0
-    slots, x, benches = integers_at(block, END_SLOT), low.shape[0], links.shape[0]
+    slots, x, benches = memory.integers_at(block, END_SLOT), low.shape[0], links.shape[0]
     boxes, obstacles = standing.shape[0], keep.shape[0]
     size = lay_asked(slots, 0, x, benches, boxes, obstacles)
-    if take(slots, 0, size):
-        address = slots[OWNED]
+    if memory.take(slots, 0, size):
+        address = slots[memory.OWNED]
         lay_asked(slots, address, x, benches, boxes, obstacles)
-        everything = floats_at(address, size // 8)
+        everything = memory.floats_at(address, size // 8)
         for n in range(size // 8):
             everything[n] = 0.0
-        trial = group_at(Asked, block + BASE).trial
-        copy_row(trial.told, told)
-        copy_row(trial.low, low)
-        copy_row(trial.high, high)
-        copy_table(trial.sizes, sizes)
-        copy_row(trial.links, links)
-        copy_table(trial.standing, standing)
-        copy_row(trial.border, border)
-        copy_table(trial.keep, keep)
-        handle = remember(block)
+        trial = memory.group_at(Asked, block + BASE).trial
+        memory.copy_row(trial.told, told)
+        memory.copy_row(trial.low, low)
+        memory.copy_row(trial.high, high)
+        memory.copy_table(trial.sizes, sizes)
+        memory.copy_row(trial.links, links)
+        memory.copy_table(trial.standing, standing)
+        memory.copy_row(trial.border, border)
+        memory.copy_table(trial.keep, keep)
+        handle = memory.remember(block)
         if handle:
             return handle
-    release_block(block)
+    memory.release_block(block)
     return 0
 
 
@@ -188,34 +139,34 @@ def seek_turn(handle: int, what: int, x: Vector, factors: Vector) -> bool:
 
     True figures are `factors`, (turn_trial.KINDS,), times what is seen, distances so many m less.
     """
-    block = recall(handle)
+    block = memory.recall(handle)
     if block == 0:
         return False
-    asked = group_at(Asked, block + BASE)
-    copy_row(asked.trial.factors, factors)
-    copy_row(asked.descent.x, x)
+    asked = memory.group_at(Asked, block + BASE)
+    memory.copy_row(asked.trial.factors, factors)
+    memory.copy_row(asked.descent.x, x)
     asked.figures[NUMBER], asked.figures[SHARE] = 0.0, 0.0
     asked.figures[DOING] = STREWING if what == ALL else CLOSELY
     for n in range(STARTS):
-        asked.starts[n, UNKNOWNS] = math.inf
+        asked.starts[n, turn_trial.UNKNOWNS] = math.inf
     return True
 
 
 @entry
 def step_turn(handle: int, left: float) -> int:
     """Go on for some hundredths of a second, or `left` handles: MORE, DONE, or CLOSED."""
-    block = recall(handle)
+    block = memory.recall(handle)
     if block == 0:
         return CLOSED
-    asked = group_at(Asked, block + BASE)
+    asked = memory.group_at(Asked, block + BASE)
     figures, counts = asked.figures, asked.trial.counts
-    counts[PLACED] = 0
-    while counts[PLACED] < min(WORK, left) and figures[DOING] != ENDED:
+    counts[turn_trial.PLACED] = 0
+    while counts[turn_trial.PLACED] < min(WORK, left) and figures[DOING] != ENDED:
         if figures[DOING] == STREWING:
             strew(asked)
         else:
             go_down(asked)
-    figures[SPENT] = counts[PLACED]
+    figures[SPENT] = counts[turn_trial.PLACED]
     return DONE if figures[DOING] == ENDED else MORE
 
 
@@ -225,21 +176,21 @@ def read_turn(handle: int, figures: Vector, x: Vector, seen: Vector) -> bool:
 
     What is not seen is NaN. False if there is no such question.
     """
-    block = recall(handle)
+    block = memory.recall(handle)
     if block == 0:
         return False
-    asked = group_at(Asked, block + BASE)
-    copy_row(figures, asked.figures)
-    copy_row(x, asked.descent.x)
-    for kind in range(KINDS):
+    asked = memory.group_at(Asked, block + BASE)
+    memory.copy_row(figures, asked.figures)
+    memory.copy_row(x, asked.descent.x)
+    for kind in range(turn_trial.KINDS):
         seen[kind] = math.nan
     if asked.figures[DOING] == ENDED and asked.figures[EXCEEDS] < math.inf:
         figures_of(asked.trial, x, seen)
         peaks = asked.descent.known
-        for n in range(int(asked.descent.state[KNOWN])):
-            kind = int(peaks[n, KIND])
-            if not seen[kind] >= peaks[n, VALUE]:
-                seen[kind] = peaks[n, VALUE]
+        for n in range(int(asked.descent.state[turn_descent.KNOWN])):
+            kind = int(peaks[n, turn_trial.KIND])
+            if not seen[kind] >= peaks[n, turn_trial.VALUE]:
+                seen[kind] = peaks[n, turn_trial.VALUE]
     return True
 
 
@@ -249,11 +200,11 @@ def judge_turn(handle: int, exact: Vector, exceeds: Vector) -> bool:
 
     NaN where a figure is. False if there is no such question.
     """
-    block = recall(handle)
+    block = memory.recall(handle)
     if block == 0:
         return False
-    for kind in range(KINDS):
-        exceeds[kind] = exceeding(group_at(Asked, block + BASE).trial, kind, exact[kind])
+    for kind in range(turn_trial.KINDS):
+        exceeds[kind] = exceeding(memory.group_at(Asked, block + BASE).trial, kind, exact[kind])
     return True
 
 
@@ -299,15 +250,15 @@ def enlist(asked: Asked, worth: float) -> None:
         for k in range(unknowns):
             width = max(trial.high[k] - trial.low[k], 1e-9)
             apart = max(apart, abs(starts[n, k] - x[k]) / width)
-        if apart < APART and starts[n, UNKNOWNS] < math.inf:
-            if starts[n, UNKNOWNS] <= worth:
+        if apart < APART and starts[n, turn_trial.UNKNOWNS] < math.inf:
+            if starts[n, turn_trial.UNKNOWNS] <= worth:
                 return
             place = n
             break
-    if worth < starts[place, UNKNOWNS]:
+    if worth < starts[place, turn_trial.UNKNOWNS]:
         for k in range(unknowns):
             starts[place, k] = x[k]
-        starts[place, UNKNOWNS] = worth
+        starts[place, turn_trial.UNKNOWNS] = worth
         sort_starts(starts)
 
 
@@ -316,8 +267,8 @@ def sort_starts(starts: Table) -> None:
     """Let the best start be the first."""
     for n in range(1, STARTS):
         for m in range(n, 0, -1):
-            if starts[m, UNKNOWNS] < starts[m - 1, UNKNOWNS]:
-                for k in range(UNKNOWNS + 1):
+            if starts[m, turn_trial.UNKNOWNS] < starts[m - 1, turn_trial.UNKNOWNS]:
+                for k in range(turn_trial.UNKNOWNS + 1):
                     starts[m, k], starts[m - 1, k] = starts[m - 1, k], starts[m, k]
 
 
@@ -326,15 +277,13 @@ def go_down(asked: Asked) -> None:
     """Go one step downhill; at the end of a way to the next start, or to a closer look."""
     figures, descent, trial, starts = asked.figures, asked.descent, asked.trial, asked.starts
     fine = 1 if figures[DOING] == CLOSELY else 0
-    start, steps = (
-        int(figures[NUMBER]) // (MOST_STEPS[1] + 2),
-        int(figures[NUMBER]) % (MOST_STEPS[1] + 2),
-    )
+    start = int(figures[NUMBER]) // (MOST_STEPS[1] + 2)
+    steps = int(figures[NUMBER]) % (MOST_STEPS[1] + 2)
     figures[TRIED] += 1.0
     figures[NUMBER] += 1.0
     if steps == 0:
-        descent.state[MERIT] = math.inf
-        if fine == 0 and not starts[start, UNKNOWNS] < math.inf:
+        descent.state[turn_descent.MERIT] = math.inf
+        if fine == 0 and not starts[start, turn_trial.UNKNOWNS] < math.inf:
             return
         if fine == 0:
             for k in range(descent.x.shape[0]):
@@ -345,15 +294,14 @@ def go_down(asked: Asked) -> None:
         return
     if fine == 1:
         figures[DOING], figures[SHARE] = ENDED, 1.0
-        figures[EXCEEDS] = descent.state[EXCESS] if descent.state[MERIT] < math.inf else math.inf
+        worth = descent.state[turn_descent.MERIT]
+        figures[EXCEEDS] = descent.state[turn_descent.EXCESS] if worth < math.inf else math.inf
         return
     for k in range(descent.x.shape[0]):
         starts[start, k] = descent.x[k]
-    starts[start, UNKNOWNS] = descent.state[MERIT]
-    figures[NUMBER], figures[SHARE] = (
-        (start + 1) * (MOST_STEPS[1] + 2),
-        0.5 + 0.4 * (start + 1) / STARTS,
-    )
+    starts[start, turn_trial.UNKNOWNS] = descent.state[turn_descent.MERIT]
+    figures[NUMBER] = (start + 1) * (MOST_STEPS[1] + 2)
+    figures[SHARE] = 0.5 + 0.4 * (start + 1) / STARTS
     if start + 1 == STARTS:
         sort_starts(starts)
         figures[DOING], figures[NUMBER] = CLOSELY, 0.0

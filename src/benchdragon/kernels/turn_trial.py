@@ -8,17 +8,10 @@ peak takes over from another. Only the first benches are looked at: later ones w
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels import box
+from benchdragon.kernels import turn_families as families
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.box import (
-    BOX_COLUMNS,
-    CX,
-    CY,
-    box_distance,
-    half_diagonal,
-    inside,
-    nearest_pair,
-    place_box,
-)
+from benchdragon.kernels.box import box_distance, half_diagonal, inside, nearest_pair, place_box
 from benchdragon.kernels.chain import Placements, rates_in_slot
 from benchdragon.kernels.curve import S_START, FloatArray, curvature, place, spiral_length
 from benchdragon.kernels.drive import SPEEDS, TOTAL, TURNING, value_at
@@ -29,16 +22,7 @@ from benchdragon.kernels.route_parts import Pose, farthest, lay_rows, row_count
 from benchdragon.kernels.standing import centre_distance
 from benchdragon.kernels.status import TurnStatus
 from benchdragon.kernels.step_bounds import place_chain
-from benchdragon.kernels.turn_families import (
-    LOOK,
-    NOTHING,
-    PIECE_END,
-    PIECE_LENGTH,
-    PIECE_START,
-    three_pieces,
-    turn_parts,
-    two_arcs,
-)
+from benchdragon.kernels.turn_families import three_pieces, turn_parts, two_arcs
 
 # What a turn is judged by: drive.SPEEDS to drive.ALONG with the head at 1 m/s, then how near benches
 # come to one another and to obstacles (less than nothing, and less what they must keep, m), how far the
@@ -191,12 +175,12 @@ def shape_figure(trial: Trial, kind: int, n: int) -> float:
     """How piece n bends, or how long the turn laid is, or the whole way."""
     pieces, length = trial.pieces, 0.0
     if kind == BEND:
-        return max(abs(pieces[n, PIECE_START]), abs(pieces[n, PIECE_END]))
+        return max(abs(pieces[n, families.PIECE_START]), abs(pieces[n, families.PIECE_END]))
     for m in range(trial.counts[PIECES]):
-        length += pieces[m, PIECE_LENGTH]
+        length += pieces[m, families.PIECE_LENGTH]
     k, disc = trial.told[PITCH] / (2.0 * math.pi), trial.told[DISC]
     for joint in trial.joints if kind == WAY else trial.joints[:0]:
-        if disc - joint > NOTHING:
+        if disc - joint > families.NOTHING:
             length += spiral_length(k, disc / k) - spiral_length(k, joint / k)
     return length
 
@@ -235,10 +219,10 @@ def distance_beside(trial: Trial, obstacle: int) -> float:
     """How near the bench in `boxes` is to the boxes of an obstacle, m; minus that on the wrong side."""
     boxes, least = trial.boxes, math.inf
     first, last = trial.border[obstacle], trial.border[obstacle + 1]
-    x, y, around = boxes[0, CX], boxes[0, CY], half_diagonal(boxes, 0)
+    x, y, around = boxes[0, box.CX], boxes[0, box.CY], half_diagonal(boxes, 0)
     for n in range(first, last):
         if centre_distance(trial.standing, n, x, y) - around < least:
-            for k in range(BOX_COLUMNS):
+            for k in range(box.BOX_COLUMNS):
                 boxes[1, k] = trial.standing[n, k]
             least = min(least, box_distance(boxes, 0, 1))
     side = trial.keep[obstacle, 1]
@@ -366,15 +350,9 @@ def note_rates(trial: Trial, rows: FloatArray, t: int, before: float) -> None:
 
 @kernel
 def look_along(
-    trial: Trial,
-    rows: FloatArray,
-    kind: int,
-    one: int,
-    two: int,
-    first: float,
-    last: float,
+    trial: Trial, rows: FloatArray, kind: int, one: int, two: int, first: float, last: float,
     step: float,
-) -> float:
+) -> float:  # fmt: skip
     """Note peaks of a figure from first to last, m; the greatest that is seen."""
     count, before, value, at, i, j = looks(first, last, step), -math.inf, -math.inf, first, one, two
     most = -math.inf
@@ -454,7 +432,7 @@ def figures_of(trial: Trial, x: FloatArray, seen: FloatArray) -> None:
         for n in range(trial.counts[PIECES]):
             seen[BEND] = max(seen[BEND], shape_figure(trial, BEND, n))
         seen[LONG], seen[WAY] = shape_figure(trial, LONG, 0), shape_figure(trial, WAY, 0)
-        seen[REACH] = farthest(rows, first, last, LOOK)
+        seen[REACH] = farthest(rows, first, last, families.LOOK)
         seen[APART] = look_apart(trial, rows)
 
 

@@ -4,47 +4,15 @@ For dragons whose handles keep to the route. A call ends when something is found
 clear to its end, when more room is wanted, or to let others work: it is then called again.
 """
 
+from benchdragon.kernels import search as steps
 from benchdragon.kernels.arrays import Vector
 from benchdragon.kernels.cells import BORDERS, ENTRIES
-from benchdragon.kernels.course import (
-    CHAINS,
-    PAIRS,
-    PLACED,
-    STEP_END,
-    STEP_START,
-    Course,
-    Room,
-    Walk,
-)
+from benchdragon.kernels.course import CHAINS, PAIRS, PLACED, STEP_END, STEP_START, Course, Room, Walk
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import UNIT
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.meetings import (
-    DONE,
-    LONG_STRIDE,
-    NARROW,
-    SHORT_STRIDE,
-    STEP,
-    WAIT,
-    next_step,
-)
+from benchdragon.kernels.meetings import DONE, LONG_STRIDE, NARROW, SHORT_STRIDE, STEP, WAIT, next_step
 from benchdragon.kernels.question import MORE
-from benchdragon.kernels.search import (
-    CLEAR,
-    EVALUATIONS,
-    FIRST_TOUCH,
-    FOUND,
-    PAIR,
-    UPPER,
-    Chain,
-    Limits,
-    Pairs,
-    Search,
-    bisect,
-    box_slot,
-    number_members,
-    open_step,
-)
 
 # How a call ended, besides MORE and the ways of kernels/search.py. CLEAR is that of the whole walk.
 CROWDED = 9  # likewise, with the room that its counts say
@@ -70,23 +38,23 @@ def work_done(room: Room, benches: int) -> float:
 
 
 @kernel
-def left_end_is_placed(search: Search, course: Course, chain: Chain) -> bool:
+def left_end_is_placed(search: steps.Search, course: Course, chain: steps.Chain) -> bool:
     """Box the members at the left end of the step, if the chain stands there from the step before."""
     start = course.way[STEP_START]
     if course.tally[PLACED] < chain.links.shape[0] + 1 or search.at[0] != start:
         return False
-    box_slot(chain, search, 0)
+    steps.box_slot(chain, search, 0)
     return True
 
 
 @kernel
-def search_open_step(walk: Walk, room: Room, goal: int, limits: Limits, note: FloatArray) -> int:
+def search_open_step(walk: Walk, room: Room, goal: int, limits: steps.Limits, note: FloatArray) -> int:
     """Search the rest of the step at hand; how that ended, or CROWDED."""
     search, course, meeting = room.search, room.course, room.meeting
     way, tally, count = course.way, course.tally, course.tally[PAIRS]
     first, second = meeting.first[:count], meeting.second[:count]
     mine, other, members = meeting.mine[:count], meeting.other[:count], meeting.members
-    found = number_members(first, second, members, meeting.place, mine, other)
+    found = steps.number_members(first, second, members, meeting.place, mine, other)
     handles, start = members[found - 1] + 2, way[STEP_START]
     # As many as in the step before, if not far more: then the left end need not be placed anew.
     if search.at[0] == start and handles <= tally[PLACED] <= 2 * handles:
@@ -100,50 +68,44 @@ def search_open_step(walk: Walk, room: Room, goal: int, limits: Limits, note: Fl
         return CROWDED
     benches, aside, links = walk.benches, note[:0], walk.benches.links[: handles - 1]
     seams, still = room.ground.seams, search.boxes[:0]
-    chain = Chain(walk.rows, links, aside, benches.sizes, members[:found], still, seams)
+    chain = steps.Chain(walk.rows, links, aside, benches.sizes, members[:found], still, seams)
     ready = 1 if left_end_is_placed(search, course, chain) else 0
-    top = open_step(search, count, start, way[STEP_END])
-    before, note[PAIR] = note[PAIR], -1.0
-    ending = bisect(search, goal, chain, Pairs(mine, other), top, ready, limits, note)
+    top = steps.open_step(search, count, start, way[STEP_END])
+    before, note[steps.PAIR] = note[steps.PAIR], -1.0
+    ending = steps.bisect(search, goal, chain, steps.Pairs(mine, other), top, ready, limits, note)
     tally[PLACED] = handles
-    p = int(note[PAIR])
-    note[PAIR] = before if p < 0 else float(first[p] * benches.kind.shape[0] + second[p])
-    way[STEP_START] = way[STEP_END] if ending == CLEAR else note[UPPER]
+    p = int(note[steps.PAIR])
+    note[steps.PAIR] = before if p < 0 else float(first[p] * benches.kind.shape[0] + second[p])
+    way[STEP_START] = way[STEP_END] if ending == steps.CLEAR else note[steps.UPPER]
     return ending
 
 
 @entry
 def search_walk(
-    walk: Walk,
-    room: Room,
-    goal: int,
-    margin: float,
-    slack: float,
-    width: float,
-    most: int,
+    walk: Walk, room: Room, goal: int, margin: float, slack: float, width: float, most: int,
     note: Vector,
-) -> int:
+) -> int:  # fmt: skip
     """Search a walk on from where its course stands, for `goal`; how that ended.
 
     After FOUND or GRAZE the step goes on at note[UPPER]. note[PAIR] becomes the first bench times
     their number plus the second, from 0; the rest of `note` is that of `search.bisect`. For SEEK each
     step is FOUND in which pairs may come within reach.
     """
-    way, tally, spent = room.course.way, room.course.tally, note[EVALUATIONS]
+    way, tally, spent = room.course.way, room.course.tally, note[steps.EVALUATIONS]
     while True:
         while goal != SEEK and way[STEP_START] < way[STEP_END] and tally[PAIRS]:
-            placed = (note[EVALUATIONS] - spent) * tally[PLACED]
+            placed = (note[steps.EVALUATIONS] - spent) * tally[PLACED]
             if placed >= HANDLES_A_CALL:
                 return MORE
             narrow = max(width, WIDTH_ROUNDINGS * UNIT * way[STEP_END])
-            limits = Limits(margin, slack, narrow, most)
+            limits = steps.Limits(margin, slack, narrow, most)
             ending = search_open_step(walk, room, goal, limits, note)
-            if ending != CLEAR:
+            if ending != steps.CLEAR:
                 return ending
-        ending = next_step(walk, room, SHORT_STRIDE if goal == FIRST_TOUCH else LONG_STRIDE)
+        ending = next_step(walk, room, SHORT_STRIDE if goal == steps.FIRST_TOUCH else LONG_STRIDE)
         if ending == DONE:
-            return CLEAR
+            return steps.CLEAR
         if ending != STEP:
             return MORE if ending == WAIT else CROWDED if ending == NARROW else ASTRAY
         if goal == SEEK:
-            return FOUND
+            return steps.FOUND

@@ -439,15 +439,7 @@ export const MODEL_PROFILE = { MOST_SPEED: 100 };
 
 export const MODEL_WALK = { MOST_PLACES: 50000000, SLICE_PLACES: 1000000 };
 
-export const NUMBER_FORMAT = {
-  FIGURES: 5,
-  TIME_DECIMALS: 2,
-  DECIMALS: 3,
-  SMALL_DECIMALS: 6,
-  MOST_DECIMALS: 15,
-  DUST: 1e-6,
-  BESIDE: 1e-9,
-};
+export const NUMBER_FORMAT = { FIGURES: 5 };
 
 export const PLANS_CUES = { PRUDENCE: 1e-9, END_SLACK: 1e-6 };
 
