@@ -106,7 +106,8 @@ def test_patterns_match_the_same() -> None:
 
 @pytest.mark.parametrize(
     "code",
-    ["import os", "with open(x) as y: pass", "for n in x: pass\nelse: pass", "lambda *a: a", "f(**x)",
+    ["import os", "with open(x) as y: pass", "with open(x): pass",
+     "for n in x: pass\nelse: pass", "lambda *a: a", "f(**x)",
      "x.rjust(2)",
      "x[::2]", "*a, b = x", "x @ y",
      "async def f(): pass", 're.sub(x, "", y)', '"{}".format(1)', "f(b=1)"],
@@ -116,6 +117,25 @@ def test_what_is_not_translated_is_an_error(code: str) -> None:
         Code(lambda _name: None, lambda _name: None, lambda pattern, _flags: pattern).block(
             ast.parse(code).body
         )
+
+
+@pytest.mark.parametrize(
+    "code",
+    ["def f(x):\n return [wait(one) for one in x]", "f = lambda: wait(1)", "wait(1)",
+     "def f():\n return Plain(a=1)", "def f():\n return Plain(a=1, b=2, c=3)"],
+)  # fmt: skip
+def test_nothing_waits_where_it_cannot_and_no_record_lacks_a_key(code: str) -> None:
+    said = Code(
+        lambda _name: None, lambda _name: None, lambda pattern, _flags: pattern,
+        plain=lambda name: {"a": (None, ""), "b": (None, "")} if name == "Plain" else None,
+        waits=lambda name: "given" if name == "wait" else "",
+    )  # fmt: skip
+    with pytest.raises(UntranslatableError):
+        said.block(ast.parse(code).body)
+    sound = "def f(x):\n return Plain(b=wait(x, y=1), a=0)"
+    there = said.block(ast.parse(sound).body)
+    assert "async function f(x)" in there
+    assert "({ a: 0, b: (await wait(x, { y: 1 })) })" in there
 
 
 @pytest.mark.parametrize(

@@ -30,7 +30,7 @@ FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
 # Of which modules pages are given what: the file, and the names that are asked for.
 TWINS = {
     "analysis.beats": ("beats", "score_of"),
-    "analysis.check": ("verdict_text", "in_one_coil", "peak_text", "sentence"),
+    "analysis.check": ("check", "checked", "in_one_coil", "peak_text", "sentence"),
     "analysis.clock": ("clock", "Clock"),
     "analysis.findings": (
         "findings", "Finding", "all_findings", "named", "shown_name", "touch_text",
@@ -38,9 +38,9 @@ TWINS = {
     "analysis.ground": ("ground", "Ground"),
     "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),
     "analysis.not_looked_at": ("not_looked_at", "not_looked_at"),
-    "analysis.records": ("records", "answer_of", "answer_or_none", "bracketed", "verdict_of"),
+    "analysis.records": ("records", "answer_of", "answer_or_none", "verdict_of"),
     "analysis.room": ("room_levels", "ASKED", "Asked", "RoomLevel", "levels_asked", "shown_name"),
-    "analysis.speed": ("quantities", "QUANTITIES"),
+    "analysis.speed": ("quantities", "QUANTITIES", "Quantity", "given_limits"),
     "analysis.unfinished": ("unfinished", "Unfinished"),
     "explain.bench_text": (
         "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
@@ -49,6 +49,7 @@ TWINS = {
     "model.numbering": ("numbering", "handle_words"),
     "number_format": ("number_format", "at_most", "finite_or_none", "known", "seconds"),
     "player.occasions": ("occasions", "occasion", "occasions_found", "tighten"),
+    "progress": ("stages", "part", "stages"),
     "plans.idle": ("idle", "drop", "drop_replaced", "idle_keys"),
     "plans.people": ("people", "called", "village"),
     "rosters.names": ("roster_names", "like_two"),
@@ -69,6 +70,18 @@ OWN = {
 }  # fmt: skip
 # What single functions of the page do otherwise.
 GIVEN = {
+    "analysis.contact.first_sure_contact": "../compute/contact.js",
+    "analysis.contact.least_clearance": "../compute/contact.js",
+    "analysis.contact.seen_clearance": "../compute/contact.js",
+    "analysis.left_open.speed_at_start": "../compute/left_open.js",
+    "analysis.left_open.told_if_open": "../compute/left_open.js",
+    "analysis.obstacles.obstacle_answers": "../compute/obstacles.js",
+    "analysis.records.bracketed": "../compute/answer.js",
+    "analysis.room.room_levels": "../compute/room.js",
+    "analysis.speed.greatest": "../compute/speed.js",
+    "analysis.speed.greatest_speed": "../compute/speed.js",
+    "analysis.stops.stops_of": "../compute/stops.js",
+    "analysis.unfinished.unfinished": "../compute/walk_facts.js",
     "rosters.grid._cells": "../compute/roster_text.js",
     "decoding.readings": "../compute/roster_text.js",
     "analysis.findings.extent": "../compute/walk_facts.js",
@@ -80,6 +93,14 @@ GIVEN = {
     "number_format.decimals": "../compute/number_format.js",
     "number_format.figures": "../compute/number_format.js",
 }
+# Functions of pages that give way between their steps: they take what is said by name as one object.
+WAITING = {
+    "analysis.contact.first_sure_contact", "analysis.contact.least_clearance",
+    "analysis.contact.seen_clearance", "analysis.obstacles.obstacle_answers",
+    "analysis.room.room_levels", "analysis.speed.greatest", "analysis.speed.greatest_speed",
+}  # fmt: skip
+# Functions of pages in place of context managers: they give what takes errors.
+AROUND = {"analysis.left_open.told_if_open"}
 # Methods of records that pages have as plain data are functions there: their modules, what they take.
 AS_FUNCTIONS = {
     "keeps": ("model.answer", ("limit",)),
@@ -166,7 +187,7 @@ class Twin:
     @cached_property
     def code(self) -> Code:
         """What translates it."""
-        return Code(self.parameters, self.use, self.hoist, self.function_for, self.plain)
+        return Code(self.parameters, self.use, self.hoist, self.function_for, self.plain, self.waits)
 
     def use(self, name: str) -> None:
         """Have a name, of this module or taken from another."""
@@ -236,6 +257,15 @@ class Twin:
             self.imports.setdefault(f"./{TWINS[module][0]}.js", set()).add(method)
         return parameters
 
+    def waits(self, name: str) -> str:
+        """How a function gives way: "given" by hand, or "made"; "around" if it is around others."""
+        module, there = self.origins.get(name, (self.name, name))
+        if f"{module}.{there}" in AROUND:
+            return "around"
+        if f"{module}.{there}" in WAITING:
+            return "given"
+        return "made" if module in self.all and there in self.all[module].code.waiting else ""
+
     def plain(self, name: str) -> dict[str, tuple[str | None, str]] | None:
         """The keys of records that are plain data, what each holds by default, and what changes it."""
         kind = getattr(self.module, name, None)
@@ -304,7 +334,7 @@ class Twin:
             ("export " if name in self.shared else "") + self.wanted[name]
             for name in dict.fromkeys(order)
         ]
-        kinds = ("class ", "const ", "function")
+        kinds = ("class ", "const ", "function", "async ")
         own = [one for kind in kinds for one in said if one.removeprefix("export ").startswith(kind)]
         head = HEADER.format(name=f"{self.name.replace('.', '/')}.py")
         return "\n".join([head, *lines, "", *indented("\n".join(own)), ""])

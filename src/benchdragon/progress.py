@@ -7,6 +7,8 @@ and never less than before, and what is being done; an empty text leaves that as
 from collections.abc import Callable
 
 Progress = Callable[[float, str], None]
+# Begins the next stage, which is called so: its progress.
+Stage = Callable[[str], Progress]
 
 
 def silent(_share: float, _text: str) -> None:
@@ -25,15 +27,15 @@ def part(progress: Progress, start: float, end: float, text: str = "") -> Progre
     return told
 
 
-class Stages:
+def stages(progress: Progress, count: int) -> Stage:
     """Work in so many stages, one after another, each taken to last as long as the others."""
+    done = 0
 
-    def __init__(self, progress: Progress, count: int) -> None:
-        self._progress, self._count, self._done = progress, count, 0
-
-    def __call__(self, text: str) -> Progress:
-        """Begin the next stage: its progress."""
-        stage = part(self._progress, self._done / self._count, (self._done + 1) / self._count, text)
-        self._done += 1
+    def begun(text: str) -> Progress:
+        nonlocal done
+        stage = part(progress, done / count, (done + 1) / count, text)
+        done += 1
         stage(0.0, "")
         return stage
+
+    return begun

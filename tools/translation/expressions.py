@@ -39,6 +39,8 @@ class Expressions:
         function_for: what the function takes that stands for a method of that name; None if none does.
         plain: of records that are plain data the keys, with what each holds by default, and a function
             that changes what is said; None of any other.
+        waits: whether a function gives way between its steps: "given" by hand, which takes an object of
+            options for what is said by name, "made", or "".
     """
 
     parameters: Callable[[str], Sequence[str] | None]
@@ -46,9 +48,13 @@ class Expressions:
     hoist: Callable[[str, int], str]
     function_for: Callable[[str], Sequence[str] | None] = lambda _method: None
     plain: Callable[[str], dict[str, tuple[str | None, str]] | None] = lambda _name: None
+    waits: Callable[[str], str] = lambda _name: ""
     scopes: list[set[str]] = field(default_factory=list)
     me: list[str] = field(default_factory=list)
     record_name: str = ""
+    # Whether each function on the way in waits, None within expressions that cannot; and their names.
+    waited: list[bool | None] = field(default_factory=list)
+    waiting: set[str] = field(default_factory=set)
 
     def pattern(self, target: ast.expr) -> str:
         """What is assigned to."""
@@ -238,12 +244,11 @@ class Expressions:
 
     def _of_lambda(self, node: ast.Lambda) -> str:
         self.scopes.append({one.arg for one in arguments_of(node.args)})
-        said = f"({self.taken(node.args)}) => {self._arrow(node.body)}"
+        self.waited.append(None)
+        said = f"({self.taken(node.args)}) => {self.expr(node.body)}"
+        self.waited.pop()
         self.scopes.pop()
         return said
-
-    def _arrow(self, node: ast.expr) -> str:
-        return self.expr(node)
 
     # Comprehensions
 
@@ -268,9 +273,11 @@ class Expressions:
         first, *others = generators
         over = self.expr(first.iter)
         self.scopes.append(set(_targets(first.target)))
+        self.waited.append(None)
         name = self.pattern(first.target)
         tests = [self.truth(one) for one in first.ifs]
         found = self._comprehended(others, last, how) if others else last()
+        self.waited.pop()
         self.scopes.pop()
         if how:
             glue = " && " if how == "some" else " || !"
@@ -297,6 +304,8 @@ class Expressions:
         return f"{self.expr(node.func)}({self._given(node)})"
 
     def _function_call(self, node: ast.Call, name: str) -> str:
+        if (keys := self.plain(name)) is not None:
+            return self._data(node, keys)
         match name:
             case "any" | "all":
                 return self._whether(node.args[0], "some" if name == "any" else "every")
@@ -315,9 +324,13 @@ class Expressions:
                 return f"py.set_of({self._given(node)})"
             case _ if name in FUNCTIONS:
                 return f"py.{name}({self._given(node, BUILTIN.get(name))})"
-        if (keys := self.plain(name)) is not None:
-            return self._data(node, keys)
+        return self._own_call(node, name)
+
+    def _own_call(self, node: ast.Call, name: str) -> str:
+        """A call of a function, or a record, of this module or taken from another."""
         self.use(name)
+        if how := self.waits(name):
+            return self._awaited(node, name, how)
         made = "new " if name.lstrip("_")[:1].isupper() else ""
         return f"{made}{camel(name)}({self._given(node, self.parameters(name))})"
 
@@ -346,6 +359,16 @@ class Expressions:
         if names is None and attr not in KNOWN:
             raise UntranslatableError(node, f".{attr}: a method of nothing known")
         return f"{self.expr(value)}.{attr}({self._given(node, names)})"
+
+    def _awaited(self, node: ast.Call, name: str, how: str) -> str:
+        """A call that gives way between its steps, as does who calls."""
+        if not self.waited or self.waited[-1] is None:
+            raise UntranslatableError(node, "where nothing can wait")
+        self.waited[-1] = True
+        if how == "made":
+            return f"(await {camel(name)}({self._given(node, self.parameters(name))}))"
+        given = [*map(self.expr, node.args), *([self._object(node.keywords)] if node.keywords else [])]
+        return f"(await {camel(name)}({', '.join(given)}))"
 
     def _data(self, node: ast.Call, keys: dict[str, tuple[str | None, str]]) -> str:
         """A record that is plain data."""

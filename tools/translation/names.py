@@ -25,7 +25,7 @@ METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
-    called moments obstacles
+    called moments obstacle obstacles
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
 # Functions of modules, by their own names.
@@ -35,6 +35,7 @@ OF_MODULES = {
     "math.hypot": "hypot", "math.atan2": "atan2", "math.cos": "cos", "math.sin": "sin",
     "math.degrees": "degrees", "math.remainder": "remainder", "itertools.islice": "islice",
     "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys", "math.radians": "radians",
+    "clock.perf_counter": "perf_counter",
 }  # fmt: skip
 NUMBERS = {"math.inf": "Infinity", "math.pi": "Math.PI", "math.nan": "NaN"}
 # Calls that answer with a truth.

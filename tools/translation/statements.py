@@ -116,6 +116,19 @@ class Code(Expressions):
             self.scopes.pop()
         yield "throw error;\n}"
 
+    def _with(self, node: ast.With) -> Iterator[str]:
+        """What is done under a function of pages that gives one which takes errors, or throws them."""
+        (item,) = node.items
+        call = item.context_expr
+        if item.optional_vars or not (isinstance(call, ast.Call) and isinstance(call.func, ast.Name)):
+            raise UntranslatableError(node, "of more than a call")
+        if self.waits(call.func.id) != "around":
+            raise UntranslatableError(node, "of a function that pages do not have")
+        self.use(call.func.id)
+        given = ", ".join(map(self.expr, call.args))
+        yield f"{{\nconst caught = {camel(call.func.id)}({given});\ntry {{"
+        yield f"{self.block(node.body)}\n}} catch (error) {{\ncaught(error);\n}}\n}}"
+
     def _functiondef(self, node: ast.FunctionDef) -> Iterator[str]:
         yield self.function(node)
 
@@ -134,13 +147,16 @@ class Code(Expressions):
         self.me.append(me)
         parameters = self.taken(node.args, skip=bool(me))
         told = f"let {', '.join(camel(one) for one in sorted(inside))};\n" if inside else ""
+        self.waited.append(False)
         body = self.block(node.body)
+        wait = "async " if self.waited.pop() else ""
+        self.waiting |= {node.name} if wait else set()
         self.me.pop()
         self.scopes.pop()
         star = (
             "*" if any(isinstance(one, ast.Yield | ast.YieldFrom) for one in _within(node.body)) else ""
         )
-        word = f"{star}{head}" if me else f"function{star} {camel(node.name)}"
+        word = f"{wait}{star}{head}" if me else f"{wait}function{star} {camel(node.name)}"
         return f"{word}({parameters}) {{\n{told}{body}\n}}"
 
     def record(self, node: ast.ClassDef) -> str:

@@ -2,8 +2,8 @@
 
 import math
 import time as clock
-from dataclasses import dataclass, replace
-from functools import partial
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -39,7 +39,7 @@ from benchdragon.model.walk import Motion, Walk
 from benchdragon.number_format import seconds
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
-from benchdragon.progress import Progress, Stages, silent
+from benchdragon.progress import Progress, Stage, silent, stages
 
 # Samples of the clearance drawn, those of the last share of the time, where benches come nearest, and
 # seconds shown after a contact.
@@ -126,52 +126,75 @@ def check(plan: Plan, progress: Progress = silent, *, prove: bool = False) -> Re
         UnsureError: if it could not be decided whether it can.
     """
     of_kind("plan", plan, Plan)
-    began = clock.perf_counter()
-    stage = Stages(progress, 6 if levels_asked(plan.people) else 5)
     walk = plan.build()
-    start, end = plan.span(walk)
-    claims: list[Claim] | None = [] if prove else None
-    contact, clearance = _nearness(plan, walk, (start, end), stage, claims)
-    span = start, end if contact is None or contact.witness is None else contact.upper
+    return checked(plan, walk, plan.span(walk), progress, Prover(plan) if prove else None)
+
+
+@dataclass(frozen=True)
+class Prover:
+    """Proves what a check of a plan finds, and keeps what it claims."""
+
+    plan: Plan
+    claims: list[Claim] = field(default_factory=list)
+
+    def contact(self, *given: Any, **named: Any) -> Answer | None:
+        """A first contact: see `prove_contact`."""
+        return prove_contact(*given, **named, claims=self.claims, plan=self.plan)
+
+    def obstacle(
+        self, walk: Walk, answers: ObstacleAnswers, start: float, end: float
+    ) -> ObstacleAnswers:
+        """What was found about an obstacle: see `prove_obstacle`."""
+        return prove_obstacle(walk, answers, start, end, claims=self.claims, plan=self.plan)
+
+
+def checked(
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    progress: Progress = silent,
+    prover: Prover | None = None,
+) -> Report:
+    """The check of the walk that a plan describes, over its span, s: see `check`."""
+    began = clock.perf_counter()
+    (start, end), asked = span, levels_asked(plan.people)
+    stage = stages(progress, 6 if asked else 5)
+    contact, clearance = _nearness(plan, walk, span, stage, prover)
+    until = end if contact is None or contact.witness is None else contact.upper
     left: list[Finding] = []
-    speed = _greatest_speed(plan, walk, span, stage(_("greatest speed")))
-    peaks = _limited_peaks(plan, walk, span, left, stage(_("other limits")))
-    obstacles = _obstacles(plan, walk, span, claims, left, stage(_("obstacles")))
-    asked, room = levels_asked(plan.people), list[RoomLevel]()
+    speed = _greatest_speed(plan, walk, (start, until), stage(_("greatest speed")))
+    peaks = _limited_peaks(plan, walk, (start, until), left, stage(_("other limits")))
+    told = stage(_("obstacles"))
+    obstacles = _obstacles(plan, walk, (start, until), prover, left, told)
+    room: list[RoomLevel] = []
     if asked:
         told = stage(_("room for people"))
         with told_if_open(left, asked[-1]):
-            room += room_levels(plan, walk, (start, end), (contact, obstacles), prove, told)
+            room_levels(plan, walk, span, (contact, obstacles), room, progress=told, prove=bool(prover))
     contacts = [contact, *(answers.contact for answers in obstacles)]
     contacts += [one and one[0] for one in (level.first for level in room)]
+    proved = prover is not None and not left
+    limited = {"speed": speed, **peaks}
+    found = all_findings(plan, walk, (start, until), contact, obstacles, limited, room)
     return Report(
         plan, walk, start, end, contact, clearance, speed, peaks,
-        findings=(
-            *all_findings(
-                plan, walk, span, contact, obstacles, {"speed": speed, **peaks}, room
-            ),
-            *left,
-        ),
+        findings=(*found, *left),
         obstacles=obstacles,
         room=tuple(room),
-        proved=prove and not left and all(one is None or one.status == "proved" for one in contacts),
+        proved=proved and all(one is None or one.status == "proved" for one in contacts),
         seconds=clock.perf_counter() - began,
-        claims=tuple(claims or ()),
+        claims=() if prover is None else tuple(prover.claims),
         unfinished=unfinished(plan, walk, end),
         not_looked_at=not_looked_at(plan, walk, start, end),
     )  # fmt: skip
 
 
 def _nearness(
-    plan: Plan,
-    walk: Walk,
-    span: tuple[float, float],
-    stage: Stages,
-    claims: list[Claim] | None,
+    plan: Plan, walk: Walk, span: tuple[float, float], stage: Stage, prover: Prover | None
 ) -> tuple[Answer | None, Answer]:
     """The first contact, and the least clearance until then."""
     margin, told = plan.limits.margin, stage(_("searching for contact"))
-    search = None if claims is None else partial(prove_contact, claims=claims, plan=plan)
+    search = None if prover is None else prover.contact
     contact = first_sure_contact(walk, *span, margin=margin, search=search, progress=told)
     if (touching := _no_clearance(contact)) is not None:
         return contact, touching
@@ -195,7 +218,7 @@ def _obstacles(
     plan: Plan,
     walk: Walk,
     span: tuple[float, float],
-    claims: list[Claim] | None,
+    prover: Prover | None,
     left: list[Finding],
     progress: Progress,
 ) -> tuple[ObstacleAnswers, ...]:
@@ -205,8 +228,8 @@ def _obstacles(
         progress(n / len(known), named(obstacle))
         with told_if_open(left, obstacle):
             answers = obstacle_answers(walk, obstacle, *span)
-            if claims is not None:
-                answers = prove_obstacle(walk, answers, *span, claims=claims, plan=plan)
+            if prover is not None:
+                answers = prover.obstacle(walk, answers, *span)
             found.append(answers)
     return tuple(found)
 

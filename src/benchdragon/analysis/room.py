@@ -4,7 +4,7 @@ Level upon level, each by the search that finds contacts of benches, with its ow
 plan's benches stay as they are.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -103,10 +103,12 @@ def room_levels(
     walk: Walk,
     span: tuple[float, float],
     bare: tuple[Answer | None, tuple[ObstacleAnswers, ...]],
+    levels: list[RoomLevel],
+    *,
     prove: bool,
     progress: Progress,
-) -> Iterator[RoomLevel]:
-    """The levels of room that a plan asks for, benches alone first; none if it asks for none.
+) -> None:
+    """Add the levels of room that a plan asks for, if it does, to `levels`, benches alone first.
 
     Two benches that each sway, or stray, come nearer by twice that; to what stands still, by once. Each
     level is searched from the start of the span, s, until the one before it is broken. `bare` is what
@@ -121,7 +123,7 @@ def room_levels(
     names = levels_asked(plan.people)
     level = RoomLevel("benches", (), plan.limits.margin, *bare)
     if names:
-        yield level
+        levels.append(level)
     each, line, end = 0.0, walk, _until(level, span)[1]
     for n, name in enumerate(names):
         progress(n / len(names), _(TEXTS[name]))
@@ -136,7 +138,7 @@ def room_levels(
         stands = [replace(one, margin=one.margin + each) for one in plan.obstacles()]
         level = RoomLevel(name, asked, margin, found, _obstacles(line, stands, until, prove=prove))
         level = _measured(level, walk, end)
-        yield level
+        levels.append(level)
 
 
 def shown_name(level: RoomLevel) -> str:

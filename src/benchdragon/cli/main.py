@@ -75,7 +75,7 @@ from benchdragon.files import one_run
 from benchdragon.hosts.trouble import EngineError
 from benchdragon.i18n import N_, _, language
 from benchdragon.number_format import finite_or_none
-from benchdragon.progress import Stages
+from benchdragon.progress import Stage, stages
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:
@@ -367,7 +367,7 @@ def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quie
     names = [f"{name}.{kind}" for name in picture_names(what) for kind in kinds]
     refuse_existing([*tables, *(folder / name for name in names)], options["force"])
     with shown_progress(quiet) as progress:
-        stage = Stages(progress, len(tables) + len(names))
+        stage = stages(progress, len(tables) + len(names))
         for path in tables:
             WRITERS[path.suffix[1:]](path, what, stage(path.name))
         if names:
@@ -390,7 +390,7 @@ def picture_names(what: "Selection") -> list[str]:
 
 
 def _write_pictures(
-    what: "Selection", plan: "Plan", folder: Path, kinds: Sequence[str], stage: Stages
+    what: "Selection", plan: "Plan", folder: Path, kinds: Sequence[str], stage: Stage
 ) -> None:
     from benchdragon.figures.style import write_picture
     from benchdragon.figures.walk import walk_pictures

@@ -24,7 +24,7 @@ from benchdragon.cli.options import (
 )
 from benchdragon.i18n import N_, _, language
 from benchdragon.number_format import finite_or_none, outward
-from benchdragon.progress import Stages
+from benchdragon.progress import stages
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
@@ -111,7 +111,7 @@ def _walked(
         shown_progress(quiet) as progress,
         kept(place(options["on"], options["workers"])) as executor,
     ):
-        stage = Stages(progress, len(cases))
+        stage = stages(progress, len(cases))
         for name, case in cases.items():
             found[name] = tolerance(
                 plan, case.deviations, options["draws"], own=True, seed=options["seed"],

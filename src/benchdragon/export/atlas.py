@@ -25,7 +25,7 @@ from benchdragon.figures.sweep import sweep_picture
 from benchdragon.figures.sweep_rows import Answered, answered, who_text
 from benchdragon.i18n import _, language
 from benchdragon.plans.keys import meaning
-from benchdragon.progress import Progress, Stages, silent
+from benchdragon.progress import Progress, silent, stages
 from benchdragon.sweeps.command import PLAN_FILE, POINTS_FILE, command, plan_words, unsaid
 from benchdragon.sweeps.questions import STATES, Question
 from benchdragon.sweeps.sweep import Sweep
@@ -45,12 +45,12 @@ def write_atlas(path: Path, sweeps: Mapping[str, Sweep], progress: Progress = si
     Raises:
         MachineError: if it cannot be written.
     """
-    stages = Stages(progress, sum(len(sweep.questions) for sweep in sweeps.values()))
+    stage = stages(progress, sum(len(sweep.questions) for sweep in sweeps.values()))
     with TemporaryDirectory() as name:
         for number, (folder, sweep) in enumerate(sweeps.items()):
             title = sweep.plan.title(language())
             for question in sweep.questions:
-                stages(f"{folder}: {_(question.text)}")
+                stage(f"{folder}: {_(question.text)}")
                 figure = sweep_picture(sweep, question.name, title)
                 file = Path(name, f"{_name(number, question)}.svg")
                 write_picture(figure, file, title, sweep.about["plan_sha256"])

@@ -50,7 +50,7 @@ from benchdragon.paper.turn_figures import (
 )
 from benchdragon.plans.routes import TurnRoute
 from benchdragon.plans.schema import read_plan
-from benchdragon.progress import Progress, Stages, part, silent
+from benchdragon.progress import Progress, Stage, part, silent, stages
 from benchdragon.solve.size import smallest_pitch
 from benchdragon.solve.tolerance import CASES
 
@@ -120,7 +120,7 @@ def reproduce(
     if first is not None:
         first(*first_answers(), files[0])
     found = results(part(progress, 0.0, COMPUTED))
-    stage = Stages(part(progress, COMPUTED, 1.0), 3 + len(PICTURE_KINDS))
+    stage = stages(part(progress, COMPUTED, 1.0), 3 + len(PICTURE_KINDS))
     stage(_("tables"))
     _write_tables(folder, found)
     stage(_("pictures"))
@@ -236,7 +236,7 @@ def _geometry_figures(found: Results) -> dict[str, Figure]:
     }
 
 
-def _write_pictures(folder: Path, found: Results, figures: dict[str, Figure], stage: Stages) -> None:
+def _write_pictures(folder: Path, found: Results, figures: dict[str, Figure], stage: Stage) -> None:
     others = {"turn": found.turn, "pitch": found.disc, "margins": found.disc}
     for figure in figures.values():
         lay_out(figure)

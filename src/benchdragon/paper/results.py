@@ -35,7 +35,7 @@ from benchdragon.paper.traversal import PitchCurve, first_overlap, pitch_curve, 
 from benchdragon.parallel import Worker, begin_worker
 from benchdragon.plans.routes import TurnRoute
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.progress import Progress, Stages, silent
+from benchdragon.progress import Progress, silent, stages
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch
 from benchdragon.solve.tolerance import CASES
@@ -194,7 +194,7 @@ def results(progress: Progress = silent) -> Results:
     The searches for better turns run beside the rest in processes of their own; so a script that calls
     this does so under `if __name__ == "__main__":`.
     """
-    stage = Stages(progress, STEPS)
+    stage = stages(progress, STEPS)
     spiral, turn = read_plan("spiral-in"), read_plan("turn")
     disc = read_plan("spiral-in", [f"disc.radius={turn.disc.radius}"])
     prove = find_spec("flint") is not None

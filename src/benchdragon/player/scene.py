@@ -37,7 +37,7 @@ from benchdragon.player.frames import (
     packed_frames,
 )
 from benchdragon.player.occasions import occasion, occasions_found, tighten
-from benchdragon.progress import Progress, Stages, silent
+from benchdragon.progress import Progress, silent, stages
 from benchdragon.version import __version__
 
 # What a page may show off its place, m.
@@ -222,7 +222,7 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
                 most=MOST_BENCHES, count=len(walk.dragon)
             )
         )
-    stage = Stages(progress, 4)
+    stage = stages(progress, 4)
     stage(_("computing positions"))
     shot, behind = _shot(walk, span)
     stage(_("finding benches near one another"))

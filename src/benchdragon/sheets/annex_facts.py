@@ -10,7 +10,7 @@ from benchdragon.errors import BenchDragonError
 from benchdragon.i18n import _
 from benchdragon.model.answer import Answer
 from benchdragon.model.outline import shape_of
-from benchdragon.progress import Progress, Stages, silent
+from benchdragon.progress import Progress, silent, stages
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.solve.tolerance import CASES, Deviations, Draw, chance, touches
 
@@ -87,7 +87,7 @@ def annex_facts(briefing: Briefing, progress: Progress = silent) -> AnnexFacts:
         InputError, UnsureError: as `swept_area`.
     """
     report, event = briefing.report, briefing.plan.event
-    stage = Stages(progress, 2)
+    stage = stages(progress, 2)
     distance = DISTANCE if event.distance is None else event.distance
     told = stage(_("ground covered"))
     swept = swept_area(

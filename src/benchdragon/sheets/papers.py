@@ -11,7 +11,7 @@ from benchdragon.files import refuse_existing
 from benchdragon.i18n import N_, _
 from benchdragon.player.page import write_player
 from benchdragon.player.scene import checked_dance
-from benchdragon.progress import Progress, Stages, silent
+from benchdragon.progress import Progress, silent, stages
 from benchdragon.sheets.annex import annex_names, write_annex
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.cards import write_benches
@@ -119,6 +119,6 @@ def write_papers(
     progress: Progress = silent,
 ) -> None:
     """Write papers, one after another, into a folder that is there."""
-    stage = Stages(progress, len(names))
+    stage = stages(progress, len(names))
     for name in names:
         PAPERS[name].write(briefing, folder, options, stage(_(PAPERS[name].text)))

@@ -1,9 +1,9 @@
 // The evidence of a verdict: each answer with its bracket, how it was established, and where.
 
+import { bracketed } from "./compute/answer.js";
 import { figures } from "./compute/number_format.js";
 import { shown, sure } from "./made/answer.js";
 import { seconds } from "./made/number_format.js";
-import { bracketed } from "./made/records.js";
 import { make } from "./elements.js";
 import { _, language } from "./words.js";
 

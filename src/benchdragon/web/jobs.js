@@ -1,7 +1,7 @@
 // Long questions: started, followed, cancelled.
 
+import { bracketed } from "./compute/answer.js";
 import { shown } from "./made/answer.js";
-import { bracketed } from "./made/records.js";
 import { make, signButton } from "./elements.js";
 import { answerText, sizeText } from "./evidence.js";
 import { samePlan } from "./standing.js";

@@ -1,10 +1,6 @@
 // Answers: a number with the bracket that was established, how, and what shows it. Twin of
 // model/answer.py.
 
-import { MODEL_ANSWER } from "./constants.js";
-
-const { ROUNDING } = MODEL_ANSWER;
-
 /** @typedef {"proved" | "found" | "infeasible" | "undecided" | "unlimited"} Status */
 
 /**
@@ -53,7 +49,8 @@ export function now() {
   return performance.now() / 1000;
 }
 
-/** The most that keeps to a limit, but for rounding. @param {number} limit */
-export function mostOf(limit) {
-  return limit * (1 + ROUNDING);
+/** An answer of a record, its bracket as numbers; a record has none for what is not finite. @param {import("../messages").Answer} answer */
+export function bracketed({ value, lower, upper, unit }) {
+  const [number, low, high] = [value ?? Infinity, lower ?? -Infinity, upper ?? Infinity];
+  return { value: number, lower: low, upper: high, unit };
 }

@@ -3,7 +3,8 @@
 
 import { named, shownName } from "../made/findings.js";
 import { Ground } from "../made/ground.js";
-import { sentence } from "../made/verdict_text.js";
+import { sentence } from "../made/check.js";
+import { part } from "../made/stages.js";
 import { _, both } from "../words.js";
 import { copied, rowOf, withArenaAsync } from "./arena.js";
 import { benchWalks } from "./bench_walks.js";
@@ -13,7 +14,6 @@ import { BOX } from "./constants.js";
 import { InputError } from "./errors.js";
 import { Marks } from "./marks.js";
 import { evenly } from "./lists.js";
-import { part } from "./stages.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./bench_walks.js").BenchWalk} BenchWalk */

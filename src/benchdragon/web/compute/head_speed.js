@@ -1,6 +1,7 @@
 // How fast the head may walk: the greatest constant speed, and a pace that slows only where it must. Twin of
 // solve/head_speed.py.
 
+import { QUANTITIES, givenLimits } from "../made/quantities.js";
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { copied, withArenaAsync } from "./arena.js";
@@ -10,14 +11,12 @@ import { InputError, UnsureError } from "./errors.js";
 import { evenly, least } from "./lists.js";
 import { general } from "./number_format.js";
 import { Profile } from "./profile.js";
-import { QUANTITIES, givenLimits } from "./quantities.js";
 import { failureWithin, peakQuestion, sought, steadily, witnessOf } from "./speed.js";
 import { silent, tick } from "./tick.js";
 
 /** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./plan.js").Plan} Plan */
-/** @typedef {import("./quantities.js").QuantityName} QuantityName */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
 
@@ -37,8 +36,8 @@ const { MOST_SPEED } = MODEL_PROFILE;
 
 /** The limits that a head speed must keep, by the names of their quantities. @param {Plan} plan */
 function limitsOf(plan) {
-  const found = givenLimits(plan.tables.limits);
-  if (!Object.keys(found).length)
+  const found = givenLimits(plan);
+  if (!found.size)
     throw new InputError(
       _("the plan has no limit that a head speed could keep: set limits.speed=2, for example"),
     );
@@ -78,18 +77,18 @@ async function steadySpeed(engine, plan, options) {
   const limits = limitsOf(plan);
   return withArenaAsync(engine, async (arena) => {
     const { walk, first, last } = spanned(arena, plan);
-    const asked = Object.values(QUANTITIES)
-      .filter(({ name }) => name in limits)
+    const asked = [...QUANTITIES.values()]
+      .filter(({ name }) => limits.has(name))
       .map((quantity) => {
         const width = quantity.name === "speed" ? tolerance : Math.max(tolerance, RATE_TOLERANCE);
-        return /** @type {import("./speed.js").Asked} */ ([quantity, width, limits[quantity.name]]);
+        return /** @type {import("./speed.js").Asked} */ ([quantity, width, limits.get(quantity.name)]);
       });
     const found = await sought(walk, steadily(first, last), asked, progress, MOST_SPEED);
     const { peak, lower, upper, decides } = found;
     // What is limited hardly occurs.
     if (!decides) return answered(MOST_SPEED, MOST_SPEED, upper, "m/s", { status: "unlimited" });
-    const value = general(Number(limits[decides.name]));
-    const values = { quantity: decides.text(), value, unit: decides.unit };
+    const value = general(limits.get(decides.name));
+    const values = { quantity: _(decides.text), value, unit: decides.unit };
     return answered(lower > 0 ? lower : NaN, lower, upper, "m/s", {
       status: lower > 0 ? "found" : "undecided",
       witness: witnessOf(walk, decides, peak),
@@ -201,8 +200,7 @@ function fastestOver(plan, walk, first, last, progress) {
 /** What is limited, in the order of kernels/pacing.py; infinite where nothing limits it. @param {Plan} plan */
 function allLimits(plan) {
   const given = limitsOf(plan);
-  const names = /** @type {QuantityName[]} */ (Object.keys(QUANTITIES));
-  const limits = names.map((name) => given[name] ?? Infinity);
+  const limits = [...QUANTITIES.keys()].map((name) => given.get(name) ?? Infinity);
   return [...limits, plan.tables.limits.head_acceleration].map((limit) => (1 - PRUDENCE) * limit);
 }
 

@@ -17,26 +17,20 @@ import { fastestHandle } from "./speed.js";
 const { REST } = ANALYSIS_LEFT_OPEN;
 
 /**
- * What `ask` answers with work of its own; null where that stays open, which is then added to `found`: if a
+ * Answer a question with work of its own: what takes its errors, and adds what stays open to `found`: if a
  * verdict needs it, without `asked` none does. `limit` is that of what is limited, in SI units.
- * @template T
  * @param {Finding[]} found
- * @param {() => Promise<T>} ask
  * @param {Obstacle | string | null} [asked] an obstacle, a level of room, or what is limited, by name
  * @param {number} [limit]
- * @returns {Promise<T | null>}
  */
-export async function toldIfOpen(found, ask, asked = null, limit = 0) {
+export function toldIfOpen(found, asked = null, limit = 0) {
   allow(REST);
-  try {
-    return await ask();
-  } catch (error) {
+  return (/** @type {unknown} */ error) => {
     if (!(error instanceof OverBudgetError || error instanceof UnsureError)) throw error;
     allow(REST); // for what is known without a search
     if (asked !== null)
       found.push(openFinding(asked, limit, error instanceof OverBudgetError ? DEAR : HIDDEN));
-    return null;
-  }
+  };
 }
 
 /** What is known of the greatest speed of a handle, m/s, without a search: that at the start, s. @param {Walk} walk @param {number} start @returns {Answer} */

@@ -2,13 +2,13 @@
 
 import { finiteOrNone } from "../made/number_format.js";
 import { answerOf, answerOrNone } from "../made/records.js";
+import { part } from "../made/stages.js";
 import { _ } from "../words.js";
 import { withArena } from "./arena.js";
 import { SOLVE_SIZE } from "./constants.js";
 import { greatestHeadSpeed, slowed, withPace } from "./head_speed.js";
 import { discOf, turnOf } from "./plan_routes.js";
 import { limit } from "./size.js";
-import { part } from "./stages.js";
 import { ALL, RISKS, pitchFor, tolerance, touching } from "./tolerance.js";
 import { bestTurn } from "./turn.js";
 

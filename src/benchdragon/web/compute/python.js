@@ -315,6 +315,7 @@ export const py = {
   round: (a, digits = 0) => (digits ? rounded(a, digits) : rint(a)),
   int: (a) => Math.trunc(Number(a)),
   float: Number,
+  perf_counter: () => performance.now() / 1000,
   // Texts.
   str: (a) => (typeof a === "number" ? String(a) : pythonText(a)),
   repr: (a) => (typeof a === "string" ? pythonRepr(a) : String(a)),

@@ -14,7 +14,7 @@ import { Walk } from "./walk.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./arena.js").Arena} Arena */
-/** @typedef {import("./check.js").CheckedPlan} CheckedPlan */
+/** @typedef {import("./plan.js").Plan} CheckedPlan */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./obstacles.js").ObstacleAnswers} ObstacleAnswers */
 /** @typedef {import("./tick.js").Progress} Progress */
@@ -35,19 +35,15 @@ import { Walk } from "./walk.js";
  * @param {CheckedPlan} plan
  * @param {Walk} walk
  * @param {[number, number]} span
- * @param {Found} bare
- * @param {Progress} progress
- * @param {Progress} alive is told that a level is still searched
+ * @param {[Answer | null, ObstacleAnswers[]]} bare
  * @param {RoomLevel[]} levels to which each is added
+ * @param {{ progress: Progress }} options
  * @returns {Promise<void>}
  */
-export function roomLevels(plan, walk, span, bare, progress, alive, levels) {
+export function roomLevels(plan, walk, span, bare, levels, { progress }) {
   return withArenaAsync(walk.engine, async (arena) => {
     const names = levelsAsked(plan.tables.people);
-    if (names.length)
-      levels.push(
-        new RoomLevel("benches", [], plan.tables.limits.margin, bare.contact, bare.obstacles),
-      );
+    if (names.length) levels.push(new RoomLevel("benches", [], plan.tables.limits.margin, ...bare));
     let [each, line] = [0, walk];
     for (const [n, name] of names.entries()) {
       progress(n / names.length, shownName({ name }));
@@ -56,9 +52,9 @@ export function roomLevels(plan, walk, span, bare, progress, alive, levels) {
       else each += asked[0].value;
       const until = untilBroken(levels[levels.length - 1], span);
       const margin = plan.tables.limits.margin + 2 * each;
-      const contact = await firstSureContact(line, ...until, { margin, progress: alive });
+      const contact = await firstSureContact(line, ...until, { margin });
       const stands = plan.obstacles().map((one) => withMargin(one, one.margin + each));
-      const options = { tolerances: ANALYSIS_ROOM.TOLERANCES, progress: alive };
+      const options = { tolerances: ANALYSIS_ROOM.TOLERANCES };
       const obstacles = [];
       for (const one of stands) obstacles.push(await obstacleAnswers(line, one, ...until, options));
       const level = new RoomLevel(name, asked, margin, contact, obstacles);

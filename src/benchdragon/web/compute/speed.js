@@ -1,6 +1,7 @@
 // The greatest speed, acceleration or turning rate over a whole walk: kernels/peak_question.py, asked by
 // the page. Twin of analysis/speed.py.
 
+import { QUANTITIES } from "../made/quantities.js";
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { OverBudgetError, allow } from "./budget.js";
@@ -18,14 +19,13 @@ import { InputError, UnsureError } from "./errors.js";
 import { evenly, least } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
 import { timeOnStretch } from "./profile.js";
-import { QUANTITIES } from "./quantities.js";
 import { newSpans } from "./rounds.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./answer.js").Witness} Witness */
 /** @typedef {import("./profile.js").PaceStretch} PaceStretch */
-/** @typedef {import("./quantities.js").Quantity} Quantity */
+/** @typedef {import("../made/quantities.js").Quantity} Quantity */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {{ tolerance?: number, limit?: number, progress?: Progress }} PeakOptions */
@@ -65,6 +65,11 @@ export async function greatest(walk, quantity, start, end, options = {}) {
   const { value, least: sure, upper, evaluations } = found;
   const seconds = now() - began;
   return answered(value, sure, upper, quantity.unit, { witness, evaluations, seconds });
+}
+
+/** The greatest speed of any handle from start to end, s: `greatest`. @param {Walk} walk @param {number} start @param {number} end @param {PeakOptions} options */
+export function greatestSpeed(walk, start, end, options) {
+  return greatest(walk, QUANTITIES.get("speed"), start, end, options);
 }
 
 /**
@@ -138,7 +143,7 @@ export function peakQuestion({ engine, dragon, route }, drives, asked = [], head
  * @returns {Promise<{ peak: Peak, lower: number, upper: number, decides: Quantity | null }>}
  */
 export async function sought(walk, stretches, asked, progress, head = 0) {
-  const quantities = Object.values(QUANTITIES);
+  const quantities = [...QUANTITIES.values()];
   // Who keeps one speed does what was done one round before.
   const parts = stretches.flatMap((of) => {
     const spans = of.rate === 0 ? newSpans(walk, of.ways[0], of.ways[1]) : [of.ways];
@@ -157,7 +162,7 @@ export async function sought(walk, stretches, asked, progress, head = 0) {
         ending = DONE;
         allow(TOLD);
       }
-      progress(told(PEAK_MEMORY.SHARE), head ? quantities[told(PEAK_MEMORY.QUANTITY)].text() : "");
+      progress(told(PEAK_MEMORY.SHARE), head ? _(quantities[told(PEAK_MEMORY.QUANTITY)].text) : "");
     }
     if (ending === FALLEN) throw failureWithin(walk, told(PEAK_MEMORY.LOW), told(PEAK_MEMORY.HIGH));
     const [value, sure, most, s, row, x, y, stretch, evaluations, lower, upper, decides] = question

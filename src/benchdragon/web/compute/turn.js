@@ -1,6 +1,8 @@
 // Better turns: the engine's search over a family, then exact figures of what it found. Twin of solve/turn.py,
 // turn_goal.py and turn_question.py, but for fronts of turns, which the command line finds.
 
+import { QUANTITIES, givenLimits } from "../made/quantities.js";
+import { part } from "../made/stages.js";
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
@@ -15,9 +17,7 @@ import { greatestHeadSpeed } from "./head_speed.js";
 import { leastDistance } from "./obstacles.js";
 import { builtDragon } from "./plan.js";
 import { discOf } from "./plan_routes.js";
-import { QUANTITIES, givenLimits } from "./quantities.js";
 import { greatestOf } from "./speed.js";
-import { part } from "./stages.js";
 import { silent } from "./tick.js";
 import { builtTurn } from "./turns.js";
 
@@ -64,8 +64,8 @@ const SOUGHT = {
   way: WAY,
   length: LONG,
   disc: REACH,
-  speed: QUANTITIES.speed.kind,
-  acceleration: QUANTITIES.total_acceleration.kind,
+  speed: QUANTITIES.get("speed").kind,
+  acceleration: QUANTITIES.get("total_acceleration").kind,
 };
 /** Limits by the figures that they limit, in the order in which they are told. @type {Array<[number, string]>} */
 const LIMITS = [
@@ -73,7 +73,7 @@ const LIMITS = [
   [REACH, "disc"],
   [LONG, "length"],
   [WAY, "way"],
-  ...Object.values(QUANTITIES).map(({ kind, name }) => /** @type {[number, string]} */ ([kind, name])),
+  ...[...QUANTITIES.values()].map(({ kind, name }) => /** @type {[number, string]} */ ([kind, name])),
   [APART, "clearance"],
   [BESIDE, "obstacles"],
 ];
@@ -196,8 +196,7 @@ function toldOf({ tables }, goal, narrowest) {
   told[TURN_TRIAL.HEAD] = tables.walk.speed;
   told[TURN_TRIAL.MARGIN] = limits.margin;
   told[TURN_TRIAL.SOUGHT] = sought;
-  for (const [name, limit] of Object.entries(givenLimits(limits)))
-    told[LIMIT + QUANTITIES[/** @type {import("./quantities.js").QuantityName} */ (name)].kind] = limit;
+  for (const [name, limit] of givenLimits({ limits })) told[LIMIT + QUANTITIES.get(name).kind] = limit;
   if (sought < RATES) told[LIMIT + sought] = Infinity;
   return told;
 }
@@ -312,9 +311,9 @@ function exactFigures(engine, plan, seen, sought) {
     const { joints } = walk.route;
     const [first, last] = [joints[1], walk.headWhereTail(joints[joints.length - 2])];
     const exact = [...seen];
-    const limits = givenLimits(plan.tables.limits);
-    for (const quantity of Object.values(QUANTITIES))
-      if (quantity.name in limits || quantity.kind === sought)
+    const limits = givenLimits(plan);
+    for (const quantity of QUANTITIES.values())
+      if (limits.has(quantity.name) || quantity.kind === sought)
         exact[quantity.kind] = (
           await greatestOf(walk, quantity, first, last, { tolerance: RATE })
         ).upper;

@@ -6,7 +6,7 @@ import { doubles, withArena } from "./arena.js";
 import { ANALYSIS_NOT_LOOKED_AT, ANALYSIS_UNFINISHED, PLANS_ROUTES } from "./constants.js";
 import { lastPosition } from "./plan_routes.js";
 
-/** @typedef {import("./check.js").CheckedPlan} CheckedPlan */
+/** @typedef {import("./plan.js").Plan} CheckedPlan */
 /** @typedef {import("./walk.js").Walk} Walk */
 
 const { RUN_UP } = PLANS_ROUTES;

@@ -4,20 +4,15 @@
 import { py } from "../compute/python.js";
 import { atMost, known } from "./number_format.js";
 
-export class Answer {
-  constructor(value, lower, upper, unit, status, witness = /** @type {any} */ (null), assumptions = [], evaluations = 0, seconds = 0.0) {
-    this.value = value;
-    this.lower = lower;
-    this.upper = upper;
-    this.unit = unit;
-    this.status = status;
-    this.witness = witness;
-    this.assumptions = assumptions;
-    this.evaluations = evaluations;
-    this.seconds = seconds;
-  }
-}
 const ROUNDING = 1e-11;
+export function keeps(self, limit) {
+  let most;
+  most = (limit * (1.0 + ROUNDING));
+  if ((self.lower > most)) {
+    return false;
+  }
+  return ((self.upper <= most) ? true : null);
+}
 export function shown(self, up, limit = /** @type {any} */ (null)) {
   if ((!py.truth(up) && (self.unit === "m") && py.truth(vanishing(self)))) {
     return atMost(self.upper);
@@ -32,12 +27,4 @@ export function sure(self, up) {
   end = (py.truth(up) ? self.upper : self.lower);
   near = (py.abs(py.sub(end, self.value)) <= (ROUNDING * py.abs(self.value)));
   return ((py.truth(near) || !py.isfinite(end)) ? self.value : end);
-}
-export function keeps(self, limit) {
-  let most;
-  most = (limit * (1.0 + ROUNDING));
-  if ((self.lower > most)) {
-    return false;
-  }
-  return ((self.upper <= most) ? true : null);
 }

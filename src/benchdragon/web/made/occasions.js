@@ -1,12 +1,12 @@
 // @ts-nocheck
 // Made from player/occasions.py by tools/make_twins.py; to make it again: make types
 
+import { bracketed } from "../compute/answer.js";
 import { py } from "../compute/python.js";
 import { N_, _, both } from "../words.js";
 import { shown, vanishing } from "./answer.js";
+import { inOneCoil } from "./check.js";
 import { named, touchText } from "./findings.js";
-import { bracketed } from "./records.js";
-import { inOneCoil } from "./verdict_text.js";
 
 export function occasion(kind, time, say, benches = [], obstacle = /** @type {any} */ (null)) {
   return ({ kind: kind, time: time, text: both(say), benches: py.list(benches), obstacle: obstacle });

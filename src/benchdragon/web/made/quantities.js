@@ -4,7 +4,7 @@
 import { py } from "../compute/python.js";
 import { N_ } from "../words.js";
 
-class Quantity {
+export class Quantity {
   constructor(name, kind, power, unit, text) {
     this.name = name;
     this.kind = kind;

@@ -3,11 +3,10 @@
 
 import { py } from "../compute/python.js";
 import { both } from "../words.js";
-import { Answer as Solved } from "./answer.js";
+import { peakText, sentence } from "./check.js";
 import { shownName } from "./findings.js";
 import { finiteOrNone } from "./number_format.js";
 import { shownName as levelName } from "./room_levels.js";
-import { peakText, sentence } from "./verdict_text.js";
 
 const __version__ = "0.1.0";
 function _finiteOrNone(value) {
@@ -21,11 +20,6 @@ function _witness(near) {
 }
 export function answerOrNone(found, plan) {
   return ((found == null) ? null : answerOf(found, plan));
-}
-export function bracketed(found) {
-  let lower, upper, value;
-  [value, lower, upper] = py.list([found.value, found.lower, found.upper]);
-  return new Solved(((value == null) ? Infinity : value), ((lower == null) ? -Infinity : lower), ((upper == null) ? Infinity : upper), found.unit, found.status);
 }
 export function verdictOf(report) {
   let plan;
