@@ -46,10 +46,12 @@ TWINS = {
         "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
     ),
     "model.answer": ("answer", "keeps", "shown", "sure", "vanishing"),
+    "model.holds": ("holds", "Hold"),
     "model.numbering": ("numbering", "handle_words"),
     "number_format": ("number_format", "at_most", "finite_or_none", "known", "seconds"),
     "player.occasions": ("occasions", "occasion", "occasions_found", "tighten"),
     "progress": ("stages", "part", "stages"),
+    "plans.cues": ("cues", "Moment", "Paced", "cue_name", "outside", "paced"),
     "plans.idle": ("idle", "drop", "drop_replaced", "idle_keys"),
     "plans.people": ("people", "called", "village"),
     "rosters.names": ("roster_names", "like_two"),
@@ -66,7 +68,7 @@ TWINS = {
 }  # fmt: skip
 # What hand-written modules of the page hold of other modules, by the same names.
 OWN = {
-    "i18n": "../words.js", "errors": "../compute/errors.js",
+    "i18n": "../words.js", "errors": "../compute/errors.js", "plans.source": "../compute/errors.js",
 }  # fmt: skip
 # What single functions of the page do otherwise.
 GIVEN = {
@@ -89,6 +91,7 @@ GIVEN = {
     "analysis.not_looked_at.given_from": "../compute/walk_facts.js",
     "analysis.not_looked_at.places": "../compute/walk_facts.js",
     "analysis.not_looked_at.runs_on": "../compute/walk_facts.js",
+    "model.holds.HoldError": "../compute/holds.js",
     "model.obstacle.Obstacle": "../compute/obstacle.js",
     "number_format.decimals": "../compute/number_format.js",
     "number_format.figures": "../compute/number_format.js",

@@ -25,7 +25,7 @@ METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
-    called moments obstacle obstacles
+    called distance moments obstacle obstacles time
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
 # Functions of modules, by their own names.

@@ -14,12 +14,12 @@ from benchdragon import budget
 from benchdragon.analysis.bends import Bends, Turning
 from benchdragon.analysis.findings import named
 from benchdragon.errors import in_order, of_kind
-from benchdragon.i18n import N_, _, language
+from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
 from benchdragon.model.walk import Walk
-from benchdragon.plans.cues import Moment
+from benchdragon.plans.cues import Moment, cue_name
 from benchdragon.plans.schema import Plan
 
 # Joints are told if there are no more.
@@ -134,7 +134,7 @@ def _tail_time(walk: Walk, s: float, span: tuple[float, float]) -> float | None:
 
 def _cue(walk: Walk, span: tuple[float, float], one: Moment, first: float) -> Passing:
     """The place at which the head is at a cue; a cue is told at its own time."""
-    place = _passing(walk, span, "cue", one.cue.called(language()), first + one.way)
+    place = _passing(walk, span, "cue", cue_name(one.cue), first + one.way)
     until = min(one.until, span[1])
     return Passing("cue", place.name, place.s, one.way, place.point, one.time, until, place.tail)
 

@@ -11,9 +11,9 @@ from benchdragon.analysis.findings import named
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.explain.bench_text import Basis, BenchText, Halt, Landmark, bench_lines
-from benchdragon.i18n import language
 from benchdragon.kernels.box import CX, CY, UX, UY
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.plans.cues import cue_name
 from benchdragon.plans.schema import Plan
 
 
@@ -27,7 +27,7 @@ def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], groun
 def halts_of(plan: Plan) -> tuple[Halt, ...]:
     """What the plan says the head stands for, in the language in use."""
     return tuple(
-        Halt(moment.time, moment.until, moment.cue.called(language()))
+        Halt(moment.time, moment.until, cue_name(moment.cue))
         for moment in plan.moments()
         if moment.cue.kind in ("hold", "stop") and (moment.cue.text or moment.cue.text_zh)
     )

@@ -7,7 +7,7 @@ braking and starting at one rate allow. Squared speeds are linear along the way,
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 
@@ -46,7 +46,8 @@ class HoldError(InputError):
         self.number, self.trouble = number, trouble
 
 
-class Standing(NamedTuple):
+@dataclass(frozen=True)
+class Standing:
     """Where, m from where the walk begins, and when, s, the head stands for a hold (number, from 0)."""
 
     number: int

@@ -2,15 +2,16 @@
 
 import math
 import re
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, Field, model_validator
 
 from benchdragon.errors import brief
-from benchdragon.i18n import N_, _
+from benchdragon.i18n import N_, _, language
 from benchdragon.kernels.holds import SAME_PLACE
-from benchdragon.model.holds import Hold, HoldError, Standing, Trouble, with_holds
+from benchdragon.model.holds import Hold, HoldError, Standing, Trouble
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.plans.signs import narrow
 from benchdragon.plans.source import Fault, KeyedError
@@ -99,10 +100,11 @@ class CueTable(Table):
                 raise ValueError(text.format(name=name))
         return self
 
-    def called(self, language: str) -> str:
-        """What is said of it in a language, "en" or "zh"; its kind, if nothing is."""
-        own = (self.text_zh or self.text) if language == "zh" else (self.text or self.text_zh)
-        return own or _(NAMES[self.kind])
+
+def cue_name(cue: CueTable) -> str:
+    """What is said of a cue in the language in use; its kind, if nothing is."""
+    own = (cue.text_zh or cue.text) if language() == "zh" else (cue.text or cue.text_zh)
+    return own or _(NAMES[cue.kind])
 
 
 class CuesTable(Table):
@@ -125,53 +127,6 @@ class CuesTable(Table):
     def said(self) -> dict[str, Any]:
         """All of it that is not as by default."""
         return self.model_dump(mode="json", exclude_defaults=True)
-
-    def paced(self, profile: SpeedProfile, start: float, limits: LimitsTable) -> "Paced":
-        """The head's speed with holds, stops and starts.
-
-        Args:
-            profile: without them.
-            start: of the dance, s.
-            limits: of the plan.
-
-        Raises:
-            KeyedError: for a cue that cannot be.
-        """
-        rate = limits.head_acceleration if self.acceleration is None else self.acceleration
-        if rate > limits.head_acceleration:
-            text = _("at most limits.head_acceleration, {limit} m/s^2, is allowed, not {rate}")
-            text = text.format(limit=f"{limits.head_acceleration:g}", rate=f"{rate:g}")
-            raise KeyedError([Fault("cues.acceleration", text)])
-        holding = [n for n, cue in enumerate(self.cue) if cue.kind in ("hold", "stop")]
-        cues = [self.cue[n] for n in holding]
-        holds = [Hold(cue.head, cue.at, cue.hold or math.inf) for cue in cues]
-        starts = {
-            n: cue.at for n, cue in enumerate(self.cue) if cue.kind == "start" and cue.at is not None
-        }
-        try:
-            found, stood = with_holds(
-                profile, start, holds, [*starts.values()], rate * (1.0 - PRUDENCE)
-            )
-        except HoldError as error:
-            text = _(TROUBLE[error.trouble]).format(rate=f"{rate:g}", start=f"{start:g}")
-            raise KeyedError([Fault(f"cues.cue.{holding[error.number]}", text)]) from None
-        self._refuse_idle(
-            starts, stood, {n for n, hold in enumerate(holds) if hold.seconds == math.inf}
-        )
-        return Paced(found, start, tuple(one._replace(number=holding[one.number]) for one in stood))
-
-    def _refuse_idle(self, starts: dict[int, float], stood: list[Standing], stops: set[int]) -> None:
-        """Refuse starts at which nothing starts."""
-        used = {one.end for one in stood if one.number in stops}
-        text = _("the head does not stand and wait then: a start needs a stop before it, and its own")
-        seen = set[float]()
-        faults = []
-        for n, time in starts.items():
-            if time not in used or time in seen:
-                faults.append(Fault(f"cues.cue.{n}", text))
-            seen.add(time)
-        if faults:
-            raise KeyedError(faults)
 
 
 @dataclass(frozen=True)
@@ -223,7 +178,7 @@ class Paced:
         found = []
         for n, cue in enumerate(cues.cue):
             if n in held:
-                _number, way, time, until = held[n]
+                time, way, until = held[n].start, held[n].way, held[n].end
             else:
                 time = self._time(cue)
                 way = self.way(time) if cue.head is None else cue.head
@@ -239,3 +194,71 @@ class Paced:
         if here:
             return here[0]
         return max(self.profile.time(cue.head + float(self.profile.distance(self.start))), self.start)
+
+
+# Puts holds into a profile: `with_holds` of model/holds.py.
+Holding = Callable[
+    [SpeedProfile, float, Sequence[Hold], Sequence[float], float], tuple[SpeedProfile, list[Standing]]
+]
+
+
+def paced(
+    cues: CuesTable, profile: SpeedProfile, start: float, limits: LimitsTable, held: Holding
+) -> Paced:
+    """The head's speed with holds, stops and starts.
+
+    Args:
+        cues: of a plan.
+        profile: without them.
+        start: of the dance, s.
+        limits: of the plan.
+        held: puts holds into a profile.
+
+    Raises:
+        KeyedError: for a cue that cannot be.
+    """
+    rate = limits.head_acceleration if cues.acceleration is None else cues.acceleration
+    if rate > limits.head_acceleration:
+        text = _("at most limits.head_acceleration, {limit} m/s^2, is allowed, not {rate}")
+        text = text.format(limit=f"{limits.head_acceleration:g}", rate=f"{rate:g}")
+        raise KeyedError([Fault("cues.acceleration", text)])
+    holding = [n for n, cue in enumerate(cues.cue) if cue.kind in ("hold", "stop")]
+    asked = [cues.cue[n] for n in holding]
+    holds = [Hold(cue.head, cue.at, cue.hold or math.inf) for cue in asked]
+    starts = [
+        (n, cue.at) for n, cue in enumerate(cues.cue) if cue.kind == "start" and cue.at is not None
+    ]
+    times = [time for _number, time in starts]
+    try:
+        found, stood = held(profile, start, holds, times, rate * (1.0 - PRUDENCE))
+    except HoldError as error:
+        text = _(TROUBLE[error.trouble]).format(rate=f"{rate:g}", start=f"{start:g}")
+        raise KeyedError([Fault(f"cues.cue.{holding[error.number]}", text)]) from None
+    _refuse_idle(starts, {one.end for one in stood if holds[one.number].seconds == math.inf})
+    return Paced(found, start, tuple(replace(one, number=holding[one.number]) for one in stood))
+
+
+def _refuse_idle(starts: Sequence[tuple[int, float]], used: set[float]) -> None:
+    """Refuse starts at which nothing starts: not at the end of a stop, or not the first there."""
+    text = _("the head does not stand and wait then: a start needs a stop before it, and its own")
+    seen: set[float] = set()
+    faults = []
+    for n, time in starts:
+        if time not in used or time in seen:
+            faults.append(Fault(f"cues.cue.{n}", text))
+        seen.add(time)
+    if faults:
+        raise KeyedError(faults)
+
+
+def outside(moments: Sequence[Moment], start: float, end: float, way: float) -> list[Fault]:
+    """What is wrong with cues that are not in a dance, s, in which the head walks so far, m."""
+    by_time = _("that is not within the dance, which lasts from {start} s to {end} s")
+    by_time = by_time.format(start=f"{start:g}", end=f"{end:.6g}")
+    by_place = _("that is not within the dance, in which the head walks {way} m")
+    by_place = by_place.format(way=f"{way:.6g}")
+    return [
+        Fault(f"cues.cue.{one.number}", by_time if one.cue.head is None else by_place)
+        for one in moments
+        if not start <= one.time <= end + END_SLACK
+    ]

@@ -15,11 +15,12 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import Route
+from benchdragon.model.holds import with_holds
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.walk import Walk
 from benchdragon.plans.chalk import ChalkTable
-from benchdragon.plans.cues import END_SLACK, CuesTable, Moment, Paced
+from benchdragon.plans.cues import CuesTable, Moment, Paced, outside, paced
 from benchdragon.plans.drawn import SurveyTable, with_drawings
 from benchdragon.plans.event import EventTable
 from benchdragon.plans.faults import fault_of
@@ -212,24 +213,10 @@ class Plan(Table):
         if not math.isfinite(end):
             text = _("the head never comes to the end of its walk: set walk.end")
             raise PlanError(self._source.sentences([Fault("walk", text)]))
-        outside = [one for one in self.moments() if not start <= one.time <= end + END_SLACK]
-        if outside:
-            low, high = walk.head_position([start, end]).tolist()
-            raise PlanError(self._outside(outside, start, end, high - low))
+        low, high = walk.head_position([start, end]).tolist()
+        if wrong := outside(self.moments(), start, end, high - low):
+            raise PlanError(self._source.sentences(wrong))
         return start, end
-
-    def _outside(self, outside: Sequence[Moment], start: float, end: float, way: float) -> str:
-        """What is said of cues that are not in the dance, in which the head walks so far, m."""
-        by_time = _("that is not within the dance, which lasts from {start} s to {end} s")
-        by_time = by_time.format(start=f"{start:g}", end=f"{end:.6g}")
-        by_place = _("that is not within the dance, in which the head walks {way} m")
-        by_place = by_place.format(way=f"{way:.6g}")
-        return self._source.sentences(
-            [
-                Fault(f"cues.cue.{one.number}", by_time if one.cue.head is None else by_place)
-                for one in outside
-            ]
-        )
 
     @property
     def _start(self) -> float:
@@ -263,7 +250,7 @@ class Plan(Table):
         profile = self.walk.build()
         if not self.cues.cue and self.cues.acceleration is None:
             return Paced(profile, self._start, ())
-        return self.cues.paced(profile, self._start, self.limits)
+        return paced(self.cues, profile, self._start, self.limits, with_holds)
 
     def ways(self) -> tuple[float, float, float]:
         """How far the head walks from time 0, as without cues, to the start; to the end; at most; m.

@@ -14,14 +14,14 @@ from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
 from benchdragon.analysis.swept import drawn_ground
 from benchdragon.errors import InputError, WalkError, finite
-from benchdragon.i18n import Words, _, both, language
+from benchdragon.i18n import Words, _, both
 from benchdragon.kernels.bench_nearness import see_near
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import margin_rings
 from benchdragon.model.walk import Walk
-from benchdragon.plans.cues import CueTable
+from benchdragon.plans.cues import cue_name
 from benchdragon.plans.people import PeopleTable, village
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
@@ -167,14 +167,10 @@ def _last(frames: messages.Frames) -> float:
 def _cues(plan: Plan, frames: messages.Frames) -> list[messages.Occasion]:
     """The cues of a plan that are among its frames, each with what it is called."""
     return [
-        occasion("cue", one.time, partial(_called, one.cue))
+        occasion("cue", one.time, partial(cue_name, one.cue))
         for one in plan.moments()
         if frames.start <= one.time <= _last(frames)
     ]
-
-
-def _called(cue: CueTable) -> str:
-    return cue.called(language())
 
 
 def _beats(plan: Plan) -> messages.Beats | None:

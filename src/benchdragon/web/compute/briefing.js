@@ -1,6 +1,7 @@
 // What the benches' sheets are made from: the plan as it was checked, and what each bench does. Twin of
 // sheets/briefing.py.
 
+import { cueName } from "../made/cues.js";
 import { named, shownName } from "../made/findings.js";
 import { Ground } from "../made/ground.js";
 import { sentence } from "../made/check.js";
@@ -9,7 +10,6 @@ import { _, both } from "../words.js";
 import { copied, rowOf, withArenaAsync } from "./arena.js";
 import { benchWalks } from "./bench_walks.js";
 import { check } from "./check.js";
-import { cueName } from "./cues.js";
 import { BOX } from "./constants.js";
 import { InputError } from "./errors.js";
 import { Marks } from "./marks.js";

@@ -119,7 +119,7 @@ export const CURVE = {
 
 export const DRAWN_ROUTE = { STRETCH_ERROR: 2e-5, MOST_NODES: 4097 };
 
-export const DRIVE = { SPEEDS: 0, TURNING: 1, ACROSS: 2, TOTAL: 3, ALONG: 4, QUANTITIES: 5 };
+export const DRIVE = { TURNING: 1, QUANTITIES: 5 };
 
 export const EVERY_PAIR = { CROWDED: 7 };
 
@@ -173,7 +173,6 @@ export const HOLDS = {
   SHORT: 3,
   COUNTS: 4,
   FINE: 0,
-  SAME_PLACE: 1e-9,
 };
 
 export const MARKS = { SAME_MARK: 1e-6 };
@@ -440,8 +439,6 @@ export const MODEL_PROFILE = { MOST_SPEED: 100 };
 export const MODEL_WALK = { MOST_PLACES: 50000000, SLICE_PLACES: 1000000 };
 
 export const NUMBER_FORMAT = { FIGURES: 5 };
-
-export const PLANS_CUES = { PRUDENCE: 1e-9, END_SLACK: 1e-6 };
 
 export const PLANS_ROUTES = { FITS: 0.001, RUN_UP: 1, FOLDS: 0.001 };
 

@@ -71,7 +71,7 @@ export function withHolds(engine, profile, start, holds, starts, rate) {
         end,
       }));
       const [times, speeds] = [HOLDS.TIME, HOLDS.SPEED].map((n) => knots.map((knot) => knot[n]));
-      return { profile: new Profile(times, speeds), stood };
+      return /** @type {const} */ ([new Profile(times, speeds), stood]);
     });
     if (found) return found;
   }

@@ -1,12 +1,12 @@
 // A whole plan: what it says, its hash, its walk and its span. Twin of plans/schema.py.
 
+import { Paced, outside, paced } from "../made/cues.js";
 import { drop, dropReplaced, idleKeys } from "../made/idle.js";
 import { _, language } from "../words.js";
-import { MODEL_DRAGON, PLANS_CUES, PLANS_SOURCE } from "./constants.js";
-import { Paced, paced } from "./cues.js";
+import { MODEL_DRAGON, PLANS_SOURCE } from "./constants.js";
 import { Dragon, SizeError, countText } from "./dragon.js";
 import { Fault, Faults, InputError, KeyedError, PlanError, keyed } from "./errors.js";
-import { general } from "./number_format.js";
+import { withHolds } from "./holds.js";
 import { builtObstacles } from "./obstacle.js";
 import { checkedTables, filledTable, jsonOfTable, withoutDefaults } from "./plan_check.js";
 import { builtRoute, lastPosition } from "./plan_routes.js";
@@ -17,7 +17,7 @@ import { Walk } from "./walk.js";
 
 /** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("./arena.js").Arena} Arena */
-/** @typedef {import("./cues.js").Moment} Moment */
+/** @typedef {import("../made/cues.js").Moment} Moment */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {Record<string, any>} Tables */
 
@@ -185,7 +185,14 @@ export class Plan {
     const profile = this.#plainProfile();
     const plain = !cues.cue.length && cues.acceleration === null;
     if (plain) this.#pace ??= new Paced(profile, this.start, []);
-    else if (engine) this.#pace ??= paced(engine, cues, profile, this.start, limits);
+    else if (engine)
+      this.#pace ??= paced(
+        cues,
+        profile,
+        this.start,
+        limits,
+        (/** @type {[any, any, any, any, any]} */ ...asked) => withHolds(engine, ...asked),
+      );
     if (!this.#pace) throw new TypeError("the plan was not built yet");
     return this.#pace;
   }
@@ -200,8 +207,7 @@ export class Plan {
 
   /** All cues in their times and places, one after another. @returns {Moment[]} */
   moments() {
-    const { cue } = this.tables.cues;
-    return cue.length ? this.pace().moments(cue) : [];
+    return this.cues.cue.length ? this.pace().moments(this.cues) : [];
   }
 
   /**
@@ -271,10 +277,9 @@ export class Plan {
       const text = _("the head never comes to the end of its walk: set walk.end");
       throw this.#wrong([new Fault("walk", text)]);
     }
-    const outside = this.moments().filter(
-      ({ time }) => !(start <= time && time <= end + PLANS_CUES.END_SLACK),
-    );
-    if (outside.length) throw this.#wrong(outsideFaults(outside, walk, start, end));
+    const way = walk.headPosition(end) - walk.headPosition(start);
+    const wrong = outside(this.moments(), start, end, way);
+    if (wrong.length) throw this.#wrong(wrong);
     return [start, end];
   }
 
@@ -366,17 +371,4 @@ function fileText(name) {
   return _("this page does not read files that plans name, such as {name}: the command line does", {
     name,
   });
-}
-
-/** What is wrong with cues that are not in a dance from start to end, s. @param {import("./cues.js").Moment[]} outside @param {import("./walk.js").Walk} walk @param {number} start @param {number} end */
-function outsideFaults(outside, walk, start, end) {
-  const way = general(walk.headPosition(end) - walk.headPosition(start));
-  const byTime = _("that is not within the dance, which lasts from {start} s to {end} s", {
-    start: general(start),
-    end: general(end),
-  });
-  const byPlace = _("that is not within the dance, in which the head walks {way} m", { way });
-  return outside.map(
-    ({ number, cue: { head } }) => new Fault(`cues.cue.${number}`, head === null ? byTime : byPlace),
-  );
 }

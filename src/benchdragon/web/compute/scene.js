@@ -2,6 +2,7 @@
 // the message, not packed into it.
 
 import { scoreOf } from "../made/beats.js";
+import { cueName } from "../made/cues.js";
 import { shownName } from "../made/findings.js";
 import { occasion } from "../made/occasions.js";
 import { village } from "../made/people.js";
@@ -10,7 +11,6 @@ import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { question } from "./budget.js";
 import { PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
 import { course } from "./course.js";
-import { cueName } from "./cues.js";
 import { InputError, finite } from "./errors.js";
 import { CAREFUL, following } from "./follow.js";
 import { foretold, frames } from "./frames.js";

@@ -3,6 +3,7 @@
 
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
+import { TIME_OF_DAY } from "./cues.js";
 
 export class Clock {
   constructor(said, start) {
@@ -27,7 +28,6 @@ export class Clock {
   }
 }
 const DAY = 86400.0;
-const TIME_OF_DAY = py.pattern("([01]?[0-9]|2[0-3]):([0-5][0-9])(?::([0-5][0-9]))?", "");
 function minutes(seconds) {
   let whole;
   whole = _whole(seconds);
