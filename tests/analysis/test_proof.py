@@ -114,12 +114,14 @@ def proved() -> Answer:
     return limit(COIL, "pitch", prove=True)
 
 
+@pytest.mark.xdist_group("proved pitch")
 def test_the_smallest_pitchs_bracket_is_proved(proved: Answer) -> None:
     assert proved.status == "proved"
     assert proved.lower < SMALLEST_PITCH < proved.upper
     assert proved.upper - proved.lower < 1e-9
 
 
+@pytest.mark.xdist_group("proved pitch")
 @pytest.mark.parametrize("end", ["prove_nearer", "prove_contact"])
 def test_a_limit_is_proved_at_both_ends(
     monkeypatch: pytest.MonkeyPatch, proved: Answer, end: str

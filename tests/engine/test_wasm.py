@@ -32,6 +32,7 @@ APART = 1e-12
 AGAIN = "engine.wasm is of other sources or tools: run `make wasm`, and commit what it makes"
 IMPORTS, EXPORTS = 2, 7
 
+alike = pytest.mark.xdist_group("calls of every entry")  # which plain Python needs long for
 needs_node = pytest.mark.skipif(node() is None, reason="no Node here to run engine.wasm in")
 
 
@@ -91,6 +92,7 @@ def differences(folder: Path, memory: bytes) -> dict[str, Any]:
     return {name: each for name, each in found.items() if not each.worst <= APART}
 
 
+@alike
 def test_every_entry_of_the_library_gives_what_plain_python_gives(folder: Path) -> None:
     library = native.load_library()
     if library is None:
@@ -98,10 +100,12 @@ def test_every_entry_of_the_library_gives_what_plain_python_gives(folder: Path) 
     assert differences(folder, again(folder, lambda entry: native.bound(entry, library))) == {}
 
 
+@alike
 def test_every_entry_of_the_module_gives_what_plain_python_gives(folder: Path) -> None:
     assert differences(folder, again(folder, Host(MODULE.read_bytes()).bound)) == {}
 
 
+@alike
 @needs_node
 def test_every_entry_gives_in_node_what_plain_python_gives(folder: Path) -> None:
     memory, _seconds = replayed(folder)
