@@ -18,7 +18,7 @@ from pydantic.fields import FieldInfo
 
 import benchdragon
 from benchdragon.model.formations import FORMATIONS
-from benchdragon.plans import people, toml
+from benchdragon.plans import toml
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.schema import Plan
 
@@ -30,8 +30,8 @@ HEADER = (
 UNITS = ("METRES", "SECONDS", "DEGREES", "SPEEDS", "ACCELERATIONS", "ANGULAR_SPEEDS")
 TYPES = {float: "float", int: "int", bool: "bool", str: "text"}
 NUMBERS, NAMES = "Record<string, Record<string, number>>", "Record<string, string[]>"
-# Functions that check or change a value, which have twins by these names.
-CHECKS = ("one_line", "_time_of_day")
+# Functions that check or change a value, made for the pages too.
+CHECKS = ("one_line", "time_of_day", "web_address")
 LIMITS = {"le": min, "ge": max, "gt": max, "least": max, "most": min}
 
 Spec = dict[str, Any]
@@ -57,10 +57,8 @@ def constraint(one: object) -> Spec:
         case BeforeValidator(func=function):
             units = closed_over(function)
             return {"units": next((name for name in UNITS if getattr(toml, name) is units), "")}
-        case AfterValidator(func=people.web_address):
-            return {"check": "web_address", "pattern": people.ADDRESS.pattern}
         case AfterValidator(func=function) if function.__name__ in CHECKS:
-            return {"check": function.__name__.strip("_")}
+            return {"check": function.__name__}
         case AfterValidator(func=function):
             return {"least": closed_over(function)}
     # Limits of numbers; pydantic keeps some in an object of its own.

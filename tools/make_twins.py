@@ -51,9 +51,15 @@ TWINS = {
     "number_format": ("number_format", "at_most", "finite_or_none", "known", "seconds"),
     "player.occasions": ("occasions", "occasion", "occasions_found", "tighten"),
     "progress": ("stages", "part", "stages"),
-    "plans.cues": ("cues", "Moment", "Paced", "cue_name", "outside", "paced"),
+    "plans.cues": (
+        "cues", "Moment", "Paced", "check_cue", "cue_name", "outside", "paced", "time_of_day",
+    ),
+    "plans.digits": ("digits", "measured"),
     "plans.idle": ("idle", "drop", "drop_replaced", "idle_keys"),
-    "plans.people": ("people", "called", "village"),
+    "plans.people": ("people", "called", "village", "web_address"),
+    "plans.signs": ("signs", "narrow"),
+    "plans.tables": ("tables", "one_line"),
+    "plans.toml": ("quantity", "quantity"),
     "rosters.names": ("roster_names", "like_two"),
     "rosters.words": (
         "roster_words", "NUMERALS", "numeral", "heading", "doubtful", "is_name", "is_other", "is_sum",
@@ -84,6 +90,7 @@ GIVEN = {
     "analysis.speed.greatest_speed": "../compute/speed.js",
     "analysis.stops.stops_of": "../compute/stops.js",
     "analysis.unfinished.unfinished": "../compute/walk_facts.js",
+    "plans.toml._vast": "../compute/python_text.js",
     "rosters.grid._cells": "../compute/roster_text.js",
     "decoding.readings": "../compute/roster_text.js",
     "analysis.findings.extent": "../compute/walk_facts.js",
@@ -212,7 +219,8 @@ class Twin:
         elif name in self.origins:
             self._take(name, *self.origins[name])
         elif name in ERRORS:
-            pass
+            if name == "ValueError":
+                self.imports.setdefault("../compute/python.js", set()).add(name)
         else:
             raise NameError(f"{self.name}: {name} is not known")
 
@@ -324,7 +332,8 @@ class Twin:
     def script(self) -> str:
         """The whole file."""
         order = [name for name in [*_in_order(self.tree), *self.wanted] if self.wanted.get(name)]
-        taken = {**self.imports, "../compute/python.js": {"py"}}
+        runtime = "../compute/python.js"
+        taken = {**self.imports, runtime: {"py", *self.imports.get(runtime, ())}}
         lines = [
             f'import {{ {", ".join(sorted(names))} }} from "{path}";'
             for path, names in sorted(taken.items())
@@ -344,7 +353,7 @@ class Twin:
 
 
 # Kinds of errors that the languages have in common, or have by other names.
-ERRORS = ("Error", "TypeError", "RangeError")
+ERRORS = ("Error", "RangeError", "TypeError", "ValueError")
 
 
 def _without(

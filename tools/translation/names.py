@@ -18,8 +18,8 @@ FUNCTIONS_SPELT = """
 """
 FUNCTIONS = frozenset(FUNCTIONS_SPELT.split())
 METHODS_SPELT = """
-    add append count decode endswith extend get index isalpha isspace items join keys lower partition
-    pop replace setdefault split splitlines strip translate upper values
+    add append count decode endswith extend get index isalpha isprintable isspace items join keys lower
+    partition pop replace setdefault split splitlines strip translate upper values
 """
 METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
@@ -40,7 +40,7 @@ OF_MODULES = {
 NUMBERS = {"math.inf": "Infinity", "math.pi": "Math.PI", "math.nan": "NaN"}
 # Calls that answer with a truth.
 TRUTHS_SPELT = """
-    any all isinstance endswith isalpha isfinite isspace bool
+    any all isinstance endswith isalpha isfinite isprintable isspace bool
 """
 TRUTHS = frozenset(TRUTHS_SPELT.split())
 # What functions of `py` take by name.

@@ -61,7 +61,8 @@ TIME_OF_DAY = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?", re.ASCII)
 MIDNIGHT = re.compile(r"24:00(?::00)?", re.ASCII)
 
 
-def _time_of_day(text: str) -> str:
+def time_of_day(text: str) -> str:
+    """A time of day in plain signs; refuses what is none."""
     text = narrow(text)
     if MIDNIGHT.fullmatch(text):  # of the day before: the clock shows 0:00
         return "0:00"
@@ -90,15 +91,20 @@ class CueTable(Table):
 
     @model_validator(mode="after")
     def _whole(self) -> Self:
-        if (self.at is None) == (self.head is None):
-            raise ValueError(_("a cue needs either at, a time, or head, a place of the head"))
-        if self.kind == "start" and self.at is None:
-            raise ValueError(_("a start needs at, a time: the head stands until then"))
-        for name in ("hold", "tempo"):
-            if (getattr(self, name) is not None) != (self.kind == name):
-                text = _("a cue needs {name} if its kind is {name}, and else has none")
-                raise ValueError(text.format(name=name))
+        check_cue(self)
         return self
+
+
+def check_cue(cue: CueTable) -> None:
+    """Refuse keys of a cue that cannot be beside one another."""
+    if (cue.at is None) == (cue.head is None):
+        raise ValueError(_("a cue needs either at, a time, or head, a place of the head"))
+    if cue.kind == "start" and cue.at is None:
+        raise ValueError(_("a start needs at, a time: the head stands until then"))
+    for name in ("hold", "tempo"):
+        if (getattr(cue, name) is not None) != (cue.kind == name):
+            text = _("a cue needs {name} if its kind is {name}, and else has none")
+            raise ValueError(text.format(name=name))
 
 
 def cue_name(cue: CueTable) -> str:
@@ -121,7 +127,7 @@ class CuesTable(Table):
     tempo: Tempo | None = None
     bar: Annotated[int, Field(ge=1, le=MOST_BAR, strict=True)] = 4
     acceleration: Acceleration | None = None
-    clock: Annotated[str, AfterValidator(_time_of_day)] = ""
+    clock: Annotated[str, AfterValidator(time_of_day)] = ""
     cue: Annotated[list[CueTable], Field(max_length=MOST_CUES)] = Field(default_factory=list)
 
     def said(self) -> dict[str, Any]:

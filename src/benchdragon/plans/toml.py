@@ -381,9 +381,9 @@ def quantity(text: object, units: dict[str, float]) -> object:
     """
     if isinstance(text, bool):
         raise ValueError(_("wanted a number, not {text}").format(text=str(text).lower()))
-    if isinstance(text, int) and text.bit_length() > MOST_BITS:
+    if _vast(text):
         raise ValueError(_("wanted a number with fewer digits"))
-    if not isinstance(text, str) or not units:
+    if not isinstance(text, str) or len(units) == 0:
         return text
     if len(text) > MOST_SIGNS:
         raise ValueError(
@@ -392,18 +392,23 @@ def quantity(text: object, units: dict[str, float]) -> object:
             )
         )
     plain = narrow(text)
-    pieces = QUANTITY.findall(plain)
+    pieces = [] if QUANTITY.sub("", plain).strip() else QUANTITY.findall(plain)
+    # The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
+    signs = [number[0] for number, _unit in pieces]
+    wrong = ValueError(
+        _("wanted a number, or text with a unit of {units}, not {text}").format(
+            units=", ".join(units), text=repr(text)
+        )
+    )
+    if not pieces or any(sign in "+-" for sign in signs[1:]) or any(u not in units for _n, u in pieces):
+        raise wrong
     try:
-        if QUANTITY.sub("", plain).strip() or not pieces:
-            raise ValueError
-        # The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
-        if any(number[0] in "+-" for number, _unit in pieces[1:]):
-            raise ValueError
         size = sum(measured(number, units[unit]) for number, unit in pieces)
-        return -size if pieces[0][0][0] == "-" else size
-    except (KeyError, ValueError):
-        raise ValueError(
-            _("wanted a number, or text with a unit of {units}, not {text}").format(
-                units=", ".join(units), text=repr(text)
-            )
-        ) from None
+    except ValueError:
+        raise wrong from None
+    return -size if signs[0] == "-" else size
+
+
+def _vast(value: object) -> bool:
+    """Whether it is a whole number that no double holds."""
+    return isinstance(value, int) and value.bit_length() > MOST_BITS

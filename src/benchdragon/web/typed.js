@@ -1,8 +1,8 @@
 // Numbers as people type them, read as `benchdragon new` reads its answers (twin of cli/new_answers.py):
 // "150cm", "1米5", "一米五", "0.8米/秒". What might be meant otherwise is no number: it is asked back.
 
-import { quantity } from "./compute/plan_check.js";
 import { PLAN_UNITS } from "./compute/plan_keys.js";
+import { quantity } from "./made/quantity.js";
 import { NUMERALS, numeral } from "./made/roster_words.js";
 
 /** The units that may stand behind a number of a unit of the form. @type {Record<string, Record<string, number>>} */

@@ -1,8 +1,9 @@
 // Everything that can go wrong, in words: twin of errors.py, and of Fault and Faults in plans/source.py.
 
 import { _ } from "../words.js";
-import { PLANS_SOURCE, Status } from "./constants.js";
+import { ERRORS, PLANS_SOURCE, Status } from "./constants.js";
 import { general, pythonFloat } from "./number_format.js";
+import { pythonRepr } from "./python_text.js";
 
 export class BenchDragonError extends Error {}
 
@@ -138,6 +139,11 @@ export class Faults {
     }
     return null;
   }
+}
+
+/** A text as Python writes it, cut short. @param {string} text */
+export function brief(text) {
+  return Array.from(pythonRepr(text)).slice(0, ERRORS.MOST_SHOWN).join("");
 }
 
 /** @param {number} value @param {string} unit */

@@ -1,19 +1,17 @@
 // The check of what a plan says: twin of the tables in plans/ and of plans/faults.py, made from the same
 // models (plan_keys.js).
 
+import { checkCue, timeOfDay } from "../made/cues.js";
+import { webAddress } from "../made/people.js";
+import { quantity } from "../made/quantity.js";
+import { oneLine } from "../made/tables.js";
 import { _ } from "../words.js";
-import { ERRORS, PLANS_SOURCE, PLANS_TOML } from "./constants.js";
+import { PLANS_SOURCE } from "./constants.js";
 import { Fault } from "./errors.js";
 import { PLAN_TABLES, PLAN_UNITS } from "./plan_keys.js";
-import {
-  asciiJson,
-  isPrintable,
-  nearestName,
-  pythonJson,
-  pythonRepr,
-  pythonText,
-} from "./python_text.js";
 import { pythonFloat } from "./number_format.js";
+import { ValueError } from "./python.js";
+import { asciiJson, nearestName, pythonJson, pythonText } from "./python_text.js";
 
 /**
  * What may stand under a key: see tools/make_plan_keys.py.
@@ -25,7 +23,6 @@ import { pythonFloat } from "./number_format.js";
  * @property {string} [units] name of the units of text with numbers, "" for none
  * @property {number} [ge] @property {number} [gt] @property {number} [le]
  * @property {number} [least] the least that is not 0
- * @property {string} [pattern] of all of a text, as a regular expression
  * @property {number} [fewest] entries @property {number} [most] entries or letters
  * @property {string} [check] of a text
  * @property {boolean} [day] whether it may be a date of TOML
@@ -34,25 +31,15 @@ import { pythonFloat } from "./number_format.js";
  * @property {string} [table] @property {Record<string, string>} [tables] by kind
  */
 
-const QUANTITY = /([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([^\s\d.+^-]+(?:\^\d)?)/gi;
 const NUMBER_TEXT = /^\s*[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:e[-+]?\d+)?\s*$/i;
-const TIME_OF_DAY = /^([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?$/;
-const MIDNIGHT = /^24:00(?::00)?$/;
 const [TRUTHS, UNTRUTHS] = [
   ["1", "on", "t", "true", "y", "yes"],
   ["0", "off", "f", "false", "n", "no"],
 ];
-// Units that move the point: text with them is as exact as without.
-const POINTS = new Map([
-  [0.01, -2],
-  [0.001, -3],
-  [1000, 3],
-]);
+/** Checks of texts, by their names. @type {Record<string, (text: string) => string>} */
+const CHECKS = { one_line: oneLine, time_of_day: timeOfDay, web_address: webAddress };
 // Letters of a value that are told.
 const MOST_TOLD = 60;
-
-/** A value that cannot be, in a sentence of its own. */
-class ValueFault extends Error {}
 
 /** A value that is not what was wanted. */
 class Unwanted extends Error {
@@ -62,62 +49,6 @@ class Unwanted extends Error {
     this.came = came;
     this.step = step;
   }
-}
-
-/**
- * The size of a number in a unit that is worth so much: the nearest double where that is a decimal.
- * @param {string} number
- * @param {number} worth
- */
-function measured(number, worth) {
-  const point = POINTS.get(worth);
-  if (point === undefined) return Math.abs(Number(number)) * worth;
-  const [digits, power] = number.toLowerCase().split("e");
-  return Math.abs(Number(`${digits}e${Number(power ?? 0) + point}`));
-}
-
-/** A text with plain signs and digits in place of full-width ones. @param {string} text */
-function narrow(text) {
-  const plain = (/** @type {string} */ sign) => String.fromCharCode(sign.charCodeAt(0) - 0xfee0);
-  return text.replace(/[\uff01-\uff5e]/g, plain).replaceAll("\u3000", " ");
-}
-
-/**
- * A number in the first of `units` from text such as "3 min 12 s"; other things unchanged.
- * @param {unknown} text
- * @param {Record<string, number>} units
- */
-export function quantity(text, units) {
-  if (typeof text === "boolean")
-    throw new ValueFault(_("wanted a number, not {text}", { text: String(text) }));
-  if (typeof text === "bigint") throw new ValueFault(_("wanted a number with fewer digits"));
-  if (typeof text !== "string" || !Object.keys(units).length) return text;
-  if ([...text].length > PLANS_TOML.MOST_SIGNS)
-    throw new ValueFault(
-      _("wanted a number, or text with a unit, in at most {most} signs, not {count}", {
-        most: PLANS_TOML.MOST_SIGNS,
-        count: [...text].length,
-      }),
-    );
-  const plain = narrow(text);
-  const pieces = [...plain.matchAll(QUANTITY)].map(([, number, unit]) => ({ number, unit }));
-  const sound =
-    pieces.length &&
-    !plain.replace(QUANTITY, "").trim() &&
-    // The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
-    pieces.every(
-      ({ number, unit }, n) =>
-        Object.hasOwn(units, unit) && !Number.isNaN(Number(number)) && !(n && /[+-]/.test(number[0])),
-    );
-  if (!sound)
-    throw new ValueFault(
-      _("wanted a number, or text with a unit of {units}, not {text}", {
-        units: Object.keys(units).join(", "),
-        text: pythonRepr(text),
-      }),
-    );
-  const size = pieces.reduce((sum, { number, unit }) => sum + measured(number, units[unit]), 0);
-  return pieces[0].number[0] === "-" ? -size : size;
 }
 
 /** Checks a plan, and gathers what is wrong. */
@@ -137,7 +68,7 @@ class Check {
     try {
       return this.#checked(spec, value, where);
     } catch (error) {
-      if (error instanceof ValueFault) this.#add(where, `${where}: ${error.message}`);
+      if (error instanceof ValueError) this.#add(where, `${where}: ${error.message}`);
       else if (error instanceof Unwanted) this.#unwanted(where + error.step, error);
       else throw error;
     }
@@ -271,7 +202,7 @@ function floatOf(spec, value) {
   inRange(spec, number);
   const { least } = spec;
   if (least !== undefined && 0 < number && number < least)
-    throw new ValueFault(
+    throw new ValueError(
       _("wanted at least {least}, not {value}", {
         least: pythonFloat(least),
         value: pythonFloat(number),
@@ -310,32 +241,9 @@ function truthOf(value) {
 function textOf(spec, value) {
   const said = spec.day && value instanceof Date ? value.toISOString() : value;
   if (typeof said !== "string") throw new Unwanted(_("text"), value);
-  const hour = spec.check === "time_of_day" ? narrow(said).replace(MIDNIGHT, "0:00") : null;
-  const text = hour ?? said;
-  if (spec.most !== undefined && Array.from(text).length > spec.most)
-    throw new ValueFault(`String should have at most ${spec.most} characters`);
-  const blank = text && (!text.trim() || !isPrintable(text));
-  if (["one_line", "web_address"].includes(spec.check ?? "") && blank)
-    throw new ValueFault(
-      _("wanted text that can be printed on one line, not {text}", { text: brief(text) }),
-    );
-  if (spec.pattern && text && !new RegExp(`^(?:${spec.pattern})$`, "u").test(text))
-    throw new ValueFault(
-      _(
-        "wanted a web address (http:// or https://) or a relative file name, without spaces, not {text}",
-        { text: brief(text) },
-      ),
-    );
-  if (spec.check === "time_of_day" && text && !TIME_OF_DAY.test(text))
-    throw new ValueFault(
-      _("wanted a time of day such as 18:30, not {text}", { text: pythonRepr(text) }),
-    );
-  return text;
-}
-
-/** A text as Python writes it, cut short: `brief` of errors.py. @param {string} text */
-function brief(text) {
-  return Array.from(pythonRepr(text)).slice(0, ERRORS.MOST_SHOWN).join("");
+  if (spec.most !== undefined && Array.from(said).length > spec.most)
+    throw new ValueError(`String should have at most ${spec.most} characters`);
+  return spec.check === undefined ? said : CHECKS[spec.check](said);
 }
 
 /** @param {Spec} spec @param {unknown} value */
@@ -345,18 +253,6 @@ function choiceOf(spec, value) {
   if (value === true && values.includes(1)) return 1; // as Python has it
   const known = values.map((one) => (typeof one === "string" ? `'${one}'` : String(one)));
   throw new Unwanted(known.join(", "), value);
-}
-
-/** What the keys of a cue must be beside one another: `CueTable._whole`. @param {Record<string, any>} cue */
-function checkCue(cue) {
-  const unsaid = (/** @type {string} */ name) => (cue[name] ?? null) === null;
-  if (unsaid("at") === unsaid("head"))
-    throw new ValueFault(_("a cue needs either at, a time, or head, a place of the head"));
-  if (cue.kind === "start" && unsaid("at"))
-    throw new ValueFault(_("a start needs at, a time: the head stands until then"));
-  for (const name of ["hold", "tempo"])
-    if (!unsaid(name) !== (cue.kind === name))
-      throw new ValueFault(_("a cue needs {name} if its kind is {name}, and else has none", { name }));
 }
 
 /**

@@ -5,7 +5,7 @@
 
 import { decimals, general, powered } from "./number_format.js";
 import { rint, rounded } from "./numbers.js";
-import { pythonRepr, pythonText } from "./python_text.js";
+import { isPrintable, pythonRepr, pythonText } from "./python_text.js";
 
 const WHITE = "\\t-\\r\\x1c-\\x20\\x85\\xa0\\u1680\\u2000-\\u200a\\u2028\\u2029\\u202f\\u205f\\u3000";
 const LINE_END = /\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]/u;
@@ -19,6 +19,9 @@ function interned(known, key) {
   if (!known.has(name)) known.set(name, key);
   return known.get(name);
 }
+
+/** A value that cannot be, in a sentence of its own. */
+export class ValueError extends Error {}
 
 class Dict extends Map {
   #known = new Map();
@@ -314,7 +317,10 @@ export const py = {
   divmod: (a, b) => [Math.floor(a / b), py.mod(a, b)],
   round: (a, digits = 0) => (digits ? rounded(a, digits) : rint(a)),
   int: (a) => Math.trunc(Number(a)),
-  float: Number,
+  float(a) {
+    if (typeof a === "string" && (!a.trim() || Number.isNaN(Number(a)))) throw new ValueError(a);
+    return Number(a);
+  },
   perf_counter: () => performance.now() / 1000,
   // Texts.
   str: (a) => (typeof a === "number" ? String(a) : pythonText(a)),
@@ -361,6 +367,7 @@ export const py = {
       .map((sign) => table.get(sign.codePointAt(0), sign))
       .map((one) => (typeof one === "number" ? String.fromCodePoint(one) : one))
       .join(""),
+  isprintable: isPrintable,
   isalpha: (a) => /^\p{L}+$/u.test(a),
   isspace: (a) => new RegExp(`^[${WHITE}]+$`, "u").test(a),
   normalize: (form, a) => a.normalize(form),

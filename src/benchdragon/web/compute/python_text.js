@@ -31,6 +31,11 @@ export function isPrintable(text) {
   return !/[\p{C}\p{Zl}\p{Zp}]|(?! )\p{Zs}/u.test(text);
 }
 
+/** Whether it is a whole number that no double holds. @param {unknown} value */
+export function _vast(value) {
+  return typeof value === "bigint";
+}
+
 /** As `json.dumps(value, ensure_ascii=False)`; whole numbers are written without a point. @param {unknown} value @returns {string} */
 export function pythonJson(value) {
   if (Array.isArray(value)) return `[${value.map(pythonJson).join(", ")}]`;

@@ -1,8 +1,10 @@
 // @ts-nocheck
 // Made from plans/people.py by tools/make_twins.py; to make it again: make types
 
-import { py } from "../compute/python.js";
+import { brief } from "../compute/errors.js";
+import { ValueError, py } from "../compute/python.js";
 import { N_, _, both } from "../words.js";
+import { oneLine } from "./tables.js";
 
 class Village {
   constructor(head, between, tail, before) {
@@ -13,6 +15,15 @@ class Village {
   }
 }
 const UNITS = py.dict([["bench", N_("bench {n}")], ["qiao", N_("qiao {n}")], ["jie", N_("jie {n}")]]);
+const ADDRESS = py.pattern("[Hh][Tt][Tt][Pp][Ss]?://[^ /?#@:\\\\][^ /?#@\\\\]*(?:[/?#][^ \\\\]*)?|[^ \\\\/:?#][^ \\\\:?#]*(?:[?#][^ \\\\]*)?", "");
+export function webAddress(text) {
+  let said;
+  if ((py.truth(oneLine(text)) && !py.truth(ADDRESS.fullmatch(text)))) {
+    said = _("wanted a web address (http:// or https://) or a relative file name, without spaces, not {text}");
+    throw new ValueError(py.filled(said, { text: brief(text) }));
+  }
+  return text;
+}
 export function called(people, bench, count) {
   if ((!py.truth(people.count_head) && (bench === 1))) {
     return _("the head");

@@ -1,0 +1,11 @@
+// @ts-nocheck
+// Made from plans/signs.py by tools/make_twins.py; to make it again: make types
+
+import { py } from "../compute/python.js";
+
+export function narrow(text) {
+  return py.join("", py.list(text).map((sign) => py.or(_narrow(sign), () => ((sign === "　") ? " " : sign))));
+}
+function _narrow(sign) {
+  return ((("！" <= sign) && (sign <= "～")) ? py.normalize("NFKC", sign) : "");
+}
