@@ -42,6 +42,7 @@ TWINS = {
     "analysis.room": ("room_levels", "ASKED", "Asked", "RoomLevel", "levels_asked", "shown_name"),
     "analysis.speed": ("quantities", "QUANTITIES", "Quantity", "given_limits"),
     "analysis.unfinished": ("unfinished", "Unfinished"),
+    "errors": ("advice", "advice"),
     "explain.bench_text": (
         "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
     ),
@@ -304,7 +305,7 @@ class Twin:
             case None | bool():
                 return {None: "null", True: "true", False: "false"}[value]
             case int() | float():
-                return number(value)
+                return number(value if isinstance(value, float) else int(value))
             case str():
                 if value in self.messages:
                     self.imports.setdefault(OWN["i18n"], set()).add("N_")

@@ -64,13 +64,7 @@ class WalkError(BenchDragonError):
 
     def __str__(self) -> str:
         """What went wrong, with advice, in the language in use."""
-        if self.t is None:
-            when = _("with the head at s = {head} m").format(head=f"{self.head:.6g}")
-        else:
-            when = _("at t = {t} s").format(t=f"{self.t:.6g}")
-        return _(ADVICE[self.status]).format(
-            when=when, bench=self.bench, s=f"{self.s:.6g}", size=self.size
-        )
+        return advice(self)
 
 
 class OpenError(BenchDragonError):
@@ -135,6 +129,18 @@ ADVICE = {
         "({size}) is longer than the arc's diameter; use a larger radius or shorter benches"
     ),
 }
+
+
+def advice(error: WalkError) -> str:
+    """What went wrong with a walk, and what to do, in the language in use."""
+    if error.t is None:
+        when = _("with the head at s = {head} m").format(head=f"{error.head:.6g}")
+    else:
+        when = _("at t = {t} s").format(t=f"{error.t:.6g}")
+    return _(ADVICE[error.status]).format(
+        when=when, bench=error.bench, s=f"{error.s:.6g}", size=error.size
+    )
+
 
 ENGINE_ADVICE = {
     Trouble.UNKNOWN: N_("BENCHDRAGON_ENGINE must be native, wasm or plain, not '{detail}'"),

@@ -1,8 +1,9 @@
 // Everything that can go wrong, in words: twin of errors.py, and of Fault and Faults in plans/source.py.
 
+import { advice } from "../made/advice.js";
 import { _ } from "../words.js";
-import { ERRORS, PLANS_SOURCE, Status } from "./constants.js";
-import { general, pythonFloat } from "./number_format.js";
+import { ERRORS, PLANS_SOURCE } from "./constants.js";
+import { pythonFloat } from "./number_format.js";
 import { pythonRepr } from "./python_text.js";
 
 export class BenchDragonError extends Error {}
@@ -47,42 +48,7 @@ export class WalkError extends BenchDragonError {
 
   /** What went wrong, with advice, in the language in use. */
   get message() {
-    const when =
-      this.t === null
-        ? _("with the head at s = {head} m", { head: general(this.head) })
-        : _("at t = {t} s", { t: general(this.t) });
-    return advice(this.status, { when, bench: this.bench, s: general(this.s), size: this.size });
-  }
-}
-
-/** @param {number} status @param {Record<string, string | number>} values */
-function advice(status, values) {
-  switch (status) {
-    case Status.BEFORE_ROUTE:
-      return _(
-        "{when} the head would stand at s = {s} m, before the route starts; begin the walk later or begin the route with a line or an inward spiral, which run on behind their start",
-        values,
-      );
-    case Status.AFTER_ROUTE:
-      return _(
-        "{when} the head would walk past the end of the route, which is {size} long (s = {s} m); end the walk earlier or lengthen the route",
-        values,
-      );
-    case Status.ROUTE_TOO_SHORT:
-      return _(
-        "{when} bench {bench} has no place: its front handle stands at s = {s} m and no point of the route behind it is one link ({size}) away; shorten the dragon, or begin the route with a line or an inward spiral, which run on behind their start",
-        values,
-      );
-    case Status.FOLDED:
-      return _(
-        "{when} bench {bench} (link {size}) folds: with its front handle at s = {s} m it stands square to the route, where the speed ratio runs away; use gentler curves or shorter benches",
-        values,
-      );
-    default:
-      return _(
-        "{when} bench {bench} cannot follow an arc: with its front handle at s = {s} m its link ({size}) is longer than the arc's diameter; use a larger radius or shorter benches",
-        values,
-      );
+    return advice(this);
   }
 }
 
