@@ -4,7 +4,9 @@ import ast
 import json
 import re
 import subprocess
-from typing import Any
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import Any, ClassVar
 
 import pytest
 from tools.make_twins import FOLDER, scripts
@@ -49,6 +51,54 @@ def answer():
         "a\\tb\\nc".splitlines(), "a/b/c".replace("/", "-"), "--a-b--".strip("-"), "  ".strip(),
     ]
 """
+# Records: what a class shares with its records, one that is built on another, what is made once, and
+# numbers that are checked when a record is made.
+RECORDS = """
+@dataclass
+class Shape:
+    called: ClassVar[str]
+
+    @classmethod
+    def of(cls, said):
+        return cls(*[said.get(name) or default for name, default in cls.defaults()])
+
+    def size(self):
+        raise NotImplementedError
+
+@dataclass
+class Disc(Shape):
+    called: ClassVar[str] = "a disc"
+    radius: float = 2.0
+    made: int = 0
+
+    def __post_init__(self):
+        if self.radius < 0.0:
+            object.__setattr__(self, "radius", getattr(self, "least", 0.5))
+
+    @staticmethod
+    def defaults():
+        return [("radius", 3.0), ("made", 0)]
+
+    def size(self):
+        self.made += 1
+        return self.radius * self.radius
+
+    @cached_property
+    def area(self):
+        return 3.0 * self.size()
+
+@dataclass
+class Ring(Disc):
+    def size(self):
+        return super().size() - 1.0
+
+def told():
+    disc, ring = Disc(-1.0), Ring.of({"radius": 4.0})
+    later = [partial(one.size) for one in (disc, ring)]
+    known = [disc.area, disc.area, disc.made, ring.area, [one.called for one in (disc, ring)]]
+    ring.__dict__["area"] = 7.0
+    return [*known, ring.area, [one() for one in later], disc.made, Disc().radius]
+"""
 PATTERNS = (
     r"(?P<a>\d+)\s*(?:km|m)?", r"[\]\-a\s]+", r"a.c$", r"^x{2,3}y{,2}\Z", r"(?<=\S)-(?=\w)",
     r"[^\n\"']*'",
@@ -85,6 +135,50 @@ def test_what_is_translated_answers_as_in_python() -> None:
     imports = f'import {{ py }} from "{made("compute/python.js")}";'
     there = run(f"{imports}\n{said}\nconsole.log(JSON.stringify(answer()));")
     assert there == json.loads(json.dumps(here["answer"]()))
+
+
+@pytest.mark.skipif(node() is None, reason="no Node here")
+def test_records_are_translated_with_what_they_are_built_on() -> None:
+    here: dict[str, Any] = {
+        "dataclass": dataclass, "ClassVar": ClassVar, "cached_property": cached_property,
+        "partial": partial,
+    }  # fmt: skip
+    exec(RECORDS, here)
+    code = Code(
+        lambda name: [] if name.startswith(".") else None,
+        lambda _name: None,
+        lambda pattern, _flags: pattern,
+    )
+    code.kind = here.get
+    *records, function = ast.parse(RECORDS).body
+    said = [code.record(one) for one in records if isinstance(one, ast.ClassDef)]
+    said += [code.function(function)] if isinstance(function, ast.FunctionDef) else []
+    imports = f'import {{ py }} from "{made("compute/python.js")}";'
+    there = run("\n".join([imports, *said, "console.log(JSON.stringify(told()));"]))
+    assert there == here["told"]()
+
+
+@pytest.mark.parametrize(
+    "code",
+    ["class A:\n @classmethod\n def f(cls): return 1\n def g(self): return self.f()",
+     "class A:\n @other\n def f(self): return 1", "class A(B, C):\n x: int",
+     "class A(B):\n x: int"],
+)  # fmt: skip
+def test_records_that_pages_could_not_have_are_an_error(code: str) -> None:
+    class Both:
+        def size(self) -> int:
+            return 1
+
+    known = Code(
+        lambda name: ["y", "x"] if name == "A" else None,
+        lambda _name: None,
+        lambda pattern, _flags: pattern,
+    )
+    known.kind = lambda name: Both if name in ("B", "C") else None
+    (node,) = ast.parse(code).body
+    assert isinstance(node, ast.ClassDef)
+    with pytest.raises(UntranslatableError):
+        known.record(node)
 
 
 @pytest.mark.skipif(node() is None, reason="no Node here")

@@ -17,7 +17,6 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator
 from pydantic.fields import FieldInfo
 
 import benchdragon
-from benchdragon.model.formations import FORMATIONS
 from benchdragon.plans import toml
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.schema import Plan
@@ -123,28 +122,6 @@ def key_spec(field: FieldInfo, tables: dict[str, Any]) -> Spec:
     return {**kind, "default": default}
 
 
-def formations() -> dict[str, Any]:
-    """What kernels and checks of sizes want to know of each formation."""
-    return {
-        name: {
-            "kind": kind.kind(),
-            "clockwise": kind.defaults().get("clockwise"),
-            "sizes": {
-                size: {
-                    "default": kind.defaults()[size],
-                    "least": of.least,
-                    "most": of.most,
-                    "unit": of.unit,
-                }
-                for size, of in kind.sizes.items()
-            },
-            "smaller": kind.smaller,
-            "tightest": kind.tightest,
-        }
-        for name, kind in FORMATIONS.items()
-    }
-
-
 def built_in() -> dict[str, Any]:
     """The built-in plans as their files say them."""
     return {name: toml.read_toml(name)[0] for name in toml.built_in_names()}
@@ -159,7 +136,6 @@ def plan_keys() -> str:
             "PLAN_TABLES", tables, 'Record<string, Record<string, import("./plan_check.js").Spec>>'
         ),
         exported("PLAN_UNITS", {name: getattr(toml, name) for name in UNITS}, NUMBERS),
-        exported("FORMATIONS", formations(), 'Record<string, import("./formations.js").Formation>'),
         exported("BUILT_IN_PLANS", built_in(), "Record<string, Record<string, any>>"),
     ]
     return "\n".join([HEADER, *texts])

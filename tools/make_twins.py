@@ -9,6 +9,7 @@ Run it as `make types`.
 
 import ast
 import dataclasses
+import enum
 import importlib
 import inspect
 import re
@@ -25,6 +26,7 @@ from tools.translation.patterns import javascript
 from tools.translation.statements import Code
 
 import benchdragon
+from benchdragon.kernels.entries import ENTRIES
 
 FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
 # Of which modules pages are given what: the file, and the names that are asked for.
@@ -46,9 +48,15 @@ TWINS = {
     "explain.bench_text": (
         "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
     ),
+    "kernels.route_parts": ("poses", "Pose"),
     "model.answer": ("answer", "keeps", "shown", "sure", "vanishing"),
+    "model.base_curve": ("base_curve", "checked_size", "laid_rows"),
+    "model.connections": ("connections", "programme"),
+    "model.curves": ("curves", "Route"),
+    "model.formations": ("formations", "FORMATIONS"),
     "model.holds": ("holds", "Hold"),
     "model.numbering": ("numbering", "handle_words"),
+    "model.turns": ("turns", "Turn"),
     "number_format": ("number_format", "at_most", "finite_or_none", "known", "seconds"),
     "player.occasions": ("occasions", "occasion", "occasions_found", "tighten"),
     "progress": ("stages", "part", "stages"),
@@ -56,11 +64,22 @@ TWINS = {
         "cues", "Moment", "Paced", "check_cue", "cue_name", "outside", "paced", "time_of_day",
     ),
     "plans.digits": ("digits", "measured"),
+    "plans.formations": ("formation_tables", "FormationTable", "StepTable"),
     "plans.idle": ("idle", "drop", "drop_replaced", "idle_keys"),
     "plans.people": ("people", "called", "village", "web_address"),
+    "plans.routes": (
+        "plan_routes", "DrawnRoute", "FormationRoute", "PartsRoute", "ProgrammeRoute", "SpiralInRoute",
+        "TurnRoute",
+    ),
     "plans.signs": ("signs", "narrow"),
-    "plans.tables": ("tables", "one_line"),
+    "plans.tables": (
+        "tables", "ArcPart", "ClothoidPart", "LinePart", "LogSpiralPart", "SpiralPart", "TurnTable",
+        "one_line",
+    ),
     "plans.toml": ("quantity", "quantity"),
+    "surveys.alignment": ("absorbed", "Absorbed"),
+    "surveys.clothoids": ("unfit", "unfit"),
+    "surveys.fitting": ("fits", "check_fewest", "checked_fit", "rounded"),
     "rosters.names": ("roster_names", "like_two"),
     "rosters.words": (
         "roster_words", "NUMERALS", "numeral", "heading", "doubtful", "is_name", "is_other", "is_sum",
@@ -99,10 +118,21 @@ GIVEN = {
     "analysis.not_looked_at.given_from": "../compute/walk_facts.js",
     "analysis.not_looked_at.places": "../compute/walk_facts.js",
     "analysis.not_looked_at.runs_on": "../compute/walk_facts.js",
+    "kernels.chain.empty_placements": "../compute/arrays.js",
+    "model.base_curve.Curve": "../compute/curve.js",
     "model.holds.HoldError": "../compute/holds.js",
     "model.obstacle.Obstacle": "../compute/obstacle.js",
     "number_format.decimals": "../compute/number_format.js",
     "number_format.figures": "../compute/number_format.js",
+    "plans.routes._fitted": "../compute/fitting.js",
+}
+# Functions that check what Python is called with, and what they give where pages call.
+UNASKED = {
+    "errors.of_kind": "() => null",
+    "model.arrays.as_numbers": "(_name, values) => values",
+    "model.connections._check": "() => null",
+    "model.connections._check_steps": "() => null",
+    "model.curves._checked_curves": "(curves) => curves",
 }
 # Functions of pages that give way between their steps: they take what is said by name as one object.
 WAITING = {
@@ -119,11 +149,17 @@ AS_FUNCTIONS = {
     "sure": ("model.answer", ("up",)),
     "vanishing": ("model.answer", ()),
 }
-# Methods that only Python has.
+# What only Python has of records, of one or of all of a module.
 LEFT_OUT = {
-    "analysis.beats.Run": ("beats", "time"), "analysis.ground.Ground": ("of", "seen"),
+    "analysis.beats.Run": ("beats", "time"),
+    "analysis.ground.Ground": ("of", "seen"),
     "model.answer.Answer": ("as_json", *AS_FUNCTIONS),
-}  # fmt: skip
+    "model.curves.Route": ("__getitem__", "__iter__", "__len__"),
+    "model.curves.Spiral": ("angle",),
+    "model.formations": ("chinese", "english", "pinyin", "shape", "source"),
+    "plans.routes.Drawn": ("line",),
+    "plans.tables": ("about", "keys"),
+}
 HEADER = "// @ts-nocheck\n// Made from {name} by tools/make_twins.py; to make it again: make types\n"
 
 
@@ -198,22 +234,29 @@ class Twin:
     @cached_property
     def code(self) -> Code:
         """What translates it."""
-        return Code(self.parameters, self.use, self.hoist, self.function_for, self.plain, self.waits)
+        listed = vars(self.module).get("fields") is dataclasses.fields
+        return Code(
+            self.parameters, self.use, self.hoist, self.function_for, self.plain, self.waits,
+            self.entry, self.member, self.kind, listed,
+        )  # fmt: skip
 
     def use(self, name: str) -> None:
         """Have a name, of this module or taken from another."""
         if name in self.wanted or name in ("error", "this"):
             return
-        if path := GIVEN.get(f"{self.name}.{name}"):
+        if given := UNASKED.get(".".join(self.origins.get(name, (self.name, name)))):
+            self.wanted[name] = f"const {camel(name)} = {given};"
+        elif path := GIVEN.get(f"{self.name}.{name}"):
             self.imports.setdefault(path, set()).add(camel(name))
         elif name in self.definitions:
             self.wanted[name] = ""
-            node = _without(self.definitions[name], LEFT_OUT.get(f"{self.name}.{name}", ()))
-            make = self.code.function if isinstance(node, ast.FunctionDef) else self.code.record
-            scopes, self.code.scopes = self.code.scopes, []
-            me, self.code.me = self.code.me, []
+            out = LEFT_OUT.get(self.name, ()) + LEFT_OUT.get(f"{self.name}.{name}", ())
+            node, code = _without(self.definitions[name], out), self.code
+            make = code.function if isinstance(node, ast.FunctionDef) else code.record
+            kept = code.scopes, code.me, code.record_name, code.of_class
+            code.scopes, code.me = [], []
             self.wanted[name] = make(node)  # type: ignore[arg-type]
-            self.code.scopes, self.code.me = scopes, me
+            code.scopes, code.me, code.record_name, code.of_class = kept
         elif name in self.values:
             self.wanted[name] = ""
             self.wanted[name] = f"const {camel(name)} = {self.literal(getattr(self.module, name))};"
@@ -257,6 +300,34 @@ class Twin:
         if not callable(value) or (isinstance(value, type) and issubclass(value, Exception)):
             return None
         return list(inspect.signature(value).parameters)
+
+    def entry(self, name: str) -> tuple[str, bool] | None:
+        """What an entry of the kernels is called in the engine, and whether it gives one number."""
+        found = self._told(name)
+        module = str(getattr(found, "__module__", ""))
+        if f"{module}.{getattr(found, '__name__', '')}" not in ENTRIES:
+            return None
+        kind = inspect.signature(found).return_annotation
+        one = isinstance(kind, type) and not issubclass(kind, tuple)
+        return f"bd_{module.rpartition('.')[2]}_{found.__name__}", one
+
+    def member(self, name: str) -> str | None:
+        """A number of a module that is named with it."""
+        found = self._told(name)
+        plain = isinstance(found, int | float) and not isinstance(found, bool | enum.Enum)
+        return number(found) if "." in name and plain else None
+
+    def _told(self, name: str) -> Any:
+        """What is called so: in this module, or in one that it names."""
+        owner, _point, own = name.rpartition(".")
+        of = vars(self.module).get(owner) if owner else self.module
+        return vars(of).get(own) if isinstance(of, ModuleType) else None
+
+    def kind(self, name: str) -> type | None:
+        """The class of the package that this module calls so."""
+        found = self._told(name)
+        own = isinstance(found, type) and found.__module__.startswith("benchdragon.")
+        return found if own else None
 
     def function_for(self, method: str) -> Sequence[str] | None:
         """What the function takes that stands for a method; None for any other method."""
@@ -302,37 +373,63 @@ class Twin:
     def literal(self, value: Any) -> str:
         """A constant as JavaScript has it."""
         match value:
+            case type():
+                return self._class(value)
+            case enum.Enum():
+                return number(value.value)
             case None | bool():
                 return {None: "null", True: "true", False: "false"}[value]
             case int() | float():
                 return number(value if isinstance(value, float) else int(value))
             case str():
-                if value in self.messages:
-                    self.imports.setdefault(OWN["i18n"], set()).add("N_")
-                    return f"N_({text(value)})"
-                return text(value)
+                return self._text(value)
+            case _ if dataclasses.is_dataclass(value):
+                return self._made(
+                    value, [getattr(value, one.name) for one in dataclasses.fields(value)]
+                )
+            case tuple() if hasattr(value, "_fields"):
+                return self._made(value, value)
+            case re.Pattern():
+                return _pattern(value.pattern, value.flags)
+        return self._several(value)
+
+    def _several(self, value: Any) -> str:
+        """A list, a set or a dict."""
+        match value:
             case tuple() | list():
                 return f"[{', '.join(map(self.literal, value))}]"
             case set() | frozenset():
                 return f"py.set_of([{', '.join(map(self.literal, sorted(value)))}])"
-            case re.Pattern():
-                return _pattern(value.pattern, value.flags)
             case _ if hasattr(value, "items"):
                 pairs = (
                     f"[{text(key) if isinstance(key, str) else self.literal(key)}, {self.literal(of)}]"
                     for key, of in value.items()
                 )
                 return f"py.dict([{', '.join(pairs)}])"
-            case _ if dataclasses.is_dataclass(value):
-                name = type(value).__name__
-                self.use(name)
-                fields = (getattr(value, one.name) for one in dataclasses.fields(value))
-                return f"new {name}({', '.join(map(self.literal, fields))})"
         raise TypeError(f"{self.name}: {value!r}")
+
+    def _text(self, value: str) -> str:
+        if value not in self.messages:
+            return text(value)
+        self.imports.setdefault(OWN["i18n"], set()).add("N_")
+        return f"N_({text(value)})"
+
+    def _class(self, value: type) -> str:
+        """A class: an enumeration as its numbers."""
+        if issubclass(value, enum.IntEnum):
+            return f"{{ {', '.join(f'{one.name}: {one.value}' for one in value)} }}"
+        self.use(value.__name__)
+        return value.__name__
+
+    def _made(self, value: object, fields: Sequence[object]) -> str:
+        """A record of what it was made of."""
+        return f"new {self._class(type(value))}({', '.join(map(self.literal, fields))})"
 
     def script(self) -> str:
         """The whole file."""
-        order = [name for name in [*_in_order(self.tree), *self.wanted] if self.wanted.get(name)]
+        there = [*_in_order(self.tree)]
+        others = [name for name in self.wanted if name not in there]
+        order = [name for name in [*others, *there] if self.wanted.get(name)]
         runtime = "../compute/python.js"
         taken = {**self.imports, runtime: {"py", *self.imports.get(runtime, ())}}
         lines = [
@@ -343,12 +440,10 @@ class Twin:
             f"const {name} = {_pattern(pattern, flags)};"
             for (pattern, flags), name in self.patterns.items()
         ]
-        said = [
+        own = [
             ("export " if name in self.shared else "") + self.wanted[name]
             for name in dict.fromkeys(order)
         ]
-        kinds = ("class ", "const ", "function", "async ")
-        own = [one for kind in kinds for one in said if one.removeprefix("export ").startswith(kind)]
         head = HEADER.format(name=f"{self.name.replace('.', '/')}.py")
         return "\n".join([head, *lines, "", *indented("\n".join(own)), ""])
 
@@ -360,9 +455,14 @@ ERRORS = ("Error", "RangeError", "TypeError", "ValueError")
 def _without(
     node: ast.FunctionDef | ast.ClassDef, names: Sequence[str]
 ) -> ast.FunctionDef | ast.ClassDef:
-    """A record without some of its methods."""
-    node.body = [one for one in node.body if getattr(one, "name", "") not in names]
+    """A record without some of what it has."""
+    node.body = [one for one in node.body if _name_of(one) not in names]
     return node
+
+
+def _name_of(node: ast.stmt) -> str:
+    target = getattr(node, "target", None) or (getattr(node, "targets", None) or [None])[0]
+    return str(getattr(node, "name", getattr(target, "id", "")))
 
 
 def _renamed(there: str, here: str) -> str:

@@ -41,6 +41,14 @@ SPECIAL: dict[str, dict[str, Any]] = {
     "small and large numbers": {"walk": {"speed": 1e-6, "end": 1e8, "position": -1e-7}},
     "negative zero": {"walk": {"position": -0.0}, "route": {"kind": "spiral-in", "turned": -0.0}},
     "moved": {"route": {"kind": "spiral-in", "at": [1, 2], "turned": "0.25 turns"}},
+    "a turn that leaves its disc": {
+        "route": {"kind": "turn"},
+        "disc": {"radius": 4.5},
+        "turn": {
+            "family": "arc-arc-arc", "radii": [1.9, 3.9], "curvature": 0.33,
+            "entry_radius": 4.4, "exit_radius": 2.0,
+        },
+    },
     "a slip of the pen": {"dragon": {"width": 1e-9}, "turn": {"ratio": 1e-4}},
     "a misspelt key": {"dragon": {"bodylength": 3}},
     "a misspelt table": {"wlak": {}},
@@ -106,6 +114,18 @@ def test_presets_and_examples_are_the_same() -> None:
     files = (ROOT / "examples").glob("*.toml")
     plans |= {path.name: read(path) for path in files if "drawn" not in path.name}
     assert len(plans) > 20
+    assert compared(plans) == {}
+
+
+def test_drawings_with_repeated_points_are_the_same() -> None:
+    lines = [[[0, 0], [0, 0], [30, 0], [30, 20], [30, 20]], [[0, 0], [0, 0]],
+             [[0, 0], [30, 0], [30, 20], [0, 0]], [[0, 0], [30, 0], [0, 0]]]  # fmt: skip
+    plans = {
+        f"{points} {closed}": {"schema": 1, "dragon": {"benches": 4}, "route": {
+            "kind": "drawn", "points": points, "closed": closed, "deviation": 1.0,
+        }}
+        for points in lines for closed in (False, True)
+    }  # fmt: skip
     assert compared(plans) == {}
 
 

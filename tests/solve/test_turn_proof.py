@@ -62,7 +62,10 @@ def ratio(numbers: np.ndarray, witness: Any) -> float:
     """The speed of a witness's handle by the head's on one turn, by the compiled march."""
     turn = turn_of("arc-line-arc", numbers.tolist())
     assert turn is not None
-    rows, links = turn.rows(lead=60.0, trail=60.0), plan().links[: max(witness.handle, 1)]
+    rows, links = (
+        turn.rows(lead=60.0, trail=60.0),
+        plan().dragon.build().links[: max(witness.handle, 1)],
+    )
     at = np.array([witness.head + float(rows[-1 if witness.backwards else 1, S_START])])
     places = empty_placements(len(links) + 1, 1)
     assert step_bounds.place_chain(rows, links, at, 0, 1, places)
@@ -162,7 +165,7 @@ def test_head_speeds_are_bounded_from_above() -> None:
 def greatest_ratio(numbers: np.ndarray) -> float:
     turn = turn_of("arc-line-arc", numbers.tolist())
     assert turn is not None
-    rows, links = turn.rows(lead=60.0, trail=60.0), plan().links[:12]
+    rows, links = turn.rows(lead=60.0, trail=60.0), plan().dragon.build().links[:12]
     at = np.linspace(float(rows[1, S_START]), float(rows[-1, S_START]) + 10.0, 400)
     places = empty_placements(13, 400)
     assert step_bounds.place_chain(rows, links, at, 0, 400, places)

@@ -41,6 +41,11 @@ class Expressions:
             that changes what is said; None of any other.
         waits: whether a function gives way between its steps: "given" by hand, which takes an object of
             options for what is said by name, "made", or "".
+        entry: what the kernels' entry of that name, with points, is called, and whether it gives one
+            number; None if it is none.
+        member: a number of a module, named with a point; None if it is none.
+        lists_fields: whether classes must tell their fields.
+        kind: the class of that name, which the module defines; None if there is none.
     """
 
     parameters: Callable[[str], Sequence[str] | None]
@@ -49,9 +54,14 @@ class Expressions:
     function_for: Callable[[str], Sequence[str] | None] = lambda _method: None
     plain: Callable[[str], dict[str, tuple[str | None, str]] | None] = lambda _name: None
     waits: Callable[[str], str] = lambda _name: ""
+    entry: Callable[[str], tuple[str, bool] | None] = lambda _name: None
+    member: Callable[[str], str | None] = lambda _name: None
+    kind: Callable[[str], type | None] = lambda _name: None
+    lists_fields: bool = False
     scopes: list[set[str]] = field(default_factory=list)
     me: list[str] = field(default_factory=list)
     record_name: str = ""
+    of_class: set[str] = field(default_factory=set)
     # Whether each function on the way in waits, None within expressions that cannot; and their names.
     waited: list[bool | None] = field(default_factory=list)
     waiting: set[str] = field(default_factory=set)
@@ -127,9 +137,15 @@ class Expressions:
     def _of_attribute(self, node: ast.Attribute) -> str:
         if (known := NUMBERS.get(ast.unparse(node))) is not None:
             return known
+        if self._is_outside(node.value) and (known := self.member(ast.unparse(node))) is not None:
+            return known
         if self.function_for(node.attr) is not None:
             return f"{node.attr}({self.expr(node.value)})"
         return f"{self.expr(node.value)}.{node.attr}"
+
+    def _is_outside(self, node: ast.expr) -> bool:
+        """Whether a name is not that of something in a function."""
+        return isinstance(node, ast.Name) and not any(node.id in scope for scope in self.scopes)
 
     def _of_starred(self, node: ast.Starred) -> str:
         return f"...py.iter({self.expr(node.value)})"
@@ -294,7 +310,13 @@ class Expressions:
     # Calls
 
     def _of_call(self, node: ast.Call) -> str:
+        entry = self.entry(ast.unparse(node.func))
+        if entry and self._is_outside(getattr(node.func, "value", node.func)):
+            said = f'py.entry("{entry[0]}", {self._given(node)})'
+            return f"{said}[0]" if entry[1] else said
         match node.func:
+            case ast.Attribute(value=ast.Call(func=ast.Name(id="super")), attr=attr):
+                return f"super{'' if attr == '__init__' else f'.{attr}'}({self._given(node)})"
             case ast.Attribute(value=value, attr=attr):
                 return self._method_call(node, value, attr)
             case ast.Name(id=name) if self.me and name == self.me[-1]:
@@ -313,10 +335,8 @@ class Expressions:
                 return self._mapped(name, *node.args)
             case "isinstance":
                 return self._instance(*node.args)
-            case "getattr":
-                return f"{self.expr(node.args[0])}[{self.expr(node.args[1])}]"
-            case "replace":
-                return f"py.replaced({self.expr(node.args[0])}, {self._object(node.keywords)})"
+            case "getattr" | "fields" | "partial" | "replace":
+                return self._of_record(node, name)
             case "_" | "N_":
                 self.use(name)
                 return f"{name}({self.expr(node.args[0])})"
@@ -334,18 +354,41 @@ class Expressions:
         made = "new " if name.lstrip("_")[:1].isupper() else ""
         return f"{made}{camel(name)}({self._given(node, self.parameters(name))})"
 
+    def _of_record(self, node: ast.Call, name: str) -> str:
+        """What is asked of a record; and a call that is made later."""
+        if name == "partial":
+            self.waited.append(None)
+            call = self.expr(ast.Call(node.args[0], node.args[1:], node.keywords))
+            self.waited.pop()
+            return f"() => {call}"
+        first, *others = map(self.expr, node.args)
+        if name == "replace":
+            return f"py.replaced({first}, {self._object(node.keywords)})"
+        if name == "fields":
+            return f"{first}.__fields__"
+        return f"{first}[{others[0]}]" if len(others) == 1 else f"py.get({first}, {', '.join(others)})"
+
     def _method_call(self, node: ast.Call, value: ast.expr, attr: str) -> str:
+        if attr in self.of_class and ast.unparse(value) == "self":
+            raise UntranslatableError(node, f".{attr}: a method of the class, asked of a record")
+        if isinstance(value, ast.Name) and value.id == "re" and attr != "escape":
+            return self._of_pattern(node, attr)
+        if (names := self.function_for(attr)) is not None:
+            return f"{attr}({self.expr(value)}, {self._given(node, names)})"
+        return self._known_method(node, value, attr)
+
+    def _of_pattern(self, node: ast.Call, attr: str) -> str:
+        """A function of `re`."""
+        pattern, *rest = node.args
+        flags = next((one.value for one in node.keywords if one.arg == "flags"), None)
+        if not isinstance(pattern, ast.Constant) or flags:
+            raise UntranslatableError(node, "of no constant")
+        return f"{self.hoist(str(pattern.value), 0)}.{attr}({', '.join(map(self.expr, rest))})"
+
+    def _known_method(self, node: ast.Call, value: ast.expr, attr: str) -> str:
         whole = ast.unparse(node.func)
         if whole in OF_MODULES:
             return f"py.{OF_MODULES[whole]}({self._given(node)})"
-        if isinstance(value, ast.Name) and value.id == "re" and attr != "escape":
-            pattern, *rest = node.args
-            flags = next((one.value for one in node.keywords if one.arg == "flags"), None)
-            if not isinstance(pattern, ast.Constant) or flags:
-                raise UntranslatableError(node, "of no constant")
-            return f"{self.hoist(str(pattern.value), 0)}.{attr}({', '.join(map(self.expr, rest))})"
-        if (names := self.function_for(attr)) is not None:
-            return f"{attr}({self.expr(value)}, {self._given(node, names)})"
         if attr == "format":
             if node.args:
                 raise UntranslatableError(node, "by places")

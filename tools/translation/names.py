@@ -14,18 +14,18 @@ KEPT = frozenset(KEPT_SPELT.split())
 # Functions that `py` holds under the same names, and methods of texts, lists, sets and dicts.
 FUNCTIONS_SPELT = """
     abs bool chr dict divmod enumerate float frozenset groupby int len list max min next ord
-    pairwise range repr round set sorted str sum tuple zip
+    pairwise range repr round set sorted str sum tuple type vars zip
 """
 FUNCTIONS = frozenset(FUNCTIONS_SPELT.split())
 METHODS_SPELT = """
-    add append count decode endswith extend get index isalpha isprintable isspace items join keys lower
-    partition pop replace setdefault split splitlines strip translate upper values
+    add append copy count decode endswith extend get index isalpha isprintable isspace items join keys
+    lower partition pop replace setdefault split splitlines strip tolist translate upper values
 """
 METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
-    called distance moments obstacle obstacles time
+    called distance head_where_tail moments obstacle obstacles point time tried
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
 # Functions of modules, by their own names.
@@ -33,11 +33,14 @@ OF_MODULES = {
     "unicodedata.normalize": "normalize", "unicodedata.category": "category",
     "math.floor": "floor", "math.ceil": "ceil", "math.isfinite": "isfinite", "math.dist": "dist",
     "math.hypot": "hypot", "math.atan2": "atan2", "math.cos": "cos", "math.sin": "sin",
+    "math.sqrt": "sqrt", "math.copysign": "copysign", "np.array": "array",
+    "np.concatenate": "concatenate", "np.empty": "empty", "np.shape": "shape", "np.zeros": "zeros",
     "math.degrees": "degrees", "math.remainder": "remainder", "itertools.islice": "islice",
     "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys", "math.radians": "radians",
     "clock.perf_counter": "perf_counter",
 }  # fmt: skip
-NUMBERS = {"math.inf": "Infinity", "math.pi": "Math.PI", "math.nan": "NaN"}
+# Numbers of modules; and what kind of numbers arrays hold, which pages need not say.
+NUMBERS = {"math.inf": "Infinity", "math.pi": "Math.PI", "math.nan": "NaN", "np.float64": "null"}
 # Calls that answer with a truth.
 TRUTHS_SPELT = """
     any all isinstance endswith isalpha isfinite isprintable isspace bool

@@ -1,4 +1,4 @@
-"""Python that knows texts, lists and records alone, as JavaScript for the pages.
+"""Python that knows texts, lists and records, and calls entries of kernels, as JavaScript for pages.
 
 A part of the language, with types left out: functions and generators, records (dataclasses and
 named tuples), comprehensions, regular expressions, `format`. Anything else is an error that names
@@ -8,10 +8,14 @@ formats) is asked of `py`, in web/compute/python.js.
 """
 
 import ast
+import inspect
 from collections.abc import Iterable, Iterator
 
 from tools.translation.expressions import Expressions, arguments_of
 from tools.translation.names import UntranslatableError, camel
+
+# What methods may be marked with.
+DECORATORS = {"cached_property", "classmethod", "property", "staticmethod"}
 
 
 class Code(Expressions):
@@ -31,7 +35,10 @@ class Code(Expressions):
         yield from found(node)
 
     def _expr(self, node: ast.Expr) -> Iterator[str]:
-        if not isinstance(node.value, ast.Constant):
+        if isinstance(node.value, ast.Call) and ast.unparse(node.value.func) == "object.__setattr__":
+            at, name, value = node.value.args
+            yield f"{self.expr(at)}[{self.expr(name)}] = {self.expr(value)};"
+        elif not isinstance(node.value, ast.Constant):
             yield f"{self.expr(node.value)};"
 
     def _pass(self, _node: ast.Pass) -> Iterator[str]:
@@ -52,6 +59,8 @@ class Code(Expressions):
         yield f"throw {self.expr(node.exc) if node.exc else 'error'};"
 
     def _assign(self, node: ast.Assign) -> Iterator[str]:
+        if ast.unparse(node.targets[0]).endswith(".flags.writeable"):
+            return  # which arrays of pages do not know
         if len(node.targets) == 1:
             yield self._set(node.targets[0], self.expr(node.value))
         else:
@@ -77,6 +86,9 @@ class Code(Expressions):
             yield f"py.pop({self.expr(one.value)}, {self.expr(one.slice)});"
 
     def _set(self, target: ast.expr, value: str) -> str:
+        if isinstance(target, ast.Subscript) and ast.unparse(target.value).endswith(".__dict__"):
+            owner = target.value.value  # type: ignore[attr-defined]
+            return f"py.keep({self.expr(owner)}, {self.expr(target.slice)}, {value});"
         if isinstance(target, ast.Subscript):
             return f"py.set({self.expr(target.value)}, {self.expr(target.slice)}, {value});"
         if isinstance(target, ast.Tuple | ast.List):
@@ -145,7 +157,7 @@ class Code(Expressions):
         nested = {one.name for one in _within(node.body) if isinstance(one, ast.FunctionDef)}
         self.scopes.append(own | inside | nested)
         self.me.append(me)
-        parameters = self.taken(node.args, skip=bool(me))
+        parameters = self.taken(node.args, skip=bool(me.strip()))
         told = f"let {', '.join(camel(one) for one in sorted(inside))};\n" if inside else ""
         self.waited.append(False)
         body = self.block(node.body)
@@ -162,30 +174,83 @@ class Code(Expressions):
     def record(self, node: ast.ClassDef) -> str:
         """A class of records, with their methods."""
         self.record_name = node.name
-        fields = [one for one in node.body if isinstance(one, ast.AnnAssign)]
-        names = [camel(one.target.id) for one in fields if isinstance(one.target, ast.Name)]
+        kind = self.kind(node.name)
+        base = self._base(node)
+        told = [one for one in node.body if isinstance(one, ast.AnnAssign)]
+        shared = [one for one in told if ast.unparse(one.annotation).startswith("ClassVar")]
+        functions = [one for one in node.body if isinstance(one, ast.FunctionDef)]
+        self.of_class = {one.name for one in functions if _is_of_class(one)}
+        lines = [line for one in shared for line in self._shared(one)]
+        if not hasattr(kind, "model_fields"):
+            fields = [one for one in told if one not in shared]
+            lines += self._constructor(node, fields, base, hasattr(kind, "__post_init__"))
+        lines += [line for one in functions if not _is_left_open(one) for line in self._method(one)]
+        if base:
+            self.use(base)
+        head = f"class {node.name} extends {base}" if base else f"class {node.name}"
+        return f"{head} {{\n" + "\n".join(lines) + "\n}"
+
+    def _base(self, node: ast.ClassDef) -> str:
+        """The class of the package that another is built on; of several the one that does something."""
+        names = [one.id for one in node.bases if isinstance(one, ast.Name) and one.id != "Table"]
+        found = [name for name in names if self.kind(name)]
+        if len(found) > 1:
+            found = [name for name in found if _does(self.kind(name))]
+        if len(found) > 1:
+            raise UntranslatableError(node, "built on several")
+        return found[0] if found else ""
+
+    def _shared(self, node: ast.AnnAssign) -> Iterator[str]:
+        """What all records of a class have: said by the class, and by each."""
+        name = ast.unparse(node.target)
+        if node.value:
+            yield f"static {name} = {self.expr(node.value)};"
+        yield f"get {name}() {{\nreturn this.constructor.{name};\n}}"
+
+    def _constructor(
+        self, node: ast.ClassDef, fields: list[ast.AnnAssign], base: str, checked: bool
+    ) -> Iterator[str]:
+        """What makes a record; none without fields of its own, or where it is said by itself."""
+        own = any(isinstance(one, ast.FunctionDef) and one.name == "__init__" for one in node.body)
+        if own or not fields:
+            return
+        keys = [one.target.id for one in fields if isinstance(one.target, ast.Name)]
+        if base and list(self.parameters(node.name) or keys) != keys:
+            raise UntranslatableError(node, "with fields of its own besides those of another")
+        names = [camel(key) for key in keys]
         given = ", ".join(
             name + (f" = {self._default(one.value)}" if one.value else "")
             for name, one in zip(names, fields, strict=True)
         )
-        keys = [one.target.id for one in fields if isinstance(one.target, ast.Name)]
-        sets = "\n".join(f"this.{key} = {name};" for key, name in zip(keys, names, strict=True))
-        lines = [f"constructor({given}) {{\n{sets}\n}}"]
-        if any(isinstance(base, ast.Name) and base.id == "NamedTuple" for base in node.bases):
-            lines.append(
-                f"*[Symbol.iterator]() {{\nyield* [{', '.join(f'this.{key}' for key in keys)}];\n}}"
+        sets = [f"this.{key} = {name};" for key, name in zip(keys, names, strict=True)]
+        lines = [
+            *(["super();"] if base else []),
+            *sets,
+            *(["this.__post_init__();"] if checked else []),
+        ]
+        yield f"constructor({given}) {{\n" + "\n".join(lines) + "\n}"
+        if any(isinstance(one, ast.Name) and one.id == "NamedTuple" for one in node.bases):
+            yield f"*[Symbol.iterator]() {{\nyield* [{', '.join(f'this.{key}' for key in keys)}];\n}}"
+        if self.lists_fields:
+            pairs = (
+                f'{{ name: "{key}", default: {self._default(one.value) if one.value else "null"} }}'
+                for key, one in zip(keys, fields, strict=True)
             )
-        lines += [self._method(one) for one in node.body if isinstance(one, ast.FunctionDef)]
-        return f"class {node.name} {{\n" + "\n".join(lines) + "\n}"
+            yield f"static __fields__ = [{', '.join(pairs)}];"
 
-    def _method(self, node: ast.FunctionDef) -> str:
+    def _method(self, node: ast.FunctionDef) -> Iterator[str]:
         how = {one.id for one in node.decorator_list if isinstance(one, ast.Name)}
-        head = (
-            ("get " if how & {"property", "cached_property"} else "")
-            + ("static " if "classmethod" in how else "")
-            + node.name
-        )
-        return self.function(node, head, node.args.args[0].arg)
+        if len(how) != len(node.decorator_list) or not how <= DECORATORS:
+            raise UntranslatableError(node, "with such a decorator")
+        name = "constructor" if node.name == "__init__" else node.name
+        if "staticmethod" in how:
+            yield self.function(node, f"static {name}", " ")
+        elif "cached_property" in how:
+            yield self.function(node, f"_{name}_", node.args.args[0].arg)
+            yield f'get {name}() {{\nreturn py.keep(this, "{name}", this._{name}_());\n}}'
+        else:
+            head = "get " if "property" in how else "static " if "classmethod" in how else ""
+            yield self.function(node, head + name, node.args.args[0].arg)
 
     def _default(self, node: ast.expr) -> str:
         """The default of a field."""
@@ -195,6 +260,24 @@ class Code(Expressions):
                 return self.default(said["default"])
             return self.expr(ast.Call(said["default_factory"], [], []))
         return self.default(node)
+
+
+def _is_of_class(node: ast.FunctionDef) -> bool:
+    """Whether a method belongs to the class, not to its records."""
+    how = {"classmethod", "staticmethod"}
+    return bool(how & {ast.unparse(one) for one in node.decorator_list})
+
+
+def _does(kind: type | None) -> bool:
+    """Whether a class has functions of its own."""
+    own = vars(kind).items()
+    return any(inspect.isfunction(one) and not name.startswith("__") for name, one in own)
+
+
+def _is_left_open(node: ast.FunctionDef) -> bool:
+    """Whether others say what a method does."""
+    last = node.body[-1]
+    return isinstance(last, ast.Raise) and ast.unparse(last) == "raise NotImplementedError"
 
 
 def _within(body: Iterable[ast.stmt]) -> Iterator[ast.AST]:

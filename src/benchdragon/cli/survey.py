@@ -41,8 +41,8 @@ def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> 
                 plan=plan, kind=read.route.kind
             )
         )
-    read.build()  # so that whatever is wrong is said with its line
-    fit = read.route.fit(float(read.links.max()))
+    walk = read.build()  # so that whatever is wrong is said with its line
+    fit = read.route.fit(walk.dragon.longest_link)
     if as_json:
         click.echo(json.dumps({**record_of(read, fit), **about(read, [])}))
     else:

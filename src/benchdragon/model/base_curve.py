@@ -144,7 +144,7 @@ class OneCurve(Curve):
         check_pose(point, heading)
         parts = self.parts
         laid_rows(parts, Pose(*point, heading), (0, 1))
-        return self._from(parts[0].tolist())
+        return type(self)._from(parts.tolist()[0])
 
 
 def check_pose(point: Point, heading: float) -> None:

@@ -113,11 +113,7 @@ def programme(steps: Sequence[Step], radius: float) -> Route:
     Raises:
         InputError: for no steps, and for what is none.
     """
-    if isinstance(steps, str) or not isinstance(steps, Sequence):
-        text = _("steps must be a list of Step, not {value}")
-        raise InputError(text.format(value=brief(steps)))
-    for step in steps:
-        of_kind("step", step, Step)
+    _check_steps(steps)
     positive("radius", radius, "m")
     if not steps:
         raise InputError(_("a programme needs at least one formation"))
@@ -129,3 +125,12 @@ def programme(steps: Sequence[Step], radius: float) -> Route:
     given = np.concatenate(parts)
     out = np.empty((len(given) + kernel.PIECES * len(steps), route_parts.PART_COLUMNS))
     return Route(curves_of(out[: kernel.programme(given, table, radius, out)]))
+
+
+def _check_steps(steps: object) -> None:
+    """Refuse what are no steps."""
+    if isinstance(steps, str) or not isinstance(steps, Sequence):
+        text = _("steps must be a list of Step, not {value}")
+        raise InputError(text.format(value=brief(steps)))
+    for step in steps:
+        of_kind("step", step, Step)

@@ -309,7 +309,7 @@ def _checked_curves(curves: object) -> tuple[AnyCurve, ...]:
 
 def joined_curves(curves: Sequence[AnyCurve], first: int, stop: int) -> tuple[AnyCurve, ...]:
     """These curves, those from number `first` to before `stop` moved to where the one before ends."""
-    parts = np.concatenate([curve.parts for curve in curves])
+    parts = np.array([curve._part() for curve in curves], np.float64)
     laid_rows(parts, moved=(first, stop))
     return (*curves[:first], *curves_of(parts[first:stop]), *curves[stop:])
 
@@ -363,23 +363,24 @@ class Route(Curve):
 
         Its curves keep their coordinates. Far out, what rounding left open at joints is closed.
         """
-        rows = self.rows.copy()
+        near = Route(self.curves, self.kinks)
+        near.__dict__["rows"] = rows = self.rows.copy()
         settle_rows(rows, *origin)
         rows.flags.writeable = False
-        near = Route(self.curves, self.kinks)
-        near.__dict__["rows"] = rows
         return near
 
     @property
     def parts(self) -> FloatArray:
         """The curves as a plan says them, one row each: see kernels/route_parts.py."""
-        return np.concatenate([curve.parts for curve in self.curves])
+        return np.array([curve._part() for curve in self.curves], np.float64)
 
     @cached_property
     def joints(self) -> FloatArray:
         """Route positions of the curves' ends, m, (len(curves) + 1,), from 0 to the length."""
-        starts = np.flatnonzero(np.diff(self.rows[:, kernel.PART], prepend=-1.0))
-        return np.append(self.rows[starts, kernel.S_START], self.length)
+        rows = self.rows.tolist()
+        others = zip(rows[1:], rows, strict=False)
+        starts = [row[kernel.S_START] for row, last in others if row[kernel.PART] != last[kernel.PART]]
+        return np.array([0.0, *starts, self.length])
 
     @property
     def centre(self) -> tuple[float, float]:

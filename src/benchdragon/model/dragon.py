@@ -213,7 +213,17 @@ class Dragon:
         raise AttributeError(_("a dragon cannot be changed ({name}): make another").format(name=name))
 
     def __repr__(self) -> str:
-        return f"<Dragon of {len(self)} benches, {self.links.sum():.6g} m from handle to handle>"
+        return f"<Dragon of {len(self)} benches, {self.extent:.6g} m from handle to handle>"
+
+    @property
+    def extent(self) -> float:
+        """From handle to handle, m: the length of the whole dragon."""
+        return float(self.links.sum())
+
+    @property
+    def longest_link(self) -> float:
+        """The largest distance between a bench's two holes, m."""
+        return float(self.links.max())
 
     @cached_property
     def lever(self) -> float:

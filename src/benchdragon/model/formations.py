@@ -9,7 +9,7 @@ contest, it is this project's own, and each `source` says so.
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
@@ -131,6 +131,12 @@ class Formation:
         return {field.name: field.default for field in fields(cls)}
 
     @classmethod
+    def of(cls, said: Mapping[str, Any]) -> Self:
+        """The formation of what is said; where that is nothing, or None, as by default."""
+        told = {name: said.get(name) for name in cls.defaults()}
+        return cls(*[cls.defaults()[name] if of is None else of for name, of in told.items()])
+
+    @classmethod
     def kind(cls) -> FormationKind:
         """Which it is to the kernels."""
         return FormationKind[cls.name.upper().replace("-", "_")]
@@ -139,7 +145,7 @@ class Formation:
         """Its route, about the origin."""
         parts = np.empty((MOST_PARTS, PART_COLUMNS))
         sizes = np.array([getattr(self, name) for name in self.sizes], np.float64)
-        count = formation_parts(self.kind(), sizes, getattr(self, "clockwise", False), parts)
+        count = formation_parts(type(self).kind(), sizes, getattr(self, "clockwise", False), parts)
         return Route(curves_of(parts[:count]))
 
     @property

@@ -141,7 +141,7 @@ class Turn:
         checked_bend("pitch", self.pitch)
         for name in ("entry_radius", "exit_radius"):
             checked_size(name, getattr(self, name))
-        if as_numbers("pieces", self.pieces).shape[1:] != (3,):
+        if np.shape(as_numbers("pieces", self.pieces))[1:] != (3,):
             raise InputError(
                 _("pieces must be triples (length, curvature, curvature), not {value}").format(
                     value=brief(self.pieces)
@@ -200,7 +200,7 @@ class Turn:
 
 def reach(rows: FloatArray) -> float:
     """How far a turn reaches from the centre, m, by the rows of its route: see `Turn.rows`."""
-    return farthest(rows, rows[1, S_START], rows[-1, S_START], LOOK)
+    return farthest(rows, float(rows[1, S_START]), float(rows[-1, S_START]), LOOK)
 
 
 # Why there is no turn.
@@ -257,7 +257,7 @@ def three_pieces(
         InputError: if there is no such turn, with the reason.
     """
     joints = _checked_joints(pitch, entry_radius, exit_radius)
-    if as_numbers("radii", radii).shape != (2,):
+    if np.shape(as_numbers("radii", radii)) != (2,):
         raise InputError(_("radii must be a pair, not {value}").format(value=brief(radii)))
     first, last = (positive("radii", radius, "m") for radius in radii)
     bend, ease = finite("bend", bend, "1/m"), not_negative("ease", ease, "m")
@@ -287,7 +287,7 @@ def _made(
         raise InputError(
             _(REASONS[status]).format(
                 least=f"{least:.3g}", value=f"{min(ends):.6g}",
-                a=f"{radii[0]:.6g}", b=f"{radii[1]:.6g}", ease=ease,
+                a=f"{radii[0]:.6g}", b=f"{radii[1]:.6g}", ease=f"{ease:g}",
             )
         )  # fmt: skip
     return Turn(*joints, tuple((length, a, b) for length, a, b in pieces.tolist()))

@@ -9,12 +9,12 @@ from pydantic import Field
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.low_points import whole_dragon
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.status import Status
 from benchdragon.model.connections import Step
 from benchdragon.model.curves import Route
+from benchdragon.model.dragon import Dragon
 from benchdragon.model.formations import FORMATIONS, Formation, SizeError
 from benchdragon.plans.source import Fault, KeyedError
 from benchdragon.plans.tables import Degrees, Length, LengthOrZero, Metres, Pitch, Table
@@ -47,21 +47,20 @@ class FormationTable(Table):
     rounds: Annotated[int, Field(strict=True)] | None = None
     clockwise: bool | None = None
 
-    def formation(self, key: str, link: float) -> Formation:
-        """The formation, under a dotted key of a plan whose longest link is `link`, m.
 
-        Raises:
-            KeyedError: for a size that cannot be, and for a bend that the benches cannot follow.
-        """
-        kind = FORMATIONS[self.name]
-        said = {name: getattr(self, name) for name in kind.defaults()}
-        try:
-            made = kind(**{name: value for name, value in said.items() if value is not None})
-        except SizeError as error:
-            raise KeyedError([Fault(f"{key}.{error.size}", str(error))]) from None
-        if made.narrowest:
-            refuse_tight(f"{key}.{made.narrowest}", made.least_radius, link)
-        return made
+def formation_of(table: FormationTable, key: str, link: float) -> Formation:
+    """The formation of a table, under a dotted key of a plan whose longest link is `link`, m.
+
+    Raises:
+        KeyedError: for a size that cannot be, and for a bend that the benches cannot follow.
+    """
+    try:
+        made = FORMATIONS[table.name].of(vars(table))
+    except SizeError as error:
+        raise KeyedError([Fault(f"{key}.{error.size}", str(error))]) from None
+    if made.narrowest:
+        refuse_tight(f"{key}.{made.narrowest}", made.least_radius, link)
+    return made
 
 
 def refuse_tight(key: str, radius: float, link: float) -> None:
@@ -83,23 +82,23 @@ def refuse_tight(key: str, radius: float, link: float) -> None:
         )
 
 
-def whole_dragon_on(route: Route, links: FloatArray) -> float:
+def whole_dragon_on(route: Route, dragon: Dragon) -> float:
     """The head's route position, m, with the tail's rear handle where the route starts.
 
     Args:
         route: which the dragon walks.
-        links: of its benches, m, (N,).
+        dragon: which walks.
 
     Raises:
         KeyedError: if the dragon is longer than the route.
     """
-    places = empty_placements(len(links) + 1, 1)
-    head, tail, status = whole_dragon(route.rows, links, np.empty(1), places)
+    places = empty_placements(len(dragon.links) + 1, 1)
+    head, tail, status = whole_dragon(route.rows, dragon.links, np.empty(1), places)
     if status == Status.ROUTE_TOO_SHORT or tail < -END_SLACK:
         text = _(
             "the dragon, {dragon} m long, does not fit on a route of {route} m, at whose start its "
             "tail stands at time 0: make the sizes larger, take fewer benches, or set walk.position"
-        ).format(dragon=f"{links.sum():.6g}", route=f"{route.length:.6g}")
+        ).format(dragon=f"{dragon.extent:.6g}", route=f"{route.length:.6g}")
         raise KeyedError([Fault("route", text)])
     return head
 
@@ -111,8 +110,8 @@ class StepTable(FormationTable):
     turned: Degrees = 0.0
 
     def step(self, key: str, link: float) -> Step:
-        """The same for a programme: see `formation`."""
-        made = self.formation(key, link)
+        """The same for a programme: see `formation_of`."""
+        made = formation_of(self, key, link)
         try:
             return Step(made, self.at, math.radians(self.turned))
         except InputError as error:

@@ -9,15 +9,21 @@ from pydantic import Field
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.turn_families import TRAIL
 from benchdragon.model.connections import programme
 from benchdragon.model.curves import Line, Route, Spiral
+from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.turns import Turn
 from benchdragon.model.walk import Walk
 from benchdragon.plans.drawn import PieceTable
-from benchdragon.plans.formations import FormationTable, StepTable, refuse_tight, whole_dragon_on
+from benchdragon.plans.formations import (
+    FormationTable,
+    StepTable,
+    formation_of,
+    refuse_tight,
+    whole_dragon_on,
+)
 from benchdragon.plans.source import Fault, Faults, KeyedError
 from benchdragon.plans.tables import (
     MOST_PARTS,
@@ -64,12 +70,22 @@ class Beside(Protocol):
         """The turn between spirals."""
 
     @property
-    def links(self) -> FloatArray:
-        """Between the holes of each bench, m, (N,)."""
+    def chain(self) -> Dragon | None:
+        """The dragon; None where its benches cannot be."""
 
     @property
     def walk(self) -> WalkTable:
         """The head's walk."""
+
+
+def _extent(plan: Beside) -> float:
+    """How long the dragon is, m; 0 where its benches cannot be."""
+    return 0.0 if plan.chain is None else plan.chain.extent
+
+
+def _longest_link(plan: Beside) -> float:
+    """The longest link of a bench, m; 0 where benches cannot be."""
+    return 0.0 if plan.chain is None else plan.chain.longest_link
 
 
 class RouteTable(Table):
@@ -127,7 +143,7 @@ class TurnRoute(RouteTable):
     def build(self, plan: Beside) -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0: where the turn begins."""
         turn = self.turn(plan)
-        route = turn.route(trail=float(plan.links.sum()) + TRAIL)
+        route = turn.route(trail=_extent(plan) + TRAIL)
         return route, float(route.joints[1])
 
     def turn(self, plan: Beside) -> Turn:
@@ -136,7 +152,7 @@ class TurnRoute(RouteTable):
         Raises:
             InputError: if there is no such turn, it does not fit the disc, or no bench could follow.
         """
-        disc = self.disc(plan)
+        disc = TurnRoute.disc(plan)
         try:
             turn = plan.turn.build(self.pitch, disc)
         except InputError as error:
@@ -156,7 +172,7 @@ class TurnRoute(RouteTable):
                     reach=f"{turn.extent:.4g}", disc=f"{disc:g}"
                 ),
             )
-        link = float(plan.links.max())
+        link = _longest_link(plan)
         if 2.0 * turn.least_radius <= link:
             raise _at(
                 "turn",
@@ -188,7 +204,9 @@ class PartsRoute(RouteTable):
     def build(self, _plan: Beside) -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0: at its start."""
         faults = Faults()
-        tried = [faults.tried(f"route.part.{i}", part.build) for i, part in enumerate(self.part)]
+        tried = [
+            faults.tried(f"route.part.{i}", partial(part.build)) for i, part in enumerate(self.part)
+        ]
         curves = [curve for curve in tried if curve is not None]
         if faults.found:
             raise KeyedError(faults.found)
@@ -211,7 +229,7 @@ class FormationRoute(RouteTable, FormationTable):
 
     def build(self, plan: Beside) -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0."""
-        route = self.formation("route", float(plan.links.max())).build()
+        route = formation_of(self, "route", _longest_link(plan)).build()
         return route, _whole_dragon_on(route, plan)
 
     def last_position(self, walk: Walk) -> float:
@@ -228,7 +246,7 @@ class ProgrammeRoute(RouteTable):
 
     def build(self, plan: Beside) -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0."""
-        faults, link = Faults(), float(plan.links.max())
+        faults, link = Faults(), _longest_link(plan)
         faults.tried("route.radius", partial(refuse_tight, "route.radius", self.radius, link))
         keys = [f"route.formation.{i}" for i in range(len(self.formation))]
         tried = [
@@ -290,10 +308,10 @@ class DrawnRoute(RouteTable):
 
     def build(self, plan: Beside) -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0: where the drawing starts."""
-        fit = self.fit(float(plan.links.max()))
+        fit = self.fit(_longest_link(plan))
         curves = fit.route.curves
         if self.closed:
-            laps = math.ceil(float(plan.links.sum()) / fit.route.length)
+            laps = math.ceil(_extent(plan) / fit.route.length)
             if (laps + 1) * len(curves) > MOST_CURVES:
                 raise _at(
                     "route",
@@ -302,7 +320,8 @@ class DrawnRoute(RouteTable):
                         "too many; draw it larger, or allow a larger deviation"
                     ).format(laps=laps, count=len(curves)),
                 )
-            return Route(curves * (laps + 1)), laps * fit.route.length
+            around = tuple(curve for _lap in range(laps + 1) for curve in curves)
+            return Route(around), laps * fit.route.length
         if isinstance(curves[0], Line):
             return fit.route, 0.0
         (x, y), heading = fit.route.start_pose
@@ -329,9 +348,9 @@ class DrawnRoute(RouteTable):
 
 def _whole_dragon_on(route: Route, plan: Beside) -> float:
     """Where the head stands with the tail at the route's start, m; 0 where the plan says another."""
-    if plan.walk.position is not None or not plan.links.all():
+    if plan.walk.position is not None or plan.chain is None:
         return 0.0
-    return whole_dragon_on(route, plan.links)
+    return whole_dragon_on(route, plan.chain)
 
 
 AnyRoute = Annotated[

@@ -8,13 +8,12 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, Literal
 
-import numpy as np
 from pydantic import Field, PrivateAttr, ValidationError
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import Route
+from benchdragon.model.dragon import Dragon
 from benchdragon.model.holds import with_holds
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.profile import SpeedProfile
@@ -97,12 +96,12 @@ class Plan(Table):
         return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
 
     @property
-    def links(self) -> FloatArray:
-        """Between the holes of each bench, m, (N,); one of 0 where benches cannot be: see `build`."""
+    def chain(self) -> Dragon | None:
+        """The dragon; None where its benches cannot be, of which `build` tells."""
         try:
-            return self.dragon.build().links
+            return self.dragon.build()
         except InputError:
-            return np.zeros(1)
+            return None
 
     def title(self, language: str) -> str:
         """What to call it in a language, "en" or "zh"."""

@@ -267,9 +267,8 @@ class SpiralPart(CurvePart):
     def build(self) -> AnyCurve:
         """The curve, its centre at the origin."""
         inward = self.end_radius < self.start_radius
-        return Spiral.between(
-            self.pitch, self.start_radius, self.end_radius, mirrored=inward != self.clockwise
-        )
+        ends, mirrored = (self.start_radius, self.end_radius), inward != self.clockwise
+        return Spiral.between(self.pitch, *ends, (0.0, 0.0), 0.0, mirrored)
 
 
 class LogSpiralPart(CurvePart):

@@ -137,7 +137,7 @@ def turns_of(plan: Plan, goal: TurnGoal) -> "tuple[Turns, Ends, Ends]":
         table.family,
         family.pitch,
         family.disc,
-        tuple(plan.links.tolist()),
+        tuple(plan.dragon.build().links.tolist()),
         goal.objective,
         math.inf if limit is None else limit * (1.0 + KEPT),
         plan.walk.speed,

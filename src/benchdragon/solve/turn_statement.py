@@ -53,7 +53,7 @@ class TurnStatement:
         return _(NONE_KEEPS if self.bound is None else NONE_BETTER[objective]).format(
             family=self.plan.turn.family, ranges=self._ranges(), limits=_(", ").join(self._limits()),
             pitch=repr(turns.pitch), disc=repr(turns.disc),
-            benches=len(self.plan.links), bound=_rounded(objective, bound),
+            benches=len(self.plan.dragon.build().links), bound=_rounded(objective, bound),
         )  # fmt: skip
 
     def _ranges(self) -> str:
@@ -100,7 +100,7 @@ class TurnStatement:
         return {
             "about": "turns", "objective": self.goal.objective, "family": family,
             "ranges": {name: list(ends) for name, ends in ranges.items()},
-            "pitch": turns.pitch, "disc": turns.disc, "benches": len(self.plan.links),
+            "pitch": turns.pitch, "disc": turns.disc, "benches": len(self.plan.dragon.build().links),
             "limits": self.kept(), "bound": self.bound,
         }  # fmt: skip
 

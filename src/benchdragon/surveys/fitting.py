@@ -8,6 +8,7 @@ import numpy as np
 
 from benchdragon.errors import InputError, not_negative
 from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.fitting import fit_points
 from benchdragon.kernels.route_parts import PART_COLUMNS, tightest_bend
 from benchdragon.kernels.status import FitStatus, Smoothing
@@ -77,17 +78,23 @@ def fitted(
             fit = _as_drawn(line, gap, kink)
         else:
             fit = _fitted(replace(line, off=line.off + bridged), smooth, deviation)
-    return _checked(fit, deviation, least_radius)
+    return checked_fit(fit, deviation, least_radius)
+
+
+def check_fewest(count: int, closed: bool) -> None:
+    """Refuse fewer points than a line has."""
+    wanted = 3 if closed else 2
+    if count < wanted:
+        raise InputError(
+            _("a drawn line needs {wanted} different points at least, not {count}").format(
+                wanted=wanted, count=count
+            )
+        )
 
 
 def _check_line(line: DrawnLine) -> None:
-    wanted = 3 if line.closed and not line.bent else 2
-    if not line.curves and len(line.corners) < wanted:
-        raise InputError(
-            _("a drawn line needs {wanted} different points at least, not {count}").format(
-                wanted=wanted, count=len(line.corners)
-            )
-        )
+    if not line.curves:
+        check_fewest(len(line.corners), line.closed and not line.bent)
     if len(line.curves or line.corners) > MOST_CURVES:
         raise InputError(
             _("a drawn route may have {most} points at most, not {count}: leave some out").format(
@@ -106,9 +113,14 @@ def _fitted(line: DrawnLine, smooth: Smooth, deviation: float) -> Fit:
     points, off = line.points(max(CHORDS * deviation, 1e-6))
     if len(points) > MOST_CURVES:
         raise InputError(_("the arcs of the drawing need too many chords: allow a larger deviation"))
+    return rounded(points, off, line.closed, smooth, deviation)
+
+
+def rounded(points: FloatArray, off: float, closed: bool, smooth: Smooth, deviation: float) -> Fit:
+    """The route along points, m, (P, 2), that may lie `off`, m, from what was drawn: see `fitted`."""
     parts = np.empty((4 * len(points), PART_COLUMNS))
     how = Smoothing[smooth.upper()]
-    status, n, bound = fit_points(points, line.closed, how, deviation, off, parts)
+    status, n, bound = fit_points(points, closed, how, deviation, off, parts)
     if status in (FitStatus.ONE_PLACE, FitStatus.DOUBLES_BACK):
         raise unfit(status, n)
     if status == FitStatus.NO_ROOM:
@@ -119,13 +131,13 @@ def _fitted(line: DrawnLine, smooth: Smooth, deviation: float) -> Fit:
             ).format(deviation=f"{deviation:g}", off=f"{bound:.3g}")
         )
     if status == FitStatus.HAIRPIN:
-        x, y = points[n]
+        x, y = points.tolist()[n]
         raise InputError(
             _("at ({x}, {y}) m the drawing doubles straight back: no bend rounds that").format(
                 x=f"{x:.6g}", y=f"{y:.6g}"
             )
         )
-    joints = n - (smooth != "none" or not line.closed)
+    joints = n - 1 if smooth != "none" or not closed else n
     return _fit(curves_of(parts[:n]), bound, Absorbed(joints))
 
 
@@ -135,7 +147,8 @@ def _fit(curves: tuple[AnyCurve, ...], deviation: float, absorbed: Absorbed) -> 
     return Fit(route, deviation, 1.0 / bend if bend else math.inf, s, absorbed)
 
 
-def _checked(fit: Fit, deviation: float, least_radius: float) -> Fit:
+def checked_fit(fit: Fit, deviation: float, least_radius: float) -> Fit:
+    """A fit, if it is as near and as gentle as is wanted."""
     if fit.deviation > deviation:
         raise InputError(
             _(

@@ -59,8 +59,6 @@ export const BOX = {
   SHORTEST_LINK: 0.001,
 };
 
-export const CONNECTIONS = { PIECES: 3, STEP_COLUMNS: 4 };
-
 export const CONTACT_MEMORY = {
   SEEN: 4,
   STOPPED: 30,
@@ -96,11 +94,8 @@ export const CONTACT_MEMORY = {
 export const CURVE = {
   LINE: 0,
   ARC: 1,
-  CLOTHOID: 2,
   SPIRAL: 3,
-  LOG_SPIRAL: 4,
   KIND: 0,
-  PART: 1,
   S_START: 2,
   LENGTH: 3,
   U_START: 4,
@@ -114,7 +109,6 @@ export const CURVE = {
   AXIS_Y: 13,
   COLUMNS: 14,
   MOST_METRES: 100000000,
-  MOST_TURN: 10000,
 };
 
 export const DRAWN_ROUTE = { STRETCH_ERROR: 2e-5, MOST_NODES: 4097 };
@@ -158,8 +152,6 @@ export const FAMILY = {
   NUMBERS: 22,
   UNKNOWN: 1e-6,
 };
-
-export const FORMATIONS = { MOST_PARTS: 128 };
 
 export const HOLDS = {
   PIECE_COLUMNS: 5,
@@ -223,7 +215,7 @@ export const ROUNDS = { ROOM: 64 };
 
 export const ROUTE = { END_SLACK: 1e-9 };
 
-export const ROUTE_PARTS = { PART_X: 1, PART_Y: 2, PART_COLUMNS: 8 };
+export const ROUTE_PARTS = { PART_COLUMNS: 8 };
 
 export const SEARCH = {
   FIRST_TOUCH: 0,
@@ -302,31 +294,9 @@ export const Status = {
   LINK_OVER_DIAMETER: 5,
 };
 
-export const TurnStatus = {
-  OK: 0,
-  TOO_NEAR: 1,
-  NO_ARCS: 2,
-  NO_LINE: 3,
-  NO_CIRCLE: 4,
-  NOT_EASED: 5,
-  NO_ROOM: 6,
-};
-
-export const Smoothing = { NONE: 0, G1: 1, G2: 2 };
-
-export const FitStatus = { OK: 0, ONE_PLACE: 1, DOUBLES_BACK: 2, NO_ROOM: 3, HAIRPIN: 4 };
-
 export const STEP_BOUNDS = { HANDLE_COLUMNS: 16, BENCH_COLUMNS: 5 };
 
-export const TURN_FAMILIES = {
-  MOST_PIECES: 7,
-  ARCS: 3,
-  LEAST_THETA: 0.5,
-  NOTHING: 1e-9,
-  LEAD: 100,
-  TRAIL: 1000,
-  LOOK: 0.02,
-};
+export const TURN_FAMILIES = { MOST_PIECES: 7, ARCS: 3 };
 
 export const TURN_QUESTION = {
   APART: 0.1,
@@ -422,10 +392,6 @@ export const ERRORS = { MOST_SHOWN: 80 };
 
 export const MODEL_ANSWER = { ROUNDING: 1e-11 };
 
-export const MODEL_BASE_CURVE = { NOWHERE: [0, 0, 0], LEAST_METRES: 1e-6 };
-
-export const MODEL_CURVES = { JOINT_GAP: 1e-9, JOINT_KINK: 1e-9, MOST_WINDING: 10000 };
-
 export const MODEL_DRAGON = { MOST_BENCHES: 1000000, MOST_FAULTS: 20 };
 
 export const MODEL_HOLDS = { KNOTS: 6 };
@@ -440,7 +406,7 @@ export const MODEL_WALK = { MOST_PLACES: 50000000, SLICE_PLACES: 1000000 };
 
 export const NUMBER_FORMAT = { FIGURES: 5 };
 
-export const PLANS_ROUTES = { FITS: 0.001, RUN_UP: 1, FOLDS: 0.001 };
+export const PLANS_ROUTES = { FITS: 0.001, RUN_UP: 1 };
 
 export const PLANS_SOURCE = { MOST_SIGNS: 200, MOST_FAULTS: 20 };
 
@@ -581,4 +547,4 @@ export const SOLVE_TURN_GOAL = {
   WIDER: 1.001,
 };
 
-export const SURVEYS_LINES = { MOST_CURVES: 10000, SAME: 1e-9 };
+export const SURVEYS_LINES = { SAME: 1e-9 };

@@ -5,7 +5,7 @@ import { doubles, withArena } from "./arena.js";
 import { DRAWN_ROUTE, PLAYER_FRAMES } from "./constants.js";
 import { linspace, rounded } from "./numbers.js";
 
-/** @typedef {import("./curves.js").Route} Route */
+/** @typedef {import("../made/curves.js").Route} Route */
 
 const { MOST_NODES } = DRAWN_ROUTE;
 

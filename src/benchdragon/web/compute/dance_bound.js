@@ -7,7 +7,7 @@ import { greatest } from "./dragon.js";
 import { evenly, least } from "./lists.js";
 import { between, greatestAbout, leastAbout } from "./smooth.js";
 
-/** @typedef {import("./curves.js").Route} Route */
+/** @typedef {import("../made/curves.js").Route} Route */
 /** @typedef {import("./dragon.js").Dragon} Dragon */
 /** @typedef {import("./strayed.js").Offset} Offset */
 /** Head positions, m, between which the first `count` benches must be searched for contacts. @typedef {{ start: number, end: number, count: number }} Part */

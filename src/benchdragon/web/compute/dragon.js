@@ -101,6 +101,11 @@ export class Dragon {
     return most;
   }
 
+  /** The largest distance between a bench's two holes, m. */
+  get longest_link() {
+    return greatest(this.link);
+  }
+
   /** From handle to handle, m: summed as NumPy sums, in pairs. */
   get extent() {
     return pairwiseSum(this.link);

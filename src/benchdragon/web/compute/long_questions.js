@@ -4,10 +4,11 @@ import { finiteOrNone } from "../made/number_format.js";
 import { answerOf, answerOrNone } from "../made/records.js";
 import { part } from "../made/stages.js";
 import { _ } from "../words.js";
+import { TurnRoute } from "../made/plan_routes.js";
 import { withArena } from "./arena.js";
+import { within } from "./arrays.js";
 import { SOLVE_SIZE } from "./constants.js";
 import { greatestHeadSpeed, slowed, withPace } from "./head_speed.js";
-import { discOf, turnOf } from "./plan_routes.js";
 import { limit } from "./size.js";
 import { ALL, RISKS, pitchFor, tolerance, touching } from "./tolerance.js";
 import { bestTurn } from "./turn.js";
@@ -59,7 +60,7 @@ export async function turn(asked) {
     length: found.length,
     way: found.way,
     way_before: wayOf(asked),
-    least_radius: found.turn.leastRadius,
+    least_radius: found.turn.least_radius,
     head_speed: answerOrNone(found.headSpeed, plan),
     clearance: answerOf(found.clearance, plan),
     active: found.active,
@@ -67,10 +68,10 @@ export async function turn(asked) {
 }
 
 /** The plan's own turn. @param {Asked} asked @returns {TurnShape} */
-export function shape({ engine, plan: { tables } }) {
+export function shape({ engine, plan }) {
   return withArena(engine, (arena) => {
-    const { length, leastRadius } = turnOf(arena, tables, null);
-    return { length, least_radius: leastRadius };
+    const { length, least_radius } = plan.turn(arena);
+    return { length, least_radius };
   });
 }
 
@@ -91,6 +92,8 @@ export async function margins({ engine, plan, progress }) {
 }
 
 /** The way inside the disc of the plan's own turn, m. @param {Asked} asked */
-function wayOf({ engine, plan: { tables } }) {
-  return withArena(engine, (arena) => turnOf(arena, tables, null).way(discOf(tables)));
+function wayOf({ engine, plan }) {
+  return withArena(engine, (arena) =>
+    within(arena, () => plan.turn(arena).way(TurnRoute.disc(plan.tables))),
+  );
 }

@@ -9,7 +9,7 @@ import { decimals, general } from "./number_format.js";
 import { rint } from "./numbers.js";
 import { countUpTo } from "./profile.js";
 
-/** @typedef {import("./curves.js").Route} Route */
+/** @typedef {import("../made/curves.js").Route} Route */
 
 /** Where a front handle starts: so far, m, past mark number `n`, from 1, and before the next. @typedef {{ n: number, past: number }} MarkPlace */
 

@@ -4,6 +4,7 @@
 import { atMost } from "../made/number_format.js";
 import { _ } from "../words.js";
 import { doubles } from "./arena.js";
+import { within } from "./arrays.js";
 import { ANALYSIS_NEARBY, REGIONS, ROUNDING } from "./constants.js";
 import { UnsureError } from "./errors.js";
 import { rint } from "./numbers.js";
@@ -44,7 +45,7 @@ export function originOf({ x, y, count }) {
 
 /** The same walk with its coordinates counted from an origin, m. @param {Arena} arena @param {Walk} walk @param {Point} origin */
 export function seenFrom(arena, walk, origin) {
-  return isNowhere(origin) ? walk : walk.on(walk.route.seenFrom(arena, origin));
+  return isNowhere(origin) ? walk : walk.on(within(arena, () => walk.route.seen_from(origin)));
 }
 
 /** The seams of a route of these rows, (rows, SEAM_COLUMNS). @param {Arena} arena @param {Numbers} rows */

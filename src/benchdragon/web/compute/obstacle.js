@@ -2,7 +2,8 @@
 
 import { _ } from "../words.js";
 import { doubles, wholes } from "./arena.js";
-import { checkedSize, radians } from "./curves.js";
+import { checkedSize } from "../made/base_curve.js";
+import { radians } from "./curve.js";
 import { BOX, CURVE, MODEL_OBSTACLE, OBSTACLE } from "./constants.js";
 import { Fault, Faults, InputError, KeyedError, finite, notNegative } from "./errors.js";
 

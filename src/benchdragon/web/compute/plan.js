@@ -3,13 +3,13 @@
 import { Paced, outside, paced } from "../made/cues.js";
 import { drop, dropReplaced, idleKeys } from "../made/idle.js";
 import { _, language } from "../words.js";
+import { within } from "./arrays.js";
 import { MODEL_DRAGON, PLANS_SOURCE } from "./constants.js";
 import { Dragon, SizeError, countText } from "./dragon.js";
 import { Fault, Faults, InputError, KeyedError, PlanError, keyed } from "./errors.js";
 import { withHolds } from "./holds.js";
 import { builtObstacles } from "./obstacle.js";
 import { checkedTables, filledTable, jsonOfTable, withoutDefaults } from "./plan_check.js";
-import { builtRoute, lastPosition } from "./plan_routes.js";
 import { setValue, withBase } from "./plan_tables.js";
 import { Profile } from "./profile.js";
 import { sha256 } from "./sha256.js";
@@ -18,6 +18,7 @@ import { Walk } from "./walk.js";
 /** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("../made/cues.js").Moment} Moment */
+/** @typedef {import("../made/curves.js").Route} Route */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {Record<string, any>} Tables */
 
@@ -233,19 +234,30 @@ export class Plan {
   build(arena) {
     const faults = new Faults();
     const dragon = faults.tried("dragon", () => builtDragon(arena, this.tables.dragon));
-    const placed = faults.tried("route", () => builtRoute(arena, this.tables, dragon));
+    const placed = faults.tried("route", () => this.#placed(arena, dragon));
     const pace = faults.tried("walk", () => this.#paced(arena.engine));
     faults.tried("obstacle", () => this.#builtObstacles());
     if (!dragon || !placed || !pace || faults.found.length) throw this.#wrong(faults.found);
-    let position = this.tables.walk.position ?? placed.start;
+    const [route, began] = placed;
+    let position = this.tables.walk.position ?? began;
     // The dance starts where it does without cues.
     if (this.tables.cues.cue.length) position += this.ways()[0] - pace.profile.distance(this.start);
-    const walk = faults.tried(
-      "walk.position",
-      () => new Walk(dragon, placed.route, pace.profile, position),
-    );
+    const walk = faults.tried("walk.position", () => new Walk(dragon, route, pace.profile, position));
     if (!walk) throw this.#wrong(faults.found);
     return walk;
+  }
+
+  /** The route on the square, and where on it the head stands at time 0, m. @param {Arena} arena @param {Dragon | null} chain @returns {[Route, number]} */
+  #placed(arena, chain) {
+    return within(arena, () => {
+      const [built, start] = this.route.build({ ...this.tables, chain });
+      return [this.route.placed(built), start];
+    });
+  }
+
+  /** The turn of its route, checked: its own walk's, or whatever the benches. @param {Arena} arena @returns {import("../made/turns.js").Turn} */
+  turn(arena) {
+    return within(arena, () => this.route.turn({ ...this.tables, chain: null }));
   }
 
   #builtObstacles() {
@@ -270,7 +282,7 @@ export class Plan {
     const { start } = this;
     let { end } = this.tables.walk;
     if (end === null) {
-      end = walk.timeAt(lastPosition(this.tables, walk));
+      end = walk.timeAt(this.route.last_position(walk));
       if (this.tables.cues.cue.length) end = Math.min(end, this.pace().end);
     }
     if (!Number.isFinite(end)) {

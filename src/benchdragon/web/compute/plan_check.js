@@ -4,7 +4,24 @@
 import { checkCue, timeOfDay } from "../made/cues.js";
 import { webAddress } from "../made/people.js";
 import { quantity } from "../made/quantity.js";
-import { oneLine } from "../made/tables.js";
+import { FormationTable, StepTable } from "../made/formation_tables.js";
+import {
+  ArcPart,
+  ClothoidPart,
+  LinePart,
+  LogSpiralPart,
+  SpiralPart,
+  TurnTable,
+  oneLine,
+} from "../made/tables.js";
+import {
+  DrawnRoute,
+  FormationRoute,
+  PartsRoute,
+  ProgrammeRoute,
+  SpiralInRoute,
+  TurnRoute,
+} from "../made/plan_routes.js";
 import { _ } from "../words.js";
 import { PLANS_SOURCE } from "./constants.js";
 import { Fault } from "./errors.js";
@@ -30,6 +47,21 @@ import { asciiJson, nearestName, pythonJson, pythonText } from "./python_text.js
  * @property {any} [of] spec of a list's entries, or those of a tuple's
  * @property {string} [table] @property {Record<string, string>} [tables] by kind
  */
+
+/** What tables do, by their names: those that are built. @type {Record<string, { prototype: object }>} */
+const DOING = {
+  ...{
+    ArcPart,
+    ClothoidPart,
+    LinePart,
+    LogSpiralPart,
+    SpiralPart,
+    TurnTable,
+    FormationTable,
+    StepTable,
+  },
+  ...{ DrawnRoute, FormationRoute, PartsRoute, ProgrammeRoute, SpiralInRoute, TurnRoute },
+};
 
 const NUMBER_TEXT = /^\s*[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:e[-+]?\d+)?\s*$/i;
 const [TRUTHS, UNTRUTHS] = [
@@ -273,8 +305,10 @@ export function checkedTables(data) {
  */
 export function filledTable(name, said) {
   const keys = Object.entries(PLAN_TABLES[name]);
-  return Object.fromEntries(
-    keys.map(([key, spec]) => [key, filled(spec, key in said ? said[key] : spec.default)]),
+  const made = keys.map(([key, spec]) => [key, filled(spec, key in said ? said[key] : spec.default)]);
+  return Object.assign(
+    Object.create(DOING[name]?.prototype ?? Object.prototype),
+    Object.fromEntries(made),
   );
 }
 

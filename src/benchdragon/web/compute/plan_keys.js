@@ -50,18 +50,6 @@ export const PLAN_UNITS = {
   "ANGULAR_SPEEDS": {"deg/s": 1.0, "°/s": 1.0, "rad/s": 57.29577951308232, "度/秒": 1.0},
 };
 
-/** @type {Record<string, import("./formations.js").Formation>} */
-// prettier-ignore
-export const FORMATIONS = {
-  "coil-in": {"kind": 0, "clockwise": true, "sizes": {"pitch": {"default": 0.8, "least": 0.1, "most": 100.0, "unit": "m"}, "outer_radius": {"default": 12.0, "least": 1.0, "most": 1000.0, "unit": "m"}, "inner_radius": {"default": 3.0, "least": 0.5, "most": 1000.0, "unit": "m"}}, "smaller": [["inner_radius", 1.0, "outer_radius", "outer_radius"], ["pitch", 1.0, "outer_radius", "outer_radius"]], "tightest": ["inner_radius"]},
-  "coil-out": {"kind": 1, "clockwise": true, "sizes": {"pitch": {"default": 0.8, "least": 0.1, "most": 100.0, "unit": "m"}, "inner_radius": {"default": 3.0, "least": 0.5, "most": 1000.0, "unit": "m"}, "outer_radius": {"default": 12.0, "least": 1.0, "most": 1000.0, "unit": "m"}}, "smaller": [["inner_radius", 1.0, "outer_radius", "outer_radius"], ["pitch", 1.0, "outer_radius", "outer_radius"]], "tightest": ["inner_radius"]},
-  "figure-eight": {"kind": 2, "clockwise": true, "sizes": {"radius": {"default": 40.0, "least": 0.5, "most": 1000.0, "unit": "m"}, "rounds": {"default": 1, "least": 1, "most": 20, "unit": ""}}, "smaller": [], "tightest": ["radius"]},
-  "three-plum-blossoms": {"kind": 3, "clockwise": true, "sizes": {"radius": {"default": 18.0, "least": 0.5, "most": 1000.0, "unit": "m"}, "waist": {"default": 6.0, "least": 0.5, "most": 1000.0, "unit": "m"}, "rounds": {"default": 1, "least": 1, "most": 20, "unit": ""}}, "smaller": [["radius", 6.464101615137752, "waist", "6.46 * waist"]], "tightest": ["waist", "radius"]},
-  "double-door": {"kind": 4, "clockwise": true, "sizes": {"pitch": {"default": 0.8, "least": 0.1, "most": 100.0, "unit": "m"}, "outer_radius": {"default": 9.0, "least": 1.0, "most": 1000.0, "unit": "m"}, "inner_radius": {"default": 2.5, "least": 0.5, "most": 1000.0, "unit": "m"}, "between": {"default": 2.0, "least": 0.0, "most": 1000.0, "unit": "m"}}, "smaller": [["inner_radius", 1.0, "outer_radius", "outer_radius"], ["pitch", 1.0, "outer_radius", "outer_radius"]], "tightest": ["inner_radius"]},
-  "straight-dragon": {"kind": 5, "clockwise": null, "sizes": {"length": {"default": 300.0, "least": 1.0, "most": 10000.0, "unit": "m"}}, "smaller": [], "tightest": []},
-  "tail-swing": {"kind": 6, "clockwise": true, "sizes": {"swing": {"default": 4.5, "least": 0.1, "most": 1000.0, "unit": "m"}, "radius": {"default": 5.0, "least": 0.5, "most": 1000.0, "unit": "m"}, "swings": {"default": 6, "least": 1, "most": 100, "unit": ""}, "run": {"default": 260.0, "least": 0.0, "most": 10000.0, "unit": "m"}}, "smaller": [["swing", 2.0, "radius", "2 * radius"]], "tightest": ["radius"]},
-};
-
 /** @type {Record<string, Record<string, any>>} */
 // prettier-ignore
 export const BUILT_IN_PLANS = {

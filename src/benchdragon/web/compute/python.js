@@ -3,6 +3,7 @@
 // is given to it may be anything.
 // @ts-nocheck
 
+import { array, cell, copy, entry, isTable, tolist, zeros } from "./arrays.js";
 import { decimals, general, powered } from "./number_format.js";
 import { rint, rounded } from "./numbers.js";
 import { isPrintable, pythonRepr, pythonText } from "./python_text.js";
@@ -191,13 +192,30 @@ export const py = {
     isTuple(a) || typeof a === "string" ? (a instanceof Map ? a.keys() : a) : Object.keys(a),
   list: (a) => (a == null ? [] : [...py.iter(a)]),
   tuple: (a) => py.list(a),
+  // Arrays, and entries of the engine.
+  entry,
+  array,
+  copy,
+  tolist,
+  zeros,
+  empty: zeros,
+  concatenate: (tables) => array(tables.flatMap(tolist)),
+  shape: (a) => a?.shape ?? (isTuple(a) ? [a.length, ...py.shape(a[0])] : []),
+  // Objects.
+  vars: (a) => a,
+  type: (a) => a.constructor,
+  keep(a, name, value) {
+    Object.defineProperty(a, name, { value, configurable: true });
+    return value;
+  },
   len: (a) =>
     typeof a === "string"
       ? /[\ud800-\udfff]/.test(a)
         ? [...a].length
         : a.length
-      : (a.size ?? py.list(a).length),
+      : (a.shape?.[0] ?? a.size ?? py.list(a).length),
   at(a, n) {
+    if (isTable(a)) return cell(a, n);
     if (a instanceof Match) return a.group(n);
     if (a instanceof Map) return a.get(n);
     if (Array.isArray(a)) return a.at(n);
@@ -205,6 +223,7 @@ export const py = {
   },
   slice(a, start, end) {
     const [from, to] = [start ?? 0, end ?? undefined];
+    if (isTable(a)) return tolist(a).slice(from, to);
     return typeof a === "string" ? [...a].slice(from, to).join("") : py.list(a).slice(from, to);
   },
   set(a, n, value) {
@@ -304,6 +323,8 @@ export const py = {
   floor: Math.floor,
   ceil: Math.ceil,
   isfinite: Number.isFinite,
+  sqrt: Math.sqrt,
+  copysign: (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a)),
   hypot: Math.hypot,
   atan2: Math.atan2,
   cos: Math.cos,
@@ -323,7 +344,7 @@ export const py = {
   },
   perf_counter: () => performance.now() / 1000,
   // Texts.
-  str: (a) => (typeof a === "number" ? String(a) : pythonText(a)),
+  str: (a) => (typeof a === "number" ? String(a) : a instanceof Error ? a.message : pythonText(a)),
   repr: (a) => (typeof a === "string" ? pythonRepr(a) : String(a)),
   ord: (a) => a.codePointAt(0),
   chr: String.fromCodePoint,

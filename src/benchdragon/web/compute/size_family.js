@@ -2,6 +2,7 @@
 // solve/size_family.py.
 
 import { _ } from "../words.js";
+import { TurnRoute } from "../made/plan_routes.js";
 import { Arena, doubles } from "./arena.js";
 import {
   CURVE,
@@ -14,7 +15,6 @@ import {
 } from "./constants.js";
 import { greatest } from "./dragon.js";
 import { InputError } from "./errors.js";
-import { discOf } from "./plan_routes.js";
 import { kindsOf, walkTables } from "./tables.js";
 
 /** @typedef {import("../engine.js").Engine} Engine */
@@ -162,7 +162,7 @@ function kernelNumbers(engine, plan, sought) {
     [FAMILY.WHAT, sought.what],
     [FAMILY.ROUTE, spiral ? FAMILY.SPIRAL_IN : turning ? FAMILY.TURN : FAMILY.FIXED],
     [FAMILY.PITCH_SIZE, spiral || turning ? route.pitch : NaN],
-    [FAMILY.DISC_RADIUS, turning ? discOf(plan.tables) : orNaN(disc.radius)],
+    [FAMILY.DISC_RADIUS, turning ? TurnRoute.disc(plan.tables) : orNaN(disc.radius)],
     [FAMILY.START_TURN, spiral ? route.start_turn : NaN],
     [FAMILY.HANDED, spiral && !route.clockwise ? -1 : 1],
     [FAMILY.TURN_FAMILY, turn.family === "arc-arc" ? FAMILY.ARC_ARC : FAMILY.THREE_PIECES],

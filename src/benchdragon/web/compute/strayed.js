@@ -7,7 +7,7 @@ import { stopped } from "./random_dance.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./arena.js").Arena} Arena */
-/** @typedef {import("./curves.js").Route} Route */
+/** @typedef {import("../made/curves.js").Route} Route */
 /** How far to the left of a route a line runs at a route position, m, and its slope there. @typedef {(s: number) => [number, number]} Offset */
 /** Positions along a route and along a line, in pairs, m. @typedef {{ drawn: number[], along: number[] }} Ways */
 

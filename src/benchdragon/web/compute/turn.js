@@ -5,28 +5,26 @@ import { QUANTITIES, givenLimits } from "../made/quantities.js";
 import { part } from "../made/stages.js";
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
+import { TurnRoute } from "../made/plan_routes.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
+import { within } from "./arrays.js";
 import { question } from "./budget.js";
 import { BOX, QUESTION, SOLVE_TURN, SOLVE_TURN_GOAL, TURN_QUESTION, TURN_TRIAL } from "./constants.js";
 import { leastClearance } from "./contact.js";
-import { radians } from "./curves.js";
-import { greatest } from "./dragon.js";
 import { EngineQuestion } from "./engine_question.js";
 import { InputError, NoSolutionError, finite, positive } from "./errors.js";
 import { greatestHeadSpeed } from "./head_speed.js";
 import { leastDistance } from "./obstacles.js";
 import { builtDragon } from "./plan.js";
-import { discOf } from "./plan_routes.js";
 import { greatestOf } from "./speed.js";
 import { silent } from "./tick.js";
-import { builtTurn } from "./turns.js";
 
 /** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./tick.js").Progress} Progress */
-/** @typedef {import("./turns.js").Turn} Turn */
+/** @typedef {import("../made/turns.js").Turn} Turn */
 /** @typedef {"length" | "way" | "speed" | "disc" | "acceleration"} Objective */
 
 /**
@@ -99,13 +97,13 @@ class TurnQuestion extends EngineQuestion {
     if (route.kind !== "turn")
       throw new InputError(_("a best turn is sought for plans whose route is a turn"));
     const narrowest = withArena(engine, (arena) =>
-      Math.max(WIDER * 0.5 * greatest(builtDragon(arena, dragon).link), goal.least_radius),
+      Math.max(WIDER * 0.5 * builtDragon(arena, dragon).longest_link, goal.least_radius),
     );
-    const bounds = boundsOf(turn, goal, discOf(plan.tables), narrowest);
+    const bounds = boundsOf(turn, goal, TurnRoute.disc(plan.tables), narrowest);
     const opened = (/** @type {import("./arena.js").Arena} */ arena, /** @type {any} */ open) => {
       const whole = builtDragon(arena, dragon);
       const { sizes, links } = whole.first(arena, Math.min(MORE, whole.benches));
-      const obstacles = plan.obstacles().map((obstacle) => unplaced(obstacle, route));
+      const obstacles = plan.obstacles().map((obstacle) => route.unplaced(obstacle));
       const boxes = obstacles.map((obstacle) => Array.from(doubles(obstacle.boxes(arena))));
       const border = [0];
       for (const rows of boxes) border.push(border[border.length - 1] + rows.length / BOX.BOX_COLUMNS);
@@ -189,7 +187,7 @@ function toldOf({ tables }, goal, narrowest) {
   told[TURN_TRIAL.FAMILY] = FAMILIES.indexOf(turn.family);
   told[TURN_TRIAL.EASE] = goal.objective === "acceleration" ? NaN : turn.ease;
   told[TURN_TRIAL.PITCH] = tables.route.pitch;
-  told[TURN_TRIAL.DISC] = discOf(tables);
+  told[TURN_TRIAL.DISC] = TurnRoute.disc(tables);
   told[TURN_TRIAL.NARROWEST] = narrowest;
   told[TURN_TRIAL.LONGEST] = goal.longest;
   told[TURN_TRIAL.LONGEST_WAY] = goal.longest_way;
@@ -204,14 +202,6 @@ function toldOf({ tables }, goal, narrowest) {
 /** Where no bench may be: 1 inside, -1 outside, 0: nowhere but at the boxes. @param {string} kind */
 function sideOf(kind) {
   return /** @type {Record<string, number>} */ ({ venue: -1, line: 0, circle: 0 })[kind] ?? 1;
-}
-
-/** An obstacle as it lies to the route before that is moved to its place. @param {Obstacle} obstacle @param {{ at: [number, number] | null, turned: number }} route */
-function unplaced(obstacle, { at, turned }) {
-  const back = -radians(turned);
-  const [x, y] = at ?? [0, 0];
-  const [c, s] = [Math.cos(back), Math.sin(back)];
-  return obstacle.moved(back, [s * y - c * x, -s * x - c * y]);
 }
 
 /** What unknowns say in a plan's [turn]. @param {number[]} x @param {string} family @param {boolean} eased */
@@ -273,7 +263,7 @@ async function exactTurn(asked, { x, figures }, began) {
   let plan = asked.plan.withValues(
     tableOf(x, asked.plan.tables.turn.family, objective === "acceleration"),
   );
-  const disc = discOf(plan.tables);
+  const disc = TurnRoute.disc(plan.tables);
   const { exact, clearance } = await exactFigures(engine, plan, figures, SOUGHT[objective]);
   const exceeds = asked.exceeded(exact);
   let [value, unit] = [exact[SOUGHT[objective]], "m"];
@@ -287,13 +277,19 @@ async function exactTurn(asked, { x, figures }, began) {
     evaluations: asked.tried,
     seconds: now() - began,
   };
-  const turn = builtTurn(engine, plan.tables.turn, plan.tables.route.pitch, disc);
+  const { turn, route } = plan.tables;
+  const [made, way] = withArena(engine, (arena) =>
+    within(arena, () => {
+      const found = turn.build(route.pitch, disc);
+      return [found, found.way(plan.tables.disc.radius ?? disc)];
+    }),
+  );
   const best = {
     plan,
-    turn,
+    turn: made,
     objective: answered(value, value, value, unit, told),
-    length: turn.length,
-    way: turn.way(plan.tables.disc.radius ?? disc),
+    length: made.length,
+    way,
     headSpeed,
     clearance,
     active: exceeds
@@ -309,7 +305,7 @@ function exactFigures(engine, plan, seen, sought) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
     const { joints } = walk.route;
-    const [first, last] = [joints[1], walk.headWhereTail(joints[joints.length - 2])];
+    const [first, last] = [joints[1], walk.head_where_tail(joints[joints.length - 2])];
     const exact = [...seen];
     const limits = givenLimits(plan);
     for (const quantity of QUANTITIES.values())

@@ -9,7 +9,7 @@ import { InputError, WalkError, finite } from "./errors.js";
 import { general } from "./number_format.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
-/** @typedef {import("./curves.js").Route} Route */
+/** @typedef {Omit<import("../made/curves.js").Route, "joints"> & { joints: Float64Array }} Route */
 /** @typedef {import("./dragon.js").Dragon} Dragon */
 /** @typedef {import("./profile.js").Profile} Profile */
 /** @typedef {import("../engine.js").Engine} Engine */
@@ -137,7 +137,7 @@ export class Walk {
       throw new InputError(_("start must lie within 1e8 m, not at {s} m", { s: general(start) }));
   }
 
-  /** The same dragon and head on another route, as long: see `Route.seenFrom`. @param {Route} route */
+  /** The same dragon and head on another route, as long: see `Route.seen_from`. @param {Route} route */
   on(route) {
     return new Walk(this.dragon, route, this.profile, this.start);
   }
@@ -203,7 +203,7 @@ export class Walk {
   }
 
   /** The head's route position, m, when the last handle has come to route position s (m). @param {number} s */
-  headWhereTail(s) {
+  head_where_tail(s) {
     return withArena(this.engine, (arena) => {
       const places = arena.placements(this.dragon.benches + 1, 1);
       const { rows } = this.route;

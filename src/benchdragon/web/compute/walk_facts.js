@@ -3,8 +3,7 @@
 
 import { Unfinished } from "../made/unfinished.js";
 import { doubles, withArena } from "./arena.js";
-import { ANALYSIS_NOT_LOOKED_AT, ANALYSIS_UNFINISHED, PLANS_ROUTES } from "./constants.js";
-import { lastPosition } from "./plan_routes.js";
+import { ANALYSIS_NOT_LOOKED_AT, ANALYSIS_UNFINISHED, CURVE, PLANS_ROUTES } from "./constants.js";
 
 /** @typedef {import("./plan.js").Plan} CheckedPlan */
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -26,7 +25,7 @@ export function extent({ dragon }) {
 
 /** Whether a straight line that the plan does not draw leads to the start of the route. @param {Walk} walk */
 export function runsOn({ route }) {
-  return route.straight;
+  return doubles(route.rows)[CURVE.U_BACK] === -Infinity;
 }
 
 /** Where on the route begins what the plan gives, m: after the line before a drawn bend. @param {CheckedPlan} plan @param {Walk} walk */
@@ -47,7 +46,7 @@ export function places(walk, ...times) {
 export function unfinished({ tables }, walk, end) {
   const { NEARLY, TENTHS, DUST } = ANALYSIS_UNFINISHED;
   if (tables.route.kind !== "turn") return null;
-  const last = lastPosition(tables, walk);
+  const last = tables.route.last_position(walk);
   const way = last - walk.headPosition(end);
   if (way <= NEARLY) return null;
   const time = walk.timeAt(last);

@@ -4,7 +4,6 @@
 import { py } from "../compute/python.js";
 import { atMost, known } from "./number_format.js";
 
-const ROUNDING = 1e-11;
 export function keeps(self, limit) {
   let most;
   most = (limit * (1.0 + ROUNDING));
@@ -28,3 +27,4 @@ export function sure(self, up) {
   near = (py.abs(py.sub(end, self.value)) <= (ROUNDING * py.abs(self.value)));
   return ((py.truth(near) || !py.isfinite(end)) ? self.value : end);
 }
+const ROUNDING = 1e-11;

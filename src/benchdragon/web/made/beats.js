@@ -3,6 +3,8 @@
 
 import { py } from "../compute/python.js";
 
+const SLOWEST = 20.0;
+const FASTEST = 400.0;
 class Run {
   constructor(start, end, period, bar, counted) {
     this.start = start;
@@ -26,8 +28,6 @@ class Score {
     yield* [this.tempo, this.by_step, this.runs, this.strokes];
   }
 }
-const SLOWEST = 20.0;
-const FASTEST = 400.0;
 export function scoreOf(plan, start, end) {
   let bar, byStep, moments, one, period, runs, since, still, strokes, tempo;
   [bar, tempo] = py.list([plan.cues.bar, plan.cues.tempo]);

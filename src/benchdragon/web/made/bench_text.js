@@ -5,6 +5,19 @@ import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
 import { known } from "./number_format.js";
 
+const REACH = 1.5;
+const MOST_TURNS = 3;
+const MOST_PACES = 4;
+const LEAST_ANGLE = 5.0;
+const ROUND = 360.0;
+const QUARTERS = 4;
+const WALKING = N_("keep walking");
+const PACES = py.dict([["wait", N_("wait")], ["walk", N_("keep walking")], ["hurry", N_("hurry")], ["run", N_("run")]]);
+const TURNS = py.dict([["left", N_("turn left")], ["right", N_("turn right")], ["straight", N_("straight on")]]);
+const FAR = [N_("a little"), N_("a quarter round"), N_("half round"), N_("three quarters round")];
+const ALL_THE_WAY = py.dict([["left", N_("bend left all the way")], ["right", N_("bend right all the way")]]);
+const SIDES = py.dict([["left", N_("on your left")], ["right", N_("on your right")], ["front", N_("in front of you")], ["rear", N_("behind you")]]);
+const ITS_SIDES = py.dict([["left", N_("on its left")], ["right", N_("on its right")], ["front", N_("in front of it")], ["rear", N_("behind it")]]);
 export class Halt {
   constructor(start, end, what) {
     this.start = start;
@@ -45,19 +58,6 @@ export class Landmark {
     this.edge = edge;
   }
 }
-const MOST_TURNS = 3;
-const MOST_PACES = 4;
-const LEAST_ANGLE = 5.0;
-const ROUND = 360.0;
-const QUARTERS = 4;
-const WALKING = N_("keep walking");
-const PACES = py.dict([["wait", N_("wait")], ["walk", N_("keep walking")], ["hurry", N_("hurry")], ["run", N_("run")]]);
-const TURNS = py.dict([["left", N_("turn left")], ["right", N_("turn right")], ["straight", N_("straight on")]]);
-const FAR = [N_("a little"), N_("a quarter round"), N_("half round"), N_("three quarters round")];
-const ALL_THE_WAY = py.dict([["left", N_("bend left all the way")], ["right", N_("bend right all the way")]]);
-const SIDES = py.dict([["left", N_("on your left")], ["right", N_("on your right")], ["front", N_("in front of you")], ["rear", N_("behind you")]]);
-const ITS_SIDES = py.dict([["left", N_("on its left")], ["right", N_("on its right")], ["front", N_("in front of it")], ["rear", N_("behind it")]]);
-const REACH = 1.5;
 export function benchLines(basis, found, landmark, called) {
   let clock, halts, people;
   [clock, halts, people] = py.list([basis.clock, basis.halts, basis.people]);

@@ -20,6 +20,9 @@ import { QUANTITIES, givenLimits } from "./quantities.js";
 import { ASKED, levelsAsked, shownName } from "./room_levels.js";
 import { silent, stages } from "./stages.js";
 
+const ROUNDING = 1e-11;
+const RATE_TOLERANCE = 1e-06;
+const AFTER_NEXT = 2;
 class Report {
   constructor(plan, walk, start, end, firstContact, clearance, greatestSpeed, peaks, findings, obstacles = [], room = [], proved = false, seconds = 0.0, claims = [], speeds = [], unproved = [], unfinished = /** @type {any} */ (null), notLookedAt = []) {
     this.plan = plan;
@@ -51,10 +54,57 @@ class Report {
     return (!py.truth(this.findings) || py.list(this.findings).some((finding) => py.truth(finding.decided)));
   }
 }
-const AFTER_NEXT = 2;
-const BRIEF = py.dict([["contact", N_("benches {a} and {b} touch at {t} s")], ["margin", N_("benches {a} and {b} come nearer than the {margin} m asked for at {t} s")], ["obstacle", N_("bench {a} touches {name} at {t} s")], ["obstacle_margin", N_("bench {a} comes nearer than {margin} m to {name} at {t} s")], ["venue", N_("bench {a} leaves {name} at {t} s")], ["venue_margin", N_("bench {a} comes nearer than {margin} m to the edge of {name} at {t} s")], ["sway", N_("benches {a} and {b} have no room to sway at {t} s")], ["imprecision", N_("benches {a} and {b} have no room for imprecision at {t} s")], ["people", N_("the people of benches {a} and {b} have no room at {t} s")]]);
-const ROUNDING = 1e-11;
-const RATE_TOLERANCE = 1e-06;
+export async function checked(plan, walk, span, progress = silent, prover = /** @type {any} */ (null)) {
+  let asked, began, clearance, contact, contacts, end, found, left, limited, obstacles, peaks, proved, room, speed, stage, start, told, until;
+  began = py.perf_counter();
+  [[start, end], asked] = py.list([span, levelsAsked(plan.people)]);
+  stage = stages(progress, (py.truth(asked) ? 6 : 5));
+  [contact, clearance] = py.list((await _nearness(plan, walk, span, stage, prover)));
+  until = (((contact == null) || (contact.witness == null)) ? end : contact.upper);
+  left = [];
+  speed = (await _greatestSpeed(plan, walk, [start, until], stage(_("greatest speed"))));
+  peaks = (await _limitedPeaks(plan, walk, [start, until], left, stage(_("other limits"))));
+  told = stage(_("obstacles"));
+  obstacles = (await _obstacles(plan, walk, [start, until], prover, left, told));
+  room = [];
+  if (py.truth(asked)) {
+    told = stage(_("room for people"));
+    {
+      const caught = toldIfOpen(left, py.at(asked, -1));
+      try {
+        (await roomLevels(plan, walk, span, [contact, obstacles], room, { progress: told, prove: py.bool(prover) }));
+      } catch (error) {
+        caught(error);
+      }
+    }
+  }
+  contacts = [contact, ...py.iter(py.list(obstacles).map((answers) => answers.contact))];
+  contacts = py.extend(contacts, py.list(py.list(room).map((level) => level.first)).map((one) => py.and(one, () => py.at(one, 0))));
+  proved = ((prover != null) && !py.truth(left));
+  limited = py.dict([["speed", speed], ...py.items(peaks)]);
+  found = allFindings(plan, walk, [start, until], contact, obstacles, limited, room);
+  return new Report(plan, walk, start, end, contact, clearance, speed, peaks, [...py.iter(found), ...py.iter(left)], obstacles, py.tuple(room), py.and(proved, () => py.list(contacts).every((one) => ((one == null) || (one.status === "proved")))), py.sub(py.perf_counter(), began), ((prover == null) ? [] : py.tuple(prover.claims)), undefined, undefined, unfinished(plan, walk, end), notLookedAt(plan, walk, start, end));
+}
+async function _nearness(plan, walk, span, stage, prover) {
+  let contact, margin, search, told, touching, until;
+  [margin, told] = py.list([plan.limits.margin, stage(_("searching for contact"))]);
+  search = ((prover == null) ? null : prover.contact);
+  contact = (await firstSureContact(walk, ...py.iter(span), { margin: margin, search: search, progress: told }));
+  if (((touching = _noClearance(contact)) != null)) {
+    return [contact, touching];
+  }
+  until = (((contact == null) || (contact.witness == null)) ? py.at(span, 1) : contact.upper);
+  told = stage(_("clearance"));
+  {
+    const caught = toldIfOpen([]);
+    try {
+      return [contact, (await leastClearance(walk, py.at(span, 0), until, { progress: told }))];
+    } catch (error) {
+      caught(error);
+    }
+  }
+  return [contact, (await seenClearance(walk, py.at(span, 0), until, ((contact == null) ? margin : 0.0)))];
+}
 function _noClearance(contact) {
   if (((contact == null) || (contact.witness == null) || (contact.witness.gap > 0.0))) {
     return null;
@@ -63,6 +113,61 @@ function _noClearance(contact) {
     return null;
   }
   return py.replaced(contact, { value: 0.0, lower: 0.0, upper: 0.0, unit: "m" });
+}
+async function _obstacles(plan, walk, span, prover, left, progress) {
+  let answers, found, known, n, obstacle;
+  [found, known] = py.list([[], plan.obstacles()]);
+  for ([n, obstacle] of py.iter(py.enumerate(known))) {
+    progress((n / py.len(known)), named(obstacle));
+    {
+      const caught = toldIfOpen(left, obstacle);
+      try {
+        answers = (await obstacleAnswers(walk, obstacle, ...py.iter(span)));
+        if ((prover != null)) {
+          answers = prover.obstacle(walk, answers, ...py.iter(span));
+        }
+        py.append(found, answers);
+      } catch (error) {
+        caught(error);
+      }
+    }
+  }
+  return py.tuple(found);
+}
+async function _greatestSpeed(plan, walk, span, progress) {
+  let limit, speed;
+  {
+    const caught = toldIfOpen([]);
+    try {
+      speed = (await greatestSpeed(walk, ...py.iter(span), { progress: progress }));
+      for (limit of py.iter([plan.limits.speed, plan.people.most_speed])) {
+        if (((limit != null) && (keeps(speed, limit) == null))) {
+          speed = (await greatest(walk, py.at(QUANTITIES, "speed"), ...py.iter(span), { limit: (limit * (1.0 + ROUNDING)) }));
+        }
+      }
+      return speed;
+    } catch (error) {
+      caught(error);
+    }
+  }
+  return speedAtStart(walk, py.at(span, 0));
+}
+async function _limitedPeaks(plan, walk, span, left, progress) {
+  let limit, limits, n, name, peaks;
+  limits = py.dict(py.list(py.items(givenLimits(plan))).flatMap(([name, limit]) => (((name !== "speed")) ? [[name, limit]] : [])));
+  peaks = py.dict([]);
+  for ([n, [name, limit]] of py.iter(py.enumerate(py.items(limits)))) {
+    {
+      const caught = toldIfOpen(left, name, limit);
+      try {
+        py.set(peaks, name, (await greatest(walk, py.at(QUANTITIES, name), ...py.iter(span), { tolerance: RATE_TOLERANCE, limit: (limit * (1.0 + ROUNDING)) })));
+      } catch (error) {
+        caught(error);
+      }
+    }
+    progress(((n + 1) / py.len(limits)), "");
+  }
+  return peaks;
 }
 export function peakText(name) {
   return py.filled(_("greatest {what}"), { what: _(py.at(QUANTITIES, name).text) });
@@ -82,6 +187,7 @@ export function sentence(report, told = /** @type {any} */ (null)) {
   }
   return py.filled(_("Not safe: {finding}"), { finding: text });
 }
+const BRIEF = py.dict([["contact", N_("benches {a} and {b} touch at {t} s")], ["margin", N_("benches {a} and {b} come nearer than the {margin} m asked for at {t} s")], ["obstacle", N_("bench {a} touches {name} at {t} s")], ["obstacle_margin", N_("bench {a} comes nearer than {margin} m to {name} at {t} s")], ["venue", N_("bench {a} leaves {name} at {t} s")], ["venue_margin", N_("bench {a} comes nearer than {margin} m to the edge of {name} at {t} s")], ["sway", N_("benches {a} and {b} have no room to sway at {t} s")], ["imprecision", N_("benches {a} and {b} have no room for imprecision at {t} s")], ["people", N_("the people of benches {a} and {b} have no room at {t} s")]]);
 function _soonest(found) {
   let time, touch;
   time = ((found.time == null) ? Infinity : found.time);
@@ -195,110 +301,4 @@ function _keptFrom(report) {
     py.append(said, kept);
   }
   return said;
-}
-export async function checked(plan, walk, span, progress = silent, prover = /** @type {any} */ (null)) {
-  let asked, began, clearance, contact, contacts, end, found, left, limited, obstacles, peaks, proved, room, speed, stage, start, told, until;
-  began = py.perf_counter();
-  [[start, end], asked] = py.list([span, levelsAsked(plan.people)]);
-  stage = stages(progress, (py.truth(asked) ? 6 : 5));
-  [contact, clearance] = py.list((await _nearness(plan, walk, span, stage, prover)));
-  until = (((contact == null) || (contact.witness == null)) ? end : contact.upper);
-  left = [];
-  speed = (await _greatestSpeed(plan, walk, [start, until], stage(_("greatest speed"))));
-  peaks = (await _limitedPeaks(plan, walk, [start, until], left, stage(_("other limits"))));
-  told = stage(_("obstacles"));
-  obstacles = (await _obstacles(plan, walk, [start, until], prover, left, told));
-  room = [];
-  if (py.truth(asked)) {
-    told = stage(_("room for people"));
-    {
-      const caught = toldIfOpen(left, py.at(asked, -1));
-      try {
-        (await roomLevels(plan, walk, span, [contact, obstacles], room, { progress: told, prove: py.bool(prover) }));
-      } catch (error) {
-        caught(error);
-      }
-    }
-  }
-  contacts = [contact, ...py.iter(py.list(obstacles).map((answers) => answers.contact))];
-  contacts = py.extend(contacts, py.list(py.list(room).map((level) => level.first)).map((one) => py.and(one, () => py.at(one, 0))));
-  proved = ((prover != null) && !py.truth(left));
-  limited = py.dict([["speed", speed], ...py.items(peaks)]);
-  found = allFindings(plan, walk, [start, until], contact, obstacles, limited, room);
-  return new Report(plan, walk, start, end, contact, clearance, speed, peaks, [...py.iter(found), ...py.iter(left)], obstacles, py.tuple(room), py.and(proved, () => py.list(contacts).every((one) => ((one == null) || (one.status === "proved")))), py.sub(py.perf_counter(), began), ((prover == null) ? [] : py.tuple(prover.claims)), undefined, undefined, unfinished(plan, walk, end), notLookedAt(plan, walk, start, end));
-}
-async function _nearness(plan, walk, span, stage, prover) {
-  let contact, margin, search, told, touching, until;
-  [margin, told] = py.list([plan.limits.margin, stage(_("searching for contact"))]);
-  search = ((prover == null) ? null : prover.contact);
-  contact = (await firstSureContact(walk, ...py.iter(span), { margin: margin, search: search, progress: told }));
-  if (((touching = _noClearance(contact)) != null)) {
-    return [contact, touching];
-  }
-  until = (((contact == null) || (contact.witness == null)) ? py.at(span, 1) : contact.upper);
-  told = stage(_("clearance"));
-  {
-    const caught = toldIfOpen([]);
-    try {
-      return [contact, (await leastClearance(walk, py.at(span, 0), until, { progress: told }))];
-    } catch (error) {
-      caught(error);
-    }
-  }
-  return [contact, (await seenClearance(walk, py.at(span, 0), until, ((contact == null) ? margin : 0.0)))];
-}
-async function _obstacles(plan, walk, span, prover, left, progress) {
-  let answers, found, known, n, obstacle;
-  [found, known] = py.list([[], plan.obstacles()]);
-  for ([n, obstacle] of py.iter(py.enumerate(known))) {
-    progress((n / py.len(known)), named(obstacle));
-    {
-      const caught = toldIfOpen(left, obstacle);
-      try {
-        answers = (await obstacleAnswers(walk, obstacle, ...py.iter(span)));
-        if ((prover != null)) {
-          answers = prover.obstacle(walk, answers, ...py.iter(span));
-        }
-        py.append(found, answers);
-      } catch (error) {
-        caught(error);
-      }
-    }
-  }
-  return py.tuple(found);
-}
-async function _greatestSpeed(plan, walk, span, progress) {
-  let limit, speed;
-  {
-    const caught = toldIfOpen([]);
-    try {
-      speed = (await greatestSpeed(walk, ...py.iter(span), { progress: progress }));
-      for (limit of py.iter([plan.limits.speed, plan.people.most_speed])) {
-        if (((limit != null) && (keeps(speed, limit) == null))) {
-          speed = (await greatest(walk, py.at(QUANTITIES, "speed"), ...py.iter(span), { limit: (limit * (1.0 + ROUNDING)) }));
-        }
-      }
-      return speed;
-    } catch (error) {
-      caught(error);
-    }
-  }
-  return speedAtStart(walk, py.at(span, 0));
-}
-async function _limitedPeaks(plan, walk, span, left, progress) {
-  let limit, limits, n, name, peaks;
-  limits = py.dict(py.list(py.items(givenLimits(plan))).flatMap(([name, limit]) => (((name !== "speed")) ? [[name, limit]] : [])));
-  peaks = py.dict([]);
-  for ([n, [name, limit]] of py.iter(py.enumerate(py.items(limits)))) {
-    {
-      const caught = toldIfOpen(left, name, limit);
-      try {
-        py.set(peaks, name, (await greatest(walk, py.at(QUANTITIES, name), ...py.iter(span), { tolerance: RATE_TOLERANCE, limit: (limit * (1.0 + ROUNDING)) })));
-      } catch (error) {
-        caught(error);
-      }
-    }
-    progress(((n + 1) / py.len(limits)), "");
-  }
-  return peaks;
 }

@@ -5,6 +5,7 @@ import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { TIME_OF_DAY } from "./cues.js";
 
+const DAY = 86400.0;
 export class Clock {
   constructor(said, start) {
     this.said = said;
@@ -27,7 +28,6 @@ export class Clock {
     return py.filled(_("Times are times of day; the dance starts at {clock}."), { clock: this.said });
   }
 }
-const DAY = 86400.0;
 function minutes(seconds) {
   let whole;
   whole = _whole(seconds);

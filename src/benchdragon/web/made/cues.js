@@ -8,6 +8,43 @@ import { N_, _, language } from "../words.js";
 import { Hold } from "./holds.js";
 import { narrow } from "./signs.js";
 
+const SAME_PLACE = 1e-09;
+const PRUDENCE = 1e-09;
+const END_SLACK = 1e-06;
+const NAMES = py.dict([["beat", N_("drum")], ["hold", N_("hold")], ["stop", N_("stop")], ["start", N_("start")], ["tempo", N_("tempo")], ["note", N_("note")]]);
+const TROUBLE = py.dict([["overlap", N_("the head still stands for another cue then: set them farther apart")], ["room", N_("to stand there the head would have to brake harder than {rate} m/s^2: set it later")], ["unreachable", N_("the head never comes there")], ["outside", N_("that is before the dance starts, at {start} s")], ["over", N_("the dance is over by then: the head has stopped, and no start comes after")]]);
+export const TIME_OF_DAY = py.pattern("([01]?[0-9]|2[0-3]):([0-5][0-9])(?::([0-5][0-9]))?", "");
+const MIDNIGHT = py.pattern("24:00(?::00)?", "");
+export function timeOfDay(text) {
+  text = narrow(text);
+  if (py.truth(MIDNIGHT.fullmatch(text))) {
+    return "0:00";
+  }
+  if ((py.truth(text) && !py.truth(TIME_OF_DAY.fullmatch(text)))) {
+    throw new ValueError(py.filled(_("wanted a time of day such as 18:30, not {text}"), { text: brief(text) }));
+  }
+  return text;
+}
+export function checkCue(cue) {
+  let name, text;
+  if (py.eq((cue.at == null), (cue.head == null))) {
+    throw new ValueError(_("a cue needs either at, a time, or head, a place of the head"));
+  }
+  if (((cue.kind === "start") && (cue.at == null))) {
+    throw new ValueError(_("a start needs at, a time: the head stands until then"));
+  }
+  for (name of py.iter(["hold", "tempo"])) {
+    if (!py.eq((cue[name] != null), py.eq(cue.kind, name))) {
+      text = _("a cue needs {name} if its kind is {name}, and else has none");
+      throw new ValueError(py.filled(text, { name: name }));
+    }
+  }
+}
+export function cueName(cue) {
+  let own;
+  own = ((language() === "zh") ? py.or(cue.text_zh, () => cue.text) : py.or(cue.text, () => cue.text_zh));
+  return py.or(own, () => _(py.at(NAMES, cue.kind)));
+}
 export class Moment {
   constructor(number, cue, time, way, until) {
     this.number = number;
@@ -59,43 +96,6 @@ export class Paced {
     }
     return py.max(this.profile.time(py.add(cue.head, py.float(this.profile.distance(this.start)))), this.start);
   }
-}
-const PRUDENCE = 1e-09;
-const END_SLACK = 1e-06;
-const NAMES = py.dict([["beat", N_("drum")], ["hold", N_("hold")], ["stop", N_("stop")], ["start", N_("start")], ["tempo", N_("tempo")], ["note", N_("note")]]);
-const TROUBLE = py.dict([["overlap", N_("the head still stands for another cue then: set them farther apart")], ["room", N_("to stand there the head would have to brake harder than {rate} m/s^2: set it later")], ["unreachable", N_("the head never comes there")], ["outside", N_("that is before the dance starts, at {start} s")], ["over", N_("the dance is over by then: the head has stopped, and no start comes after")]]);
-export const TIME_OF_DAY = py.pattern("([01]?[0-9]|2[0-3]):([0-5][0-9])(?::([0-5][0-9]))?", "");
-const MIDNIGHT = py.pattern("24:00(?::00)?", "");
-const SAME_PLACE = 1e-09;
-export function timeOfDay(text) {
-  text = narrow(text);
-  if (py.truth(MIDNIGHT.fullmatch(text))) {
-    return "0:00";
-  }
-  if ((py.truth(text) && !py.truth(TIME_OF_DAY.fullmatch(text)))) {
-    throw new ValueError(py.filled(_("wanted a time of day such as 18:30, not {text}"), { text: brief(text) }));
-  }
-  return text;
-}
-export function checkCue(cue) {
-  let name, text;
-  if (py.eq((cue.at == null), (cue.head == null))) {
-    throw new ValueError(_("a cue needs either at, a time, or head, a place of the head"));
-  }
-  if (((cue.kind === "start") && (cue.at == null))) {
-    throw new ValueError(_("a start needs at, a time: the head stands until then"));
-  }
-  for (name of py.iter(["hold", "tempo"])) {
-    if (!py.eq((cue[name] != null), py.eq(cue.kind, name))) {
-      text = _("a cue needs {name} if its kind is {name}, and else has none");
-      throw new ValueError(py.filled(text, { name: name }));
-    }
-  }
-}
-export function cueName(cue) {
-  let own;
-  own = ((language() === "zh") ? py.or(cue.text_zh, () => cue.text) : py.or(cue.text, () => cue.text_zh));
-  return py.or(own, () => _(py.at(NAMES, cue.kind)));
 }
 export function paced(cues, profile, start, limits, held) {
   let asked, found, holding, holds, rate, starts, stood, text, times;

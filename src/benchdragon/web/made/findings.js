@@ -9,12 +9,16 @@ import { known, seconds } from "./number_format.js";
 import { handleWords } from "./numbering.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 
+const ROUNDING = 1e-11;
+const NAMELESS = py.pattern("obstacle (\\p{Nd}+)", "");
+const NAMELESS_VENUE = "venue";
 class Kind {
   constructor(code, text) {
     this.code = code;
     this.text = text;
   }
 }
+const KINDS = py.dict([["contact", new Kind("BD101", N_("two benches touch"))], ["margin", new Kind("BD102", N_("two benches come nearer than the margin"))], ["walk", new Kind("BD103", N_("a bench cannot follow"))], ["route", new Kind("BD104", N_("the route is shorter than the dragon"))], ["sway", new Kind("BD105", N_("benches have no room to sway"))], ["imprecision", new Kind("BD106", N_("benches have no room for imprecision"))], ["people", new Kind("BD107", N_("people have no room beside or before a bench"))], ["speed", new Kind("BD201", N_("a handle is faster than the limit"))], ["acceleration", new Kind("BD202", N_("a handle accelerates along the route by more than the limit"))], ["lateral_acceleration", new Kind("BD203", N_("a handle's lateral acceleration exceeds the limit"))], ["total_acceleration", new Kind("BD204", N_("a handle's total acceleration exceeds the limit"))], ["turning_rate", new Kind("BD205", N_("a bench's turning rate exceeds the limit"))], ["head_acceleration", new Kind("BD206", N_("the head changes its speed by more than the limit"))], ["most_speed", new Kind("BD207", N_("a handle is faster than a bench can be carried"))], ["venue", new Kind("BD301", N_("a bench leaves the venue"))], ["venue_margin", new Kind("BD302", N_("a bench comes nearer to the venue's edge than its margin"))], ["obstacle", new Kind("BD303", N_("a bench touches an obstacle"))], ["obstacle_margin", new Kind("BD304", N_("a bench comes nearer to an obstacle than its margin"))], ["entrance", new Kind("BD401", N_("an entrance lies inside the spectators' line"))], ["crowd", new Kind("BD402", N_("too many spectators for the ground outside their line"))]]);
 export class Finding {
   constructor(kind, time, benches, value, limit, sentence, words, decided = true, obstacle = "") {
     this.kind = kind;
@@ -39,14 +43,6 @@ export class Finding {
     return py.filled(_(py.at(this.words, name)), { ...py.object(this.words) });
   }
 }
-const NAMELESS = py.pattern("obstacle (\\p{Nd}+)", "");
-const NAMELESS_VENUE = "venue";
-const KINDS = py.dict([["contact", new Kind("BD101", N_("two benches touch"))], ["margin", new Kind("BD102", N_("two benches come nearer than the margin"))], ["walk", new Kind("BD103", N_("a bench cannot follow"))], ["route", new Kind("BD104", N_("the route is shorter than the dragon"))], ["sway", new Kind("BD105", N_("benches have no room to sway"))], ["imprecision", new Kind("BD106", N_("benches have no room for imprecision"))], ["people", new Kind("BD107", N_("people have no room beside or before a bench"))], ["speed", new Kind("BD201", N_("a handle is faster than the limit"))], ["acceleration", new Kind("BD202", N_("a handle accelerates along the route by more than the limit"))], ["lateral_acceleration", new Kind("BD203", N_("a handle's lateral acceleration exceeds the limit"))], ["total_acceleration", new Kind("BD204", N_("a handle's total acceleration exceeds the limit"))], ["turning_rate", new Kind("BD205", N_("a bench's turning rate exceeds the limit"))], ["head_acceleration", new Kind("BD206", N_("the head changes its speed by more than the limit"))], ["most_speed", new Kind("BD207", N_("a handle is faster than a bench can be carried"))], ["venue", new Kind("BD301", N_("a bench leaves the venue"))], ["venue_margin", new Kind("BD302", N_("a bench comes nearer to the venue's edge than its margin"))], ["obstacle", new Kind("BD303", N_("a bench touches an obstacle"))], ["obstacle_margin", new Kind("BD304", N_("a bench comes nearer to an obstacle than its margin"))], ["entrance", new Kind("BD401", N_("an entrance lies inside the spectators' line"))], ["crowd", new Kind("BD402", N_("too many spectators for the ground outside their line"))]]);
-const OBSTACLE_SENTENCES = py.dict([["obstacle", N_("bench {bench} touches {name} at t = {t} s")], ["obstacle_margin", N_("bench {bench} comes nearer than {margin} m to {name} at t = {t} s")], ["obstacle at first", N_("bench {bench} touches {name}, or stands inside, from the start on: {t} s")], ["venue at first", N_("bench {bench} stands outside {name} from the start on: {t} s")], ["venue", N_("bench {bench} leaves {name} at t = {t} s")], ["venue_margin", N_("bench {bench} comes nearer than {margin} m to the edge of {name} at t = {t} s")]]);
-const ROOM_SENTENCES = py.dict([["sway", N_("benches {a} and {b} have no room to sway at t = {t} s: {asked}")], ["imprecision", N_("benches {a} and {b} have no room for imprecision at t = {t} s: {asked}")], ["people", N_("the people of benches {a} and {b} have no room at t = {t} s: {asked}")], ["sway at", N_("bench {a} has no room to sway at {name} at t = {t} s: {asked}")], ["imprecision at", N_("bench {a} has no room for imprecision at {name} at t = {t} s: {asked}")], ["people at", N_("the people of bench {a} have no room at {name} at t = {t} s: {asked}")]]);
-const ASKED_FOR = N_("{margin} m are asked for");
-const SHORT = N_("{key} asks for {wanted} m; at t = {when} s, when these two are {apart} m apart, there is room for {there} m");
-const ROUNDING = 1e-11;
 export function allFindings(plan, walk, span, contact, obstacles, peaks, room) {
   let limits;
   limits = givenLimits(plan);
@@ -83,6 +79,7 @@ function _contactFindings(contact, margin) {
   gap = py.max(near.gap, 0.0);
   return [new Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided)];
 }
+const OBSTACLE_SENTENCES = py.dict([["obstacle", N_("bench {bench} touches {name} at t = {t} s")], ["obstacle_margin", N_("bench {bench} comes nearer than {margin} m to {name} at t = {t} s")], ["obstacle at first", N_("bench {bench} touches {name}, or stands inside, from the start on: {t} s")], ["venue at first", N_("bench {bench} stands outside {name} from the start on: {t} s")], ["venue", N_("bench {bench} leaves {name} at t = {t} s")], ["venue_margin", N_("bench {bench} comes nearer than {margin} m to the edge of {name} at t = {t} s")]]);
 function _obstacleFindings(answers) {
   let found;
   found = _obstacleFinding(answers, answers.contact, answers.obstacle.margin);
@@ -109,6 +106,9 @@ function _obstacleFinding(answers, contact, margin) {
   [gap, name] = py.list([py.max(near.gap, 0.0), answers.obstacle.name]);
   return [new Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided, name)];
 }
+const ROOM_SENTENCES = py.dict([["sway", N_("benches {a} and {b} have no room to sway at t = {t} s: {asked}")], ["imprecision", N_("benches {a} and {b} have no room for imprecision at t = {t} s: {asked}")], ["people", N_("the people of benches {a} and {b} have no room at t = {t} s: {asked}")], ["sway at", N_("bench {a} has no room to sway at {name} at t = {t} s: {asked}")], ["imprecision at", N_("bench {a} has no room for imprecision at {name} at t = {t} s: {asked}")], ["people at", N_("the people of bench {a} have no room at {name} at t = {t} s: {asked}")]]);
+const ASKED_FOR = N_("{margin} m are asked for");
+const SHORT = N_("{key} asks for {wanted} m; at t = {when} s, when these two are {apart} m apart, there is room for {there} m");
 function _roomFindings(room) {
   if ((!py.truth(room) || (py.at(room, 0).first != null))) {
     return [];

@@ -4,6 +4,13 @@
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
 
+const LEAST_EDGE = 0.15;
+const UNTURNED = 1e-09;
+const NORTH = [N_("due east"), N_("due north"), N_("due west"), N_("due south")];
+const VENUE = [N_("to the right"), N_("forward"), N_("to the left"), N_("back")];
+const NORTH_EDGES = [N_("eastern edge"), N_("northern edge"), N_("western edge"), N_("southern edge")];
+const EDGES = [N_("right edge"), N_("far edge"), N_("left edge"), N_("near edge")];
+const AXES = [N_("the way x points"), N_("the way y points"), N_("against x"), N_("against y")];
 export class Ground {
   constructor(peg, turned = 0.0, north = false, venue = false) {
     this.peg = peg;
@@ -60,13 +67,6 @@ export class Ground {
     return [py.add((x * ux), (y * uy)), py.add((x * vx), (y * vy))];
   }
 }
-const LEAST_EDGE = 0.15;
-const UNTURNED = 1e-09;
-const NORTH = [N_("due east"), N_("due north"), N_("due west"), N_("due south")];
-const VENUE = [N_("to the right"), N_("forward"), N_("to the left"), N_("back")];
-const NORTH_EDGES = [N_("eastern edge"), N_("northern edge"), N_("western edge"), N_("southern edge")];
-const EDGES = [N_("right edge"), N_("far edge"), N_("left edge"), N_("near edge")];
-const AXES = [N_("the way x points"), N_("the way y points"), N_("against x"), N_("against y")];
 function baseAngle(outline) {
   let ends, lengths, n, sides, turned;
   ends = py.zip(outline, [...py.iter(py.slice(outline, 1, null)), py.at(outline, 0)]);

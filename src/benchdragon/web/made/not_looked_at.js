@@ -7,6 +7,9 @@ import { N_, _ } from "../words.js";
 import { known } from "./number_format.js";
 import { levelsAsked } from "./room_levels.js";
 
+const DUST = 1e-06;
+const TEXTS = py.dict([["street", N_("the plan gives no edge, wall or house along the drawn route (venue, obstacle): whether the dance keeps off them was not looked at")], ["square", N_("the plan gives neither an edge of the square nor anything that stands on it (venue, obstacle): whether the dance keeps off them was not looked at")], ["venue", N_("the plan gives no edge of the square (venue): whether the dance stays inside was not looked at")], ["people", N_("the plan asks for no room for people (people.beside, people.ahead, people.sway, people.imprecision): only the benches themselves were looked at")], ["speed", N_("the plan gives no greatest speed (limits.speed, people.most_speed): speeds were computed, and compared with nothing")], ["behind", N_("at the start {way} m of the dragon, benches {first} to {last}, stand on a straight line behind the start of the route, which the plan does not draw: whether there is such a way was not looked at")], ["still behind", N_("when the walk ends, {way} m of the dragon, benches {first} to {last}, have not yet come to the route that the plan draws")]]);
+const BRIEF = py.dict([["street", N_("walls and houses along the route")], ["square", N_("the square")], ["venue", N_("the edge of the square")], ["people", N_("room for people")], ["speed", N_("limits of speed")], ["behind", N_("the ground behind the start, {way} m")], ["still behind", N_("the route of benches {first} to {last}")]]);
 class NotLookedAt {
   constructor(kind, words = py.dict()) {
     this.kind = kind;
@@ -19,9 +22,6 @@ class NotLookedAt {
     return py.filled(_(py.at(BRIEF, this.kind)), { ...py.object(this.words) });
   }
 }
-const DUST = 1e-06;
-const TEXTS = py.dict([["street", N_("the plan gives no edge, wall or house along the drawn route (venue, obstacle): whether the dance keeps off them was not looked at")], ["square", N_("the plan gives neither an edge of the square nor anything that stands on it (venue, obstacle): whether the dance keeps off them was not looked at")], ["venue", N_("the plan gives no edge of the square (venue): whether the dance stays inside was not looked at")], ["people", N_("the plan asks for no room for people (people.beside, people.ahead, people.sway, people.imprecision): only the benches themselves were looked at")], ["speed", N_("the plan gives no greatest speed (limits.speed, people.most_speed): speeds were computed, and compared with nothing")], ["behind", N_("at the start {way} m of the dragon, benches {first} to {last}, stand on a straight line behind the start of the route, which the plan does not draw: whether there is such a way was not looked at")], ["still behind", N_("when the walk ends, {way} m of the dragon, benches {first} to {last}, have not yet come to the route that the plan draws")]]);
-const BRIEF = py.dict([["street", N_("walls and houses along the route")], ["square", N_("the square")], ["venue", N_("the edge of the square")], ["people", N_("room for people")], ["speed", N_("limits of speed")], ["behind", N_("the ground behind the start, {way} m")], ["still behind", N_("the route of benches {first} to {last}")]]);
 export function notLookedAt(plan, walk, start, end) {
   let found, kind, kinds, s, standing, words;
   standing = plan.obstacles();

@@ -6,14 +6,6 @@ import { ValueError, py } from "../compute/python.js";
 import { N_, _, both } from "../words.js";
 import { oneLine } from "./tables.js";
 
-class Village {
-  constructor(head, between, tail, before) {
-    this.head = head;
-    this.between = between;
-    this.tail = tail;
-    this.before = before;
-  }
-}
 const UNITS = py.dict([["bench", N_("bench {n}")], ["qiao", N_("qiao {n}")], ["jie", N_("jie {n}")]]);
 const ADDRESS = py.pattern("[Hh][Tt][Tt][Pp][Ss]?://[^ /?#@:\\\\][^ /?#@\\\\]*(?:[/?#][^ \\\\]*)?|[^ \\\\/:?#][^ \\\\:?#]*(?:[?#][^ \\\\]*)?", "");
 export function webAddress(text) {
@@ -23,6 +15,14 @@ export function webAddress(text) {
     throw new ValueError(py.filled(said, { text: brief(text) }));
   }
   return text;
+}
+class Village {
+  constructor(head, between, tail, before) {
+    this.head = head;
+    this.between = between;
+    this.tail = tail;
+    this.before = before;
+  }
 }
 export function called(people, bench, count) {
   if ((!py.truth(people.count_head) && (bench === 1))) {

@@ -4,6 +4,8 @@
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
 
+export const ASKED = py.dict([["benches", []], ["sway", ["sway"]], ["imprecision", ["imprecision"]], ["people", ["beside", "ahead"]]]);
+const TEXTS = py.dict([["benches", N_("benches alone")], ["sway", N_("with sway")], ["imprecision", N_("with imprecision")], ["people", N_("with people")]]);
 export class Asked {
   constructor(key, value, source) {
     this.key = key;
@@ -39,8 +41,6 @@ export class RoomLevel {
     return (py.has(broken, true) ? false : (py.truth(broken) ? null : true));
   }
 }
-export const ASKED = py.dict([["benches", []], ["sway", ["sway"]], ["imprecision", ["imprecision"]], ["people", ["beside", "ahead"]]]);
-const TEXTS = py.dict([["benches", N_("benches alone")], ["sway", N_("with sway")], ["imprecision", N_("with imprecision")], ["people", N_("with people")]]);
 export function levelsAsked(people) {
   return py.list(py.items(ASKED)).flatMap(([name, keys]) => ((py.list(keys).some((key) => py.truth(people[key]))) ? [name] : []));
 }

@@ -10,6 +10,12 @@ import { likeTwo } from "./roster_names.js";
 import { Person, Roster } from "./roster_people.js";
 import { plain } from "./roster_words.js";
 
+const MOST_SHOWN = 40;
+const MOST_PEOPLE = 50000;
+const MOST_NOTES = 100;
+const SEVERAL = py.pattern("[㐀-䶿一-鿿𠀀-𿿿]{5,}", "");
+const MOST_A_BENCH = 200;
+const MOST_LISTED = 30;
 export class Numbering {
   constructor(count, countHead, called) {
     this.count = count;
@@ -30,12 +36,6 @@ class _Seat {
     this.row = row;
   }
 }
-const MOST_PEOPLE = 50000;
-const MOST_NOTES = 100;
-const SEVERAL = py.pattern("[㐀-䶿一-鿿𠀀-𿿿]{5,}", "");
-const MOST_A_BENCH = 200;
-const MOST_LISTED = 30;
-const MOST_SHOWN = 40;
 export function rosterOf(rows, name, numbering) {
   let benches, beyond, entry, found, foundBenches, kept, notes, odd, said, seat, seats, taken, text, told, twice, unread;
   found = layout(rows, name);

@@ -7,6 +7,10 @@ import { _ } from "../words.js";
 import { likePeople } from "./roster_names.js";
 import { heading, isName, isOther, namesOf, places, plain, withoutPhones } from "./roster_words.js";
 
+const MOST_TITLES = 30;
+const MOST_LOOKED_AT = 50;
+const LEAST_NAMES = 2;
+const MOST_HEADING = 40;
 class Columns {
   constructor(number = -1, names = py.list(), households = py.list(), phones = py.list(), remarks = py.list()) {
     this.number = number;
@@ -25,10 +29,6 @@ class Layout {
     this.householders = householders;
   }
 }
-const MOST_LOOKED_AT = 50;
-const LEAST_NAMES = 2;
-const MOST_HEADING = 40;
-const MOST_TITLES = 30;
 export function layout(rows, name) {
   let block, blocks, found, householders, left, nameless, number, others, row, taken, text, told, unread;
   for ([number, row] of py.iter(py.enumerate(py.slice(rows, null, MOST_TITLES)))) {

@@ -7,6 +7,7 @@ import { ABOVE, LEFT } from "./roster_names.js";
 import { Person } from "./roster_people.js";
 import { DECIMALS, MADE_A_DAY, ROUNDED, clean, doubtful, isName, isSum, namesOf, places, plain, simple, withPlaces, withoutDashes, withoutPhones } from "./roster_words.js";
 
+const MOST_SHOWN = 40;
 export class Entry {
   constructor(row, benches, people, householder) {
     this.row = row;
@@ -22,7 +23,6 @@ export class Unread {
     this.is_sum = isSum;
   }
 }
-const MOST_SHOWN = 40;
 export function* entries(rows, first, block) {
   let benches, found, halved, head, household, number, numbers, odd, others, owner, people, row, said;
   head = (py.truth(first) ? py.list(py.at(rows, (first - 1))).map((cell) => plain(cell)) : []);

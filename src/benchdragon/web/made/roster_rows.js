@@ -8,6 +8,11 @@ import { _ } from "../words.js";
 import { tooLarge } from "./roster_limits.js";
 import { heading } from "./roster_words.js";
 
+const MOST_ROWS = 20000;
+const MOST_COLUMNS = 100;
+const MOST_CELLS = 100000;
+const MOST_SIGNS = 1000;
+const MOST_TITLES = 30;
 const MARKS = "\t,;";
 const CHINESE_MARKS = "，；";
 const NUMBER_END = py.pattern("(?<=[^\\t-\\r\\x1c-\\x20\\x85\\xa0\\u1680\\u2000-\\u200a\\u2028\\u2029\\u202f\\u205f\\u3000])[\\t-\\r\\x1c-\\x20\\x85\\xa0\\u1680\\u2000-\\u200a\\u2028\\u2029\\u202f\\u205f\\u3000:：，]+", "");
@@ -19,11 +24,6 @@ const BIG5_COMMON = py.pattern("[\\xa1-\\xa3\\xa4-\\xc6][\\x40-\\x7e\\xa1-\\xfe]
 const COMMON = 9;
 const ALL_BUT = 4;
 const NO_TEXT = py.pattern("[\u0000-\b\u000e-\u0019\u001b-\u001f]", "");
-const MOST_ROWS = 20000;
-const MOST_COLUMNS = 100;
-const MOST_CELLS = 100000;
-const MOST_SIGNS = 1000;
-const MOST_TITLES = 30;
 export function limited(rows, name) {
   let filled;
   if (((py.len(rows) > MOST_ROWS) || (py.sum(py.list(rows).map((one) => py.len(one))) > (MOST_ROWS * MOST_COLUMNS)))) {

@@ -1,0 +1,193 @@
+// @ts-nocheck
+// Made from plans/routes.py by tools/make_twins.py; to make it again: make types
+
+import { Fault, Faults, InputError, KeyedError } from "../compute/errors.js";
+import { _fitted } from "../compute/fitting.js";
+import { py } from "../compute/python.js";
+import { _ } from "../words.js";
+import { programme } from "./connections.js";
+import { Line, Route, Spiral } from "./curves.js";
+import { formationOf, refuseTight, wholeDragonOn } from "./formation_tables.js";
+
+const MOST_CURVES = 10000;
+const TRAIL = 1000.0;
+const FITS = 0.001;
+const RUN_UP = 1.0;
+const FOLDS = 0.001;
+function _at(key, text) {
+  return new KeyedError([new Fault(key, text)]);
+}
+function _extent(plan) {
+  return ((plan.chain == null) ? 0.0 : plan.chain.extent);
+}
+function _longestLink(plan) {
+  return ((plan.chain == null) ? 0.0 : plan.chain.longest_link);
+}
+class RouteTable {
+  placed(route) {
+    if (((this.at == null) && (this.turned === 0.0))) {
+      return route;
+    }
+    return route.moved(py.radians(this.turned), py.or(this.at, () => [0.0, 0.0]));
+  }
+  unplaced(obstacle) {
+    let c, s, turned, x, y;
+    turned = -py.radians(this.turned);
+    [[x, y], c, s] = py.list([py.or(this.at, () => [0.0, 0.0]), py.cos(turned), py.sin(turned)]);
+    return obstacle.moved(turned, [py.sub((s * y), (c * x)), py.sub((-s * x), (c * y))]);
+  }
+}
+export class SpiralInRoute extends RouteTable {
+  build(plan) {
+    let end, k, start;
+    k = (this.pitch / (2.0 * Math.PI));
+    end = ((plan.disc.radius != null) ? (plan.disc.radius / k) : 0.0);
+    start = ((2.0 * Math.PI) * this.start_turn);
+    if ((end >= start)) {
+      throw _at("disc.radius", py.filled(_("disc.radius ({disc} m) must be smaller than the radius of start_turn ({start} m)"), { disc: `${py.format(plan.disc.radius, `g`)}`, start: `${py.format((start * k), `g`)}` }));
+    }
+    return [new Route([new Spiral(this.pitch, start, end, undefined, undefined, !py.truth(this.clockwise))]), 0.0];
+  }
+  last_position(walk) {
+    return walk.route.length;
+  }
+}
+export class TurnRoute extends RouteTable {
+  build(plan) {
+    let route, turn;
+    turn = this.turn(plan);
+    route = turn.route(undefined, py.add(_extent(plan), TRAIL));
+    return [route, py.float(py.at(route.joints, 1))];
+  }
+  turn(plan) {
+    let disc, link, name, turn;
+    disc = TurnRoute.disc(plan);
+    try {
+      turn = plan.turn.build(this.pitch, disc);
+    } catch (error) {
+      if (error instanceof InputError) {
+        throw _at("turn", py.str(error));
+      } else
+      throw error;
+    }
+    for (name of py.iter(["entry_radius", "exit_radius"])) {
+      if ((turn[name] > disc)) {
+        throw _at(`turn.${py.str(name)}`, py.filled(_("turn.{name} ({radius} m) must not exceed disc.radius ({disc} m)"), { name: name, radius: `${py.format(turn[name], `g`)}`, disc: `${py.format(disc, `g`)}` }));
+      }
+    }
+    if ((turn.extent > py.add(disc, FITS))) {
+      throw _at("turn", py.filled(_("the turn reaches {reach} m from the centre, out of a disc of {disc} m"), { reach: `${py.format(turn.extent, `.4g`)}`, disc: `${py.format(disc, `g`)}` }));
+    }
+    link = _longestLink(plan);
+    if (((2.0 * turn.least_radius) <= link)) {
+      throw _at("turn", py.filled(_("a bench with {link} m between its handles cannot follow a bend of {radius} m radius: it must be wider than {least} m"), { link: `${py.format(link, `g`)}`, radius: `${py.format(turn.least_radius, `.4g`)}`, least: `${py.format((0.5 * link), `g`)}` }));
+    }
+    return turn;
+  }
+  static disc(plan) {
+    return ((plan.disc.radius == null) ? 4.5 : plan.disc.radius);
+  }
+  last_position(walk) {
+    return walk.head_where_tail(py.float(py.at(walk.route.joints, -2)));
+  }
+}
+export class PartsRoute extends RouteTable {
+  build(_plan) {
+    let curves, faults, heading, point, tried;
+    faults = new Faults();
+    tried = py.list(py.enumerate(this.part)).map(([i, part]) => faults.tried(`route.part.${py.str(i)}`, () => part.build()));
+    curves = py.list(tried).flatMap((curve) => (((curve != null)) ? [curve] : []));
+    if (py.truth(faults.found)) {
+      throw new KeyedError(faults.found);
+    }
+    if (((this.start != null) || (this.heading != null))) {
+      [point, heading] = py.list(py.at(curves, 0).start_pose);
+      if ((this.heading != null)) {
+        heading = py.radians(this.heading);
+      }
+      py.set(curves, 0, py.at(curves, 0).moved(py.or(this.start, () => point), heading));
+    }
+    return [Route.joined(curves), 0.0];
+  }
+  last_position(walk) {
+    return walk.route.length;
+  }
+}
+export class FormationRoute extends RouteTable {
+  build(plan) {
+    let route;
+    route = formationOf(this, "route", _longestLink(plan)).build();
+    return [route, _wholeDragonOn(route, plan)];
+  }
+  last_position(walk) {
+    return walk.route.length;
+  }
+}
+export class ProgrammeRoute extends RouteTable {
+  build(plan) {
+    let faults, keys, link, route, tried;
+    [faults, link] = py.list([new Faults(), _longestLink(plan)]);
+    faults.tried("route.radius", () => refuseTight("route.radius", this.radius, link));
+    keys = py.list(py.range(py.len(this.formation))).map((i) => `route.formation.${py.str(i)}`);
+    tried = py.list(py.zip(keys, this.formation)).map(([key, one]) => faults.tried(key, () => one.step(key, link)));
+    if (py.truth(faults.found)) {
+      throw new KeyedError(faults.found);
+    }
+    route = programme(py.list(tried).flatMap((step) => (((step != null)) ? [step] : [])), this.radius);
+    return [route, _wholeDragonOn(route, plan)];
+  }
+  last_position(walk) {
+    return walk.route.length;
+  }
+}
+class Drawn {
+  constructor(points, pieces, closed, within) {
+    this.points = points;
+    this.pieces = pieces;
+    this.closed = closed;
+    this.within = within;
+  }
+  *[Symbol.iterator]() {
+    yield* [this.points, this.pieces, this.closed, this.within];
+  }
+}
+export class DrawnRoute extends RouteTable {
+  build(plan) {
+    let around, before, curves, fit, heading, laps, x, y;
+    fit = this.fit(_longestLink(plan));
+    curves = fit.route.curves;
+    if (py.truth(this.closed)) {
+      laps = py.ceil((_extent(plan) / fit.route.length));
+      if ((((laps + 1) * py.len(curves)) > MOST_CURVES)) {
+        throw _at("route", py.filled(_("the dragon goes round the drawing {laps} times, with {count} bends a round: too many; draw it larger, or allow a larger deviation"), { laps: laps, count: py.len(curves) }));
+      }
+      around = py.tuple(py.list(py.range((laps + 1))).flatMap((_lap) => py.list(curves).map((curve) => curve)));
+      return [new Route(around), (laps * fit.route.length)];
+    }
+    if ((py.at(curves, 0) instanceof Line)) {
+      return [fit.route, 0.0];
+    }
+    [[x, y], heading] = py.list(fit.route.start_pose);
+    before = [py.sub(x, (RUN_UP * py.cos(heading))), py.sub(y, (RUN_UP * py.sin(heading)))];
+    return [new Route([new Line(RUN_UP, before, heading), ...py.iter(curves)]), RUN_UP];
+  }
+  fit(link) {
+    let drawn, kink, least;
+    least = py.max(py.or(this.least_radius, () => 0.0), ((0.5 * link) * (1.0 + FOLDS)));
+    kink = py.radians(this.joint_kink);
+    if (!(py.truth(this.points) || py.truth(this.piece))) {
+      throw _at("route", _("a drawn route needs points, or a file beside the plan"));
+    }
+    drawn = new Drawn(py.tuple(py.or(this.points, () => [])), py.tuple(py.or(this.piece, () => [])), this.closed, this.drawn_within);
+    return _fitted(drawn, this.smooth, this.deviation, least, this.joint_gap, kink);
+  }
+  last_position(walk) {
+    return walk.route.length;
+  }
+}
+function _wholeDragonOn(route, plan) {
+  if (((plan.walk.position != null) || (plan.chain == null))) {
+    return 0.0;
+  }
+  return wholeDragonOn(route, plan.chain);
+}
