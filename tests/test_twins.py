@@ -202,7 +202,7 @@ def test_patterns_match_the_same() -> None:
     "code",
     ["import os", "with open(x) as y: pass", "with open(x): pass",
      "for n in x: pass\nelse: pass", "lambda *a: a", "f(**x)",
-     "x.rjust(2)",
+     "x.rjust(2)", "sorted(*x, reverse=True)",
      "x[::2]", "*a, b = x", "x @ y",
      "async def f(): pass", 're.sub(x, "", y)', '"{}".format(1)', "f(b=1)"],
 )  # fmt: skip

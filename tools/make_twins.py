@@ -34,6 +34,9 @@ TWINS = {
     "analysis.beats": ("beats", "score_of"),
     "analysis.check": ("check", "checked", "in_one_coil", "peak_text", "sentence"),
     "analysis.clock": ("clock", "Clock"),
+    "analysis.contact": (
+        "contact", "contact_windows", "first_sure_contact", "least_clearance", "seen_clearance",
+    ),
     "analysis.findings": (
         "findings", "Finding", "all_findings", "named", "shown_name", "touch_text",
     ),
@@ -98,9 +101,7 @@ OWN = {
 }  # fmt: skip
 # What single functions of the page do otherwise.
 GIVEN = {
-    "analysis.contact.first_sure_contact": "../compute/contact.js",
-    "analysis.contact.least_clearance": "../compute/contact.js",
-    "analysis.contact.seen_clearance": "../compute/contact.js",
+    "analysis.contact_search.contact_search": "../compute/contact_search.js",
     "analysis.left_open.speed_at_start": "../compute/left_open.js",
     "analysis.left_open.told_if_open": "../compute/left_open.js",
     "analysis.obstacles.obstacle_answers": "../compute/obstacles.js",
@@ -136,12 +137,13 @@ UNASKED = {
 }
 # Functions of pages that give way between their steps: they take what is said by name as one object.
 WAITING = {
-    "analysis.contact.first_sure_contact", "analysis.contact.least_clearance",
-    "analysis.contact.seen_clearance", "analysis.obstacles.obstacle_answers",
+    "analysis.obstacles.obstacle_answers",
     "analysis.room.room_levels", "analysis.speed.greatest", "analysis.speed.greatest_speed",
 }  # fmt: skip
 # Functions of pages in place of context managers: they give what takes errors.
 AROUND = {"analysis.left_open.told_if_open"}
+# Functions of pages whose results are freed where a context manager would end.
+FREED = {"analysis.contact_search.contact_search"}
 # Methods of records that pages have as plain data are functions there: their modules, what they take.
 AS_FUNCTIONS = {
     "keeps": ("model.answer", ("limit",)),
@@ -345,6 +347,8 @@ class Twin:
         module, there = self.origins.get(name, (self.name, name))
         if f"{module}.{there}" in AROUND:
             return "around"
+        if f"{module}.{there}" in FREED:
+            return "freed"
         if f"{module}.{there}" in WAITING:
             return "given"
         return "made" if module in self.all and there in self.all[module].code.waiting else ""

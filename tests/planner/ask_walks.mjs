@@ -7,13 +7,13 @@ const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const { Engine } = await load("engine");
 const { withArenaAsync } = await load("compute/arena");
 const { CURVE } = await load("compute/constants");
-const { contactWindows, firstSureContact, leastClearance } = await load("compute/contact");
+const { contactWindows, firstSureContact, leastClearance } = await load("made/contact");
 const { Dragon } = await load("compute/dragon");
 const { BenchDragonError } = await load("compute/errors");
 const { HeadTimes } = await load("compute/head_times");
 const { Obstacle } = await load("compute/obstacle");
 const { obstacleAnswers } = await load("compute/obstacles");
-const { QUANTITIES } = await load("compute/quantities");
+const { QUANTITIES } = await load("made/quantities");
 const { greatest } = await load("compute/speed");
 const { Profile } = await load("compute/profile");
 const { Route } = await load("compute/curves");
@@ -36,11 +36,12 @@ function walkOf(arena, { sizes, rows, times, speeds, start }) {
 }
 
 const ASKED = {
-  windows: (walk, start, end, options) => contactWindows(walk, start, end, options),
-  contact: (walk, start, end, options) => firstSureContact(walk, start, end, options),
-  clearance: (walk, start, end, options) => leastClearance(walk, start, end, options),
+  windows: (walk, start, end, { margin, most }) => contactWindows(walk, start, end, margin, most),
+  contact: (walk, start, end, { margin }) => firstSureContact(walk, start, end, margin),
+  clearance: (walk, start, end, { within, tolerances }) =>
+    leastClearance(walk, start, end, within, tolerances),
   greatest: (walk, start, end, { quantity, ...options }) =>
-    greatest(walk, QUANTITIES[quantity], start, end, options),
+    greatest(walk, QUANTITIES.get(quantity), start, end, options),
   obstacle: async (walk, start, end, { name, kind, outline, radius, margin }) => {
     const obstacle = new Obstacle(name, kind, outline, radius, margin);
     const { contact, distance, touch } = await obstacleAnswers(walk, obstacle, start, end);

@@ -14,6 +14,7 @@ from tools.translation.names import (
     NUMBERS,
     OF_MODULES,
     TRUTHS,
+    WAITED,
     UntranslatableError,
     camel,
     number,
@@ -189,7 +190,9 @@ class Expressions:
         name = "and" if isinstance(node.op, ast.And) else "or"
         if _is_truth(node):
             return self.truth(node)
+        self.waited.append(None)
         *others, found = map(self.expr, node.values)
+        self.waited.pop()
         for one in reversed(others):
             found = f"py.{name}({one}, () => {found})"
         return found
@@ -398,6 +401,13 @@ class Expressions:
         if attr in METHODS:
             given = self._given(node, ("sep", "maxsplit") if attr == "split" else None)
             return f"py.{attr}({self.expr(value)}{given and ', '}{given})"
+        return self._own_method(node, value, attr)
+
+    def _own_method(self, node: ast.Call, value: ast.expr, attr: str) -> str:
+        """A call of a method of records, or of what pages write by hand."""
+        if attr in WAITED and (self.waited or [None])[-1] is not None:
+            self.waited[-1] = True
+            return f"(await {self.expr(value)}.{attr}({self._given(node)}))"
         names = self.parameters(f".{attr}")
         if names is None and attr not in KNOWN:
             raise UntranslatableError(node, f".{attr}: a method of nothing known")
@@ -436,7 +446,8 @@ class Expressions:
         said = [self.expr(one) for one in node.args]
         keywords = {one.arg: _called(one.value) for one in node.keywords if one.arg != "strict"}
         if keywords:
-            if names is None or not {*keywords} <= {*names}:
+            starred = any(isinstance(one, ast.Starred) for one in node.args)
+            if names is None or starred or not {*keywords} <= {*names}:
                 raise UntranslatableError(node, f"by names: {', '.join(map(str, keywords))}")
             last = max(names.index(str(name)) for name in keywords)
             said += [
@@ -455,7 +466,9 @@ class Expressions:
         if name == "filter" and isinstance(function, ast.Constant):
             return f"py.list({lists}).filter((one) => py.truth(one))"
         self.scopes.append({"one"})
+        self.waited.append(None)
         said = self.expr(ast.Call(function, [ast.Name("one")], []))
+        self.waited.pop()
         self.scopes.pop()
         return f"py.list({lists}).{name}((one) => {said})"
 

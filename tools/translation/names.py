@@ -25,9 +25,11 @@ METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
-    called distance head_where_tail moments obstacle obstacles point time tried
+    answer called distance head_where_tail moment moments obstacle obstacles point time tried witness
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
+# Methods that give way between their steps.
+WAITED = frozenset({"find"})
 # Functions of modules, by their own names.
 OF_MODULES = {
     "unicodedata.normalize": "normalize", "unicodedata.category": "category",

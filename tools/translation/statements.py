@@ -129,17 +129,26 @@ class Code(Expressions):
         yield "throw error;\n}"
 
     def _with(self, node: ast.With) -> Iterator[str]:
-        """What is done under a function of pages that gives one which takes errors, or throws them."""
+        """What is done with a function of pages: what it gives takes errors, or is freed at the end."""
         (item,) = node.items
-        call = item.context_expr
-        if item.optional_vars or not (isinstance(call, ast.Call) and isinstance(call.func, ast.Name)):
+        call, name = item.context_expr, item.optional_vars
+        if not (isinstance(call, ast.Call) and isinstance(call.func, ast.Name)):
             raise UntranslatableError(node, "of more than a call")
-        if self.waits(call.func.id) != "around":
+        how = "freed" if isinstance(name, ast.Name) else "" if name else "around"
+        if not how or self.waits(call.func.id) != how:
             raise UntranslatableError(node, "of a function that pages do not have")
         self.use(call.func.id)
-        given = ", ".join(map(self.expr, call.args))
-        yield f"{{\nconst caught = {camel(call.func.id)}({given});\ntry {{"
-        yield f"{self.block(node.body)}\n}} catch (error) {{\ncaught(error);\n}}\n}}"
+        given = ", ".join(
+            [*map(self.expr, call.args), *([self._object(call.keywords)] * bool(call.keywords))]
+        )
+        made = f"{camel(call.func.id)}({given})"
+        body = self.block(node.body)
+        if isinstance(name, ast.Name):
+            kept = camel(name.id)
+            yield f"{kept} = {made};\ntry {{\n{body}\n}} finally {{\n{kept}.free();\n}}"
+        else:
+            yield f"{{\nconst caught = {made};\ntry {{"
+            yield f"{body}\n}} catch (error) {{\ncaught(error);\n}}\n}}"
 
     def _functiondef(self, node: ast.FunctionDef) -> Iterator[str]:
         yield self.function(node)
@@ -300,6 +309,8 @@ def _stored(body: Iterable[ast.stmt]) -> Iterator[str]:
                 yield from _bound(target)
             case ast.NamedExpr(target=target):
                 yield target.id
+            case ast.withitem(optional_vars=ast.Name(id=name)):
+                yield name
 
 
 def _bound(target: ast.expr) -> Iterator[str]:

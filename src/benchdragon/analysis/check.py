@@ -3,7 +3,6 @@
 import math
 import time as clock
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
@@ -137,9 +136,12 @@ class Prover:
     plan: Plan
     claims: list[Claim] = field(default_factory=list)
 
-    def contact(self, *given: Any, **named: Any) -> Answer | None:
+    def contact(
+        self, walk: Walk, start: float, end: float, margin: float, progress: Progress
+    ) -> Answer | None:
         """A first contact: see `prove_contact`."""
-        return prove_contact(*given, **named, claims=self.claims, plan=self.plan)
+        told, plan = self.claims, self.plan
+        return prove_contact(walk, start, end, margin=margin, progress=progress, claims=told, plan=plan)
 
     def obstacle(
         self, walk: Walk, answers: ObstacleAnswers, start: float, end: float
@@ -193,16 +195,17 @@ def _nearness(
     plan: Plan, walk: Walk, span: tuple[float, float], stage: Stage, prover: Prover | None
 ) -> tuple[Answer | None, Answer]:
     """The first contact, and the least clearance until then."""
-    margin, told = plan.limits.margin, stage(_("searching for contact"))
+    (start, end), margin = span, plan.limits.margin
+    told = stage(_("searching for contact"))
     search = None if prover is None else prover.contact
-    contact = first_sure_contact(walk, *span, margin=margin, search=search, progress=told)
+    contact = first_sure_contact(walk, start, end, margin=margin, search=search, progress=told)
     if (touching := _no_clearance(contact)) is not None:
         return contact, touching
-    until = span[1] if contact is None or contact.witness is None else contact.upper
+    last = end if contact is None or contact.witness is None else contact.upper
     told = stage(_("clearance"))
     with told_if_open([]):
-        return contact, least_clearance(walk, span[0], until, progress=told)
-    return contact, seen_clearance(walk, span[0], until, margin if contact is None else 0.0)
+        return contact, least_clearance(walk, start, last, progress=told)
+    return contact, seen_clearance(walk, start, last, margin if contact is None else 0.0)
 
 
 def _no_clearance(contact: Answer | None) -> Answer | None:

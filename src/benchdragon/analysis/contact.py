@@ -23,8 +23,7 @@ from benchdragon.analysis.distance import tightest_pairs
 from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
-from benchdragon.kernels import contact_memory as told
-from benchdragon.kernels.contact_memory import BETWEEN, FARTHER, SEEN
+from benchdragon.kernels.contact_memory import BEST, BETWEEN, FARTHER, FLOOR_AT, SEEN
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import CLEAR, FIRST_TOUCH, FOUND, LEAST, TOUCH_END
@@ -40,6 +39,9 @@ NONE = Answer(math.inf, math.inf, math.inf, "m", "found")
 MOST_GRAZES = 100
 # Samples of a clearance curve: each takes a millisecond for 223 benches.
 MOST_SAMPLES = 1_000_000
+
+# Seeks a first contact, as `first_contact` does: of a walk, from start to end, s, within a margin, m.
+Search = Callable[[Walk, float, float, float, Progress], Answer | None]
 
 
 @dataclass(frozen=True)
@@ -99,7 +101,7 @@ def contact_windows(
 
 def _windows(search: ContactSearch, most: int, *, sure: bool = False) -> list[Window]:
     """The first windows that a search comes to, so many at most; if `sure`, none after one that is."""
-    windows = list[Window]()
+    windows: list[Window] = []
     while len(windows) < most and not (sure and windows and windows[-1].opens.status == "found"):
         touching = bool(windows) and windows[-1].closes is None
         ending = search.find(TOUCH_END if touching else FIRST_TOUCH)
@@ -169,7 +171,7 @@ def first_sure_contact(
     end: float,
     *,
     margin: float,
-    search: Callable[..., Answer | None] | None = None,
+    search: Search | None = None,
     progress: Progress = silent,
 ) -> Answer | None:
     """`first_contact`, or if that is a graze the first that is none, if there is one.
@@ -179,7 +181,10 @@ def first_sure_contact(
     Raises:
         InputError, WalkError, UnsureError: as `first_contact`, or as `search`.
     """
-    first = (search or first_contact)(walk, start, end, margin=margin, progress=progress)
+    if search is None:
+        first = first_contact(walk, start, end, margin=margin, progress=progress)
+    else:
+        first = search(walk, start, end, margin, progress)
     if first is None or first.status != "undecided":
         return first
     with contact_search(walk, start, end, margin, silent) as again:
@@ -213,8 +218,8 @@ def least_clearance(
         if len(walk.dragon) < 3:
             return NONE
         if search.find(LEAST, within) == FARTHER:
-            bracket = math.inf, float(search.figures[told.FLOOR_AT]), math.inf
-            return search.answer(bracket, "m", "found", seen=False)
+            bracket = math.inf, float(search.figures[FLOOR_AT]), math.inf
+            return search.answer(bracket, "m", "found", False)
         return _clearance(search)
 
 
@@ -244,10 +249,10 @@ def refined(n: int) -> Iterator[None]:
 
 def _clearance(search: ContactSearch, floor: float | None = None) -> Answer:
     """The least clearance as it was found, or above what is known from elsewhere, m."""
-    best, least = search.figures[[told.BEST, told.FLOOR_AT]].tolist()
-    least = least if floor is None else min(floor, best)
-    bracket = best, max(least - search.off, 0.0), upper_end(best or search.witness().gap, search.off)
-    return search.answer(bracket, "m", "found")
+    best = float(search.figures[BEST])
+    least = float(search.figures[FLOOR_AT]) if floor is None else min(floor, best)
+    upper = upper_end(best or search.witness().gap, search.off)
+    return search.answer((best, max(least - search.off, 0.0), upper), "m", "found")
 
 
 def upper_end(gap: float, off: float) -> float:

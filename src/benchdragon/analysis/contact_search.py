@@ -193,7 +193,7 @@ class ContactSearch(EngineQuestion):
         return witness_of(nearness_of(self._near), self.origin, self.times.at(s), s)
 
     def answer(
-        self, bracket: tuple[float, float, float], unit: str, status: Status, *, seen: bool = True
+        self, bracket: tuple[float, float, float], unit: str, status: Status, seen: bool = True
     ) -> Answer:
         """An answer of a value, the ends of its bracket and a unit; with a witness if it was `seen`."""
         witness = self.witness() if seen else None

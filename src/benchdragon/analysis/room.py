@@ -134,11 +134,15 @@ def room_levels(
             each += asked[0].value
         until = _until(level, span)
         margin = plan.limits.margin + 2.0 * each
-        found = first_sure_contact(line, *until, margin=margin, search=prove_contact if prove else None)
+        found = first_sure_contact(line, *until, margin=margin, search=_proved if prove else None)
         stands = [replace(one, margin=one.margin + each) for one in plan.obstacles()]
         level = RoomLevel(name, asked, margin, found, _obstacles(line, stands, until, prove=prove))
         level = _measured(level, walk, end)
         levels.append(level)
+
+
+def _proved(walk: Walk, start: float, end: float, margin: float, progress: Progress) -> Answer | None:
+    return prove_contact(walk, start, end, margin=margin, progress=progress)
 
 
 def shown_name(level: RoomLevel) -> str:

@@ -60,12 +60,10 @@ export const BOX = {
 };
 
 export const CONTACT_MEMORY = {
-  SEEN: 4,
   STOPPED: 30,
   UNSHOWN: 31,
   ENDLESS: 32,
   BLURRED: 33,
-  FARTHER: 34,
   MARGIN: 0,
   LEAST_OFF: 1,
   WIDTH: 2,
@@ -82,8 +80,6 @@ export const CONTACT_MEMORY = {
   LATE: 4,
   OFF_BY: 7,
   MARCHED: 8,
-  BEST: 9,
-  FLOOR_AT: 10,
   SOUND_TO: 11,
   UNTIL: 12,
   EARLY_LEAD: 26,
@@ -219,10 +215,8 @@ export const ROUTE_PARTS = { PART_COLUMNS: 8 };
 
 export const SEARCH = {
   FIRST_TOUCH: 0,
-  TOUCH_END: 1,
   LEAST: 2,
   CLEAR: 0,
-  FOUND: 1,
   GRAZE: 2,
   FALLEN: 4,
   UPPER: 1,
@@ -336,8 +330,6 @@ export const TURN_TRIAL = {
 export const WALK_SEARCH = { CROWDED: 9, ASTRAY: 10, SEARCHED: 8 };
 
 export const ANALYSIS_BENCH_WALKS = { STILL: 0.05, STEP: 0.125, MOST_LOOKED: 20000000 };
-
-export const ANALYSIS_CONTACT = { FRAYED: 1e-5, MOST_GRAZES: 100 };
 
 export const ANALYSIS_CONTACT_SEARCH = {
   SLACK: 1e-13,

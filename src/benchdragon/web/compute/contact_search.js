@@ -5,7 +5,7 @@ import { atMost } from "../made/number_format.js";
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { withArena } from "./arena.js";
-import { asideMost, left, memory } from "./budget.js";
+import { OverBudgetError, aside, asideMost, left, memory } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
   ANALYSIS_TABLES,
@@ -36,6 +36,8 @@ const { SLACK, WIDTH, MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, REFINING, REFINI
   ANALYSIS_CONTACT_SEARCH;
 const { UNKNOWN } = FAMILY;
 const told = CONTACT_MEMORY;
+/** Widths of brackets of clearances, m: the first that can be. @type {number[]} */
+export const TOLERANCES = ANALYSIS_CONTACT_SEARCH.TOLERANCES;
 
 /** What answers rest on whose distances may be off by so much, m. @param {number} off */
 export function assumedWithin(off) {
@@ -139,6 +141,11 @@ export class ContactSearch extends EngineQuestion {
     this.began = now();
   }
 
+  /** What the engine tells, by the columns of kernels/contact_memory.py. */
+  get figures() {
+    return this.numbers(0);
+  }
+
   /** A number that the engine tells: a column of kernels/contact_memory.py. @param {number} column */
   figure(column) {
     return this.numbers(0)[column];
@@ -189,10 +196,12 @@ export class ContactSearch extends EngineQuestion {
     return witnessOf(nearnessOf(this.numbers(1)), this.origin, this.times.at(s), s);
   }
 
-  /** What answers rest on, and what they took. */
-  rest() {
+  /** An answer of a value, the ends of its bracket and a unit; with a witness if it was `seen`. @param {[number, number, number]} bracket @param {string} unit @param {Status} status */
+  answer([value, lower, upper], unit, status, seen = true) {
     const [evaluations, seconds] = [this.figure(told.MARCHED), now() - this.began];
-    return { assumptions: assumedWithin(this.off), evaluations, seconds };
+    const witness = seen ? this.witness() : null;
+    const rest = { assumptions: assumedWithin(this.off), evaluations, seconds };
+    return answered(value, lower, upper, unit, { status, witness, ...rest });
   }
 
   /** When the benches come to stand as was found. @param {Status} status */
@@ -200,11 +209,7 @@ export class ContactSearch extends EngineQuestion {
     const [early, late] = [this.figure(told.EARLY), this.figure(told.LATE)];
     const [behind, ahead] = [this.figure(told.EARLY_LEAD), this.figure(told.LATE_LEAD)];
     const [value, lower, upper, known] = this.times.told(early, late, status, [behind, ahead]);
-    return answered(value, lower, upper, "s", {
-      status: known,
-      witness: this.witness(),
-      ...this.rest(),
-    });
+    return this.answer([value, lower, upper], "s", known);
   }
 }
 
@@ -218,29 +223,36 @@ export function standAlone(walk, times, s, i, j) {
 }
 
 /**
- * What `use` makes of a search of the walk from start to end, s, for which the dragon must stand at the
- * start: of the whole of it, or but of what repeats nothing before it (see rounds.js).
- * @template T
+ * A search of the walk from start to end, s, for which the dragon must stand at the start: of the whole of it,
+ * or but of what repeats nothing before it (see rounds.js).
  * @param {Walk} walk
  * @param {number} start @param {number} end s
  * @param {number} margin m
  * @param {Progress} progress
- * @param {(search: ContactSearch) => Promise<T>} use
  * @param {{ whole?: boolean, tolerances?: number[] }} [options]
- * @returns {Promise<T>}
  */
-export async function withContactSearch(walk, start, end, margin, progress, use, options = {}) {
+export function contactSearch(walk, start, end, margin, progress, options = {}) {
   notNegative("margin", margin, "m");
   inOrder(start, end);
   const [a, b] = [walk.headPosition(start), walk.headPosition(end)];
-  const { whole = false, tolerances = ANALYSIS_CONTACT_SEARCH.TOLERANCES } = options;
+  const { whole = false, tolerances = TOLERANCES } = options;
   /** @type {Span[]} */
   const spans = whole ? [[a, b]] : newSpans(walk, a, b);
   withArena(walk.engine, (arena) => walk.motion(arena, [start])); // throws where it cannot stand there
-  const search = new ContactSearch(walk, [a, b], margin, progress, [start, end], spans, tolerances);
+  return new ContactSearch(walk, [a, b], margin, progress, [start, end], spans, tolerances);
+}
+
+/**
+ * What a pass makes that refines a bracket to the tolerance of number n; null where that is too dear.
+ * @template T
+ * @param {number} n
+ * @param {() => Promise<T>} pass
+ */
+export async function refined(n, pass) {
   try {
-    return await use(search);
-  } finally {
-    search.free();
+    return await aside(n ? REFINING_ON : REFINING, pass);
+  } catch (error) {
+    if (error instanceof OverBudgetError) return null;
+    throw error;
   }
 }

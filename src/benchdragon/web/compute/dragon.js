@@ -34,8 +34,8 @@ export class Dragon {
     this.width = width;
     this.front_inset = front_inset;
     this.rear_inset = rear_inset;
-    /** Number of benches. */
-    this.benches = length.length;
+    /** Number of benches; `size` is how much Python counts in it. */
+    this.benches = this.size = length.length;
     if (this.benches < 1 || this.benches > MODEL_DRAGON.MOST_BENCHES)
       throw new InputError(countText(this.benches));
     /** Between the holes of each bench, m. */

@@ -14,8 +14,7 @@ import {
   SEARCH,
   WALK_SEARCH,
 } from "./constants.js";
-import { TOLERANCES, refined } from "./contact.js";
-import { assumedWithin, inOrder } from "./contact_search.js";
+import { TOLERANCES, assumedWithin, inOrder, refined } from "./contact_search.js";
 import { FEATURES } from "./distance.js";
 import { EngineQuestion } from "./engine_question.js";
 import { UnsureError } from "./errors.js";

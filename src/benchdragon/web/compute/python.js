@@ -339,8 +339,10 @@ export const py = {
   round: (a, digits = 0) => (digits ? rounded(a, digits) : rint(a)),
   int: (a) => Math.trunc(Number(a)),
   float(a) {
-    if (typeof a === "string" && (!a.trim() || Number.isNaN(Number(a)))) throw new ValueError(a);
-    return Number(a);
+    if (typeof a !== "string") return Number(a);
+    const number = Number(a.replace(/^([-+]?)inf$/, "$1Infinity"));
+    if (!a.trim() || (Number.isNaN(number) && a !== "nan")) throw new ValueError(a);
+    return number;
   },
   perf_counter: () => performance.now() / 1000,
   // Texts.

@@ -3,10 +3,10 @@
 //
 // Level upon level, each by the search that finds contacts of benches, with its own margin and sizes.
 
+import { firstSureContact } from "../made/contact.js";
 import { ASKED, RoomLevel, levelsAsked, shownName } from "../made/room_levels.js";
 import { withArenaAsync } from "./arena.js";
 import { ANALYSIS_ROOM } from "./constants.js";
-import { firstSureContact } from "./contact.js";
 import { Dragon } from "./dragon.js";
 import { obstacleAnswers, withMargin } from "./obstacles.js";
 import { shortage } from "./shortage.js";
@@ -52,7 +52,7 @@ export function roomLevels(plan, walk, span, bare, levels, { progress }) {
       else each += asked[0].value;
       const until = untilBroken(levels[levels.length - 1], span);
       const margin = plan.tables.limits.margin + 2 * each;
-      const contact = await firstSureContact(line, ...until, { margin });
+      const contact = await firstSureContact(line, ...until, margin);
       const stands = plan.obstacles().map((one) => withMargin(one, one.margin + each));
       const options = { tolerances: ANALYSIS_ROOM.TOLERANCES };
       const obstacles = [];

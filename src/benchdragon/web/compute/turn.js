@@ -1,6 +1,7 @@
 // Better turns: the engine's search over a family, then exact figures of what it found. Twin of solve/turn.py,
 // turn_goal.py and turn_question.py, but for fronts of turns, which the command line finds.
 
+import { leastClearance } from "../made/contact.js";
 import { QUANTITIES, givenLimits } from "../made/quantities.js";
 import { part } from "../made/stages.js";
 import { _ } from "../words.js";
@@ -10,7 +11,6 @@ import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { within } from "./arrays.js";
 import { question } from "./budget.js";
 import { BOX, QUESTION, SOLVE_TURN, SOLVE_TURN_GOAL, TURN_QUESTION, TURN_TRIAL } from "./constants.js";
-import { leastClearance } from "./contact.js";
 import { EngineQuestion } from "./engine_question.js";
 import { InputError, NoSolutionError, finite, positive } from "./errors.js";
 import { greatestHeadSpeed } from "./head_speed.js";
@@ -314,7 +314,7 @@ function exactFigures(engine, plan, seen, sought) {
           await greatestOf(walk, quantity, first, last, { tolerance: RATE })
         ).upper;
     const [start, end] = [walk.timeAt(first), walk.timeAt(last)];
-    const clearance = await leastClearance(walk, start, end, { within, tolerances: [DISTANCE] });
+    const clearance = await leastClearance(walk, start, end, within, [DISTANCE]);
     exact[APART] = -sure(clearance);
     const rooms = [];
     for (const obstacle of plan.obstacles()) {

@@ -28,3 +28,16 @@ export function sure(self, up) {
   return ((py.truth(near) || !py.isfinite(end)) ? self.value : end);
 }
 const ROUNDING = 1e-11;
+export class Answer {
+  constructor(value, lower, upper, unit, status, witness = /** @type {any} */ (null), assumptions = [], evaluations = 0, seconds = 0.0) {
+    this.value = value;
+    this.lower = lower;
+    this.upper = upper;
+    this.unit = unit;
+    this.status = status;
+    this.witness = witness;
+    this.assumptions = assumptions;
+    this.evaluations = evaluations;
+    this.seconds = seconds;
+  }
+}

@@ -1,7 +1,6 @@
 // @ts-nocheck
 // Made from analysis/check.py by tools/make_twins.py; to make it again: make types
 
-import { firstSureContact, leastClearance, seenClearance } from "../compute/contact.js";
 import { speedAtStart, toldIfOpen } from "../compute/left_open.js";
 import { obstacleAnswers } from "../compute/obstacles.js";
 import { py } from "../compute/python.js";
@@ -11,6 +10,7 @@ import { stopsOf } from "../compute/stops.js";
 import { unfinished } from "../compute/walk_facts.js";
 import { N_, _ } from "../words.js";
 import { keeps, shown, sure, vanishing } from "./answer.js";
+import { firstSureContact, leastClearance, seenClearance } from "./contact.js";
 import { allFindings, named } from "./findings.js";
 import { PROOFS } from "./left_open.js";
 import { notLookedAt } from "./not_looked_at.js";
@@ -86,24 +86,25 @@ export async function checked(plan, walk, span, progress = silent, prover = /** 
   return new Report(plan, walk, start, end, contact, clearance, speed, peaks, [...py.iter(found), ...py.iter(left)], obstacles, py.tuple(room), py.and(proved, () => py.list(contacts).every((one) => ((one == null) || (one.status === "proved")))), py.sub(py.perf_counter(), began), ((prover == null) ? [] : py.tuple(prover.claims)), undefined, undefined, unfinished(plan, walk, end), notLookedAt(plan, walk, start, end));
 }
 async function _nearness(plan, walk, span, stage, prover) {
-  let contact, margin, search, told, touching, until;
-  [margin, told] = py.list([plan.limits.margin, stage(_("searching for contact"))]);
+  let contact, end, last, margin, search, start, told, touching;
+  [[start, end], margin] = py.list([span, plan.limits.margin]);
+  told = stage(_("searching for contact"));
   search = ((prover == null) ? null : prover.contact);
-  contact = (await firstSureContact(walk, ...py.iter(span), { margin: margin, search: search, progress: told }));
+  contact = (await firstSureContact(walk, start, end, margin, search, told));
   if (((touching = _noClearance(contact)) != null)) {
     return [contact, touching];
   }
-  until = (((contact == null) || (contact.witness == null)) ? py.at(span, 1) : contact.upper);
+  last = (((contact == null) || (contact.witness == null)) ? end : contact.upper);
   told = stage(_("clearance"));
   {
     const caught = toldIfOpen([]);
     try {
-      return [contact, (await leastClearance(walk, py.at(span, 0), until, { progress: told }))];
+      return [contact, (await leastClearance(walk, start, last, undefined, undefined, told))];
     } catch (error) {
       caught(error);
     }
   }
-  return [contact, (await seenClearance(walk, py.at(span, 0), until, ((contact == null) ? margin : 0.0)))];
+  return [contact, (await seenClearance(walk, start, last, ((contact == null) ? margin : 0.0)))];
 }
 function _noClearance(contact) {
   if (((contact == null) || (contact.witness == null) || (contact.witness.gap > 0.0))) {
