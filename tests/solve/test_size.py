@@ -18,7 +18,6 @@ from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.solve.size import Span, feasible_sizes, limit, smallest_pitch
 from benchdragon.solve.size_family import QUESTIONS, TOLERANCE, PlanFamily
-from benchdragon.solve.size_question import SizeQuestion
 from tests.solve.asked_in_python import in_python
 
 SMALLEST_PITCH = 0.4503373930271955
@@ -142,12 +141,14 @@ def test_walkable_pitches_begin_at_the_smallest(disc: Plan) -> None:
 
 def undecided(monkeypatch: pytest.MonkeyPatch, low: float, high: float) -> None:
     """Let no search decide walks whose size lies between these, m."""
-    real = SizeQuestion.known
+    real = size_question.gone_on
 
-    def known(asked: SizeQuestion, size: float) -> int:
-        return UNDECIDED if low < size < high else real(asked, size)
+    def gone_on(block: int, left: float) -> int:
+        size = group_at(size_memory.Sought, block + size_memory.BASE).state[NOW]
+        return UNDECIDED if low < size < high else real(block, left)
 
-    monkeypatch.setattr(SizeQuestion, "known", known)
+    in_python(monkeypatch)
+    monkeypatch.setattr(size_question, "gone_on", gone_on)
 
 
 @pytest.mark.parametrize("band", [(0.49, 0.51), (0.46, 0.47), (0.50, 0.60), (0.3, 0.4)])

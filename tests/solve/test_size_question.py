@@ -18,9 +18,9 @@ from benchdragon.hosts.serving import VARIABLE
 from benchdragon.kernels import memory, own_room, size_memory
 from benchdragon.kernels import size_question as kernel
 from benchdragon.kernels.curve import X, Y
-from benchdragon.kernels.memory import held
+from benchdragon.kernels.memory import group_at, held
 from benchdragon.kernels.question import CLOSED, close_question
-from benchdragon.kernels.size_bracket import FAILS, PASSES, TRIALS, UNDECIDED, VALUE
+from benchdragon.kernels.size_bracket import FAILS, NOW, PASSES, TRIALS, UNDECIDED, VALUE
 from benchdragon.kernels.size_search import FAILED, GROW, MEET_FRONT, NOBODY
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.progress import silent
@@ -130,10 +130,12 @@ def test_a_walk_too_long_to_be_searched_is_undecided(monkeypatch: pytest.MonkeyP
 
 
 def test_a_border_beside_what_could_not_be_decided_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    def made_up(_asked: SizeQuestion, size: float) -> int:
+    def made_up(block: int, _left: float) -> int:
+        size = group_at(size_memory.Sought, block + size_memory.BASE).state[NOW]
         return FAILS if size < 0.43 else PASSES if size > undecided else UNDECIDED
 
-    monkeypatch.setattr(SizeQuestion, "known", made_up)
+    in_python(monkeypatch)
+    monkeypatch.setattr(kernel, "gone_on", made_up)
     plan = read_plan("spiral-in", [*DISC, FEW])
     for undecided, borders in ((0.46, 0), (0.43, 1)):
         [span] = feasible_sizes(plan, "pitch", 0.3, 0.7, 5).spans
@@ -234,9 +236,9 @@ def test_a_question_that_is_closed_answers_no_more() -> None:
         for stale in (handle, 0, -1, 10**9 * handle + 7):
             assert not close_question(stale)
             assert not kernel.seek_size(stale, GROW, 0.3, 0.0)
-            assert kernel.step_size(stale, math.inf, kernel.UNKNOWN) == CLOSED
+            assert kernel.step_size(stale, math.inf) == CLOSED
         assert other.trial(1.5) == PASSES  # it is another's, still
-        assert kernel.step_size(other._handle, math.inf, kernel.UNKNOWN) == CLOSED
+        assert kernel.step_size(other._handle, math.inf) == CLOSED
         with pytest.raises(ValueError, match="closed"):
             search.trial(1.5)
 
@@ -306,7 +308,7 @@ def test_pairs_of_a_step_stay_known_when_room_is_made(monkeypatch: pytest.Monkey
 
 WASM = """
 import sys
-from benchdragon.kernels.memory import held
+from benchdragon.kernels.memory import group_at, held
 from benchdragon.kernels.question import CLOSED, close_question
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.size import limit

@@ -14,14 +14,21 @@ from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.obstacles import first_touch, least_distance
 from benchdragon.cli.main import run
 from benchdragon.errors import InputError
+from benchdragon.kernels import size_square
+from benchdragon.kernels.beside_search import TOO_OFTEN
 from benchdragon.kernels.box import corner
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.size_bracket import FAILS, PASSES, UNDECIDED
 from benchdragon.kernels.turn_trial import APART, BESIDE, KINDS
 from benchdragon.model.walk import Motion
-from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.plans.schema import Plan, checked, read_plan
+from benchdragon.progress import silent
 from benchdragon.solve.place import best_place, enough_room
 from benchdragon.solve.size import feasible_sizes, limit
+from benchdragon.solve.size_family import PlanFamily, question
+from benchdragon.solve.size_question import SizeQuestion
 from benchdragon.solve.turn import _exact_figures, best_turn
+from tests.solve.asked_in_python import in_python
 
 COIL = ["disc.radius=4.5", "dragon.benches=20", "route.start_turn=11"]
 WELL = 'obstacle=[{kind="circle", name="well", centre=[0, 0], radius=3.9}]'
@@ -98,6 +105,61 @@ def test_limits_of_a_moved_dance_are_those_of_the_dance_among_moved_obstacles() 
     moved = plan.with_values({"route.at": [x, y], "route.turned": 40.0, "obstacle.0.centre": at})
     one, other = limit(plan, "disc"), limit(moved, "disc")
     assert other.value == pytest.approx(one.value, abs=1e-9)
+
+
+def test_far_from_the_origin_obstacles_set_the_same_limit() -> None:
+    plan = read_plan("spiral-in", [*COIL, WELL])
+    moved = plan.with_values({"route.at": [4e4, 0.0], "obstacle.0.centre": [4e4, 0.0]})
+    assert limit(moved, "disc").value == pytest.approx(limit(plan, "disc").value, abs=1e-9)
+
+
+def test_a_size_of_which_an_obstacle_leaves_it_open_does_not_pass(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    plan = read_plan("spiral-in", [*COIL, "dragon.benches=3", "walk.end=9", WELL])
+    in_python(monkeypatch)
+    with SizeQuestion(PlanFamily(plan, question("pitch"), 0.0), silent) as search:
+        assert search.trial(0.55) == PASSES
+        monkeypatch.setattr(size_square, "stepped", lambda *_step: TOO_OFTEN)
+        assert search.trial(0.55) == UNDECIDED
+
+
+SHORT = [*COIL, "dragon.benches=2", "walk.end=3"]
+
+
+@pytest.mark.parametrize("x", [0.0, 4e4])
+def test_a_second_obstacle_fails_a_size_as_the_first_does_wherever_a_dance_is(x: float) -> None:
+    well, far = ({"kind": "circle", "centre": [x + at, 0.0], "radius": 1.0} for at in (6.0, 60.0))
+    plan = read_plan("spiral-in", SHORT).with_value("route.at", [x, 0.0])
+    for things in ([well], [far, well]):
+        among = PlanFamily(plan.with_value("obstacle", things), question("pitch"), 0.0)
+        with SizeQuestion(among, silent) as search:
+            assert search.trial(0.55) == FAILS
+            assert search.blocked(0.55) == len(things) - 1
+
+
+def test_beside_obstacles_no_size_far_from_the_plans_own_passes() -> None:
+    far = {"kind": "circle", "centre": [600.0, 0.0], "radius": 1.0}
+    plan = read_plan("spiral-in", [*SHORT, "walk.end=1"])
+    for things, result in ((None, PASSES), ([far], FAILS)):
+        among = PlanFamily(
+            plan.with_values({"obstacle": things} if things else {}), question("pitch"), 0.0
+        )
+        with SizeQuestion(among, silent) as search:
+            assert search.trial(5.4) == PASSES
+            assert search.trial(5.6) == result
+
+
+def test_rounds_past_an_obstacle_are_searched_once_for_a_size() -> None:
+    post = {"kind": "circle", "centre": [8.5, 0.3], "radius": 2.0}
+    evaluations = []
+    for rounds in (2, 4):
+        route = {"kind": "formation", "name": "figure-eight", "radius": 6.0, "rounds": rounds}
+        told = {"schema": 1, "dragon": {"benches": 1}, "route": route, "obstacle": [post]}
+        with SizeQuestion(PlanFamily(checked(told, "plan"), question("width"), 0.0), silent) as search:
+            assert search.trial(0.3) == PASSES
+            evaluations.append(search.evaluations)
+    assert 0 < evaluations[1] == evaluations[0]
 
 
 def test_sizes_of_a_range_stop_at_an_obstacle() -> None:

@@ -1,14 +1,16 @@
 """What a question about a size knows, and where that lies in a block of the engine's own memory."""
 
+import math
 from typing import NamedTuple
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.beside import ASKED, Beside
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.course import TALLY, Room, Walk
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.family import Family
+from benchdragon.kernels.family import FIXED, ROUTE, Family
 from benchdragon.kernels.memory import (
     ADDRESS,
     HEADER,
@@ -41,10 +43,12 @@ from benchdragon.kernels.own_room import (
 )
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS
+from benchdragon.kernels.rounds import ROOM as REPEATS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import NOTES
 from benchdragon.kernels.size_bracket import MOST_GROWTHS, MOST_TRIALS, STATE
 from benchdragon.kernels.size_search import MEETINGS
+from benchdragon.kernels.spans import REPEAT
 from benchdragon.kernels.spiral import LANES
 
 # What hosts say of a question, a row of floats.
@@ -59,7 +63,11 @@ SAFER = 7  # +1 where larger sizes are safer, -1 where smaller ones are
 NARROW = 8  # how wide the bracket may be, m
 BEGIN = 9  # where the head of the plan's own walk begins and ends, m
 END = 10
-LIMITS = 11
+PLAN_SIZE = 11  # of the plan itself, m
+LIMITS = 12
+# What stands on the square, a row each: as in kernels/beside.py; how many of the corners it has, and
+# what these may be off by, m.
+SORT, RADIUS, KEPT_OFF, CORNERS, OFF, THING = range(6)
 # What is told of it, a row of floats that begins as kernels/question.py says.
 MARCHED = TOLD  # chains, in searches of walks
 RESULT = 3  # of the last trial: PASSES, FAILS or UNDECIDED
@@ -68,13 +76,27 @@ ONE = 5  # 1 if but one trial is wanted
 LEFT = 6  # chains that may be marched in a step of the walk that is searched
 FIRST = 7  # where its head begins and ends, m
 LAST = 8
-FIGURES = 9
+AT_THING = 9  # the obstacle that is looked at, and whether it is begun
+BEGUN = 10
+UNSURE = 11  # 1 if it could not be told whether benches keep from all obstacles
+BLOCKED = 12  # the last size that failed by an obstacle alone, m, which that was, and whether surely
+BLOCKED_BY = 13
+SURELY = 14
+KNOWN = 15  # rows of repeats
+FIGURES = 16
 # What a question is doing.
-IDLE, SEEKING, WAITING, SEARCHING, BROKEN = range(5)
+IDLE, SEEKING, WAITING, BESIDE, SEARCHING, BROKEN = range(6)
 # Head positions at which a pair is looked at, at least.
 FEWEST = 4
 # The memory of the block that the rows of the route lie in, and all that keeps its size.
 ROWS_MEMORY, OWN_MEMORY = 0, 3
+
+
+class Square(NamedTuple):
+    """Obstacles and the venue's edge."""
+
+    things: Table  # (obstacles, THING)
+    outlines: Table  # all their corners, m
 
 
 class Sought(NamedTuple):
@@ -99,19 +121,27 @@ class Sought(NamedTuple):
     doubts: Vector
     meetings: Table
     note: Vector
+    square: Square
+    repeats: Table  # where a route that stays leads back to where it was, (.., spans.REPEAT)
+    asked: Vector  # of the search beside an obstacle
+    beside: Beside
 
 
 WALK_SLOT, SEAMS_SLOT = slot_of(Sought, "walk"), slot_of(Sought, "seams")
 ROOM_SLOT, FAMILY_SLOT = slot_of(Sought, "room"), slot_of(Sought, "family")
+BESIDE_SLOT = slot_of(Sought, "beside")
 END_SLOT = HEADER + slot_count(Sought)
 # Where it begins in a block, in bytes.
 BASE = 8 * HEADER
 
 
 @kernel
-def lay_all(slots: IntArray, address: int, family: Family, walk: Walk, places: int) -> int:
+def lay_all(
+    slots: IntArray, address: int, family: Family, walk: Walk, square: Square, places: int
+) -> int:
     """Lay from an address on all that keeps its size; the bytes that takes."""
     benches, (_four, kinds) = walk.benches.kind.shape[0], walk.kinds.sizes.shape
+    fixed = family.numbers[ROUTE] == FIXED and square.things.shape[0] > 0
     count = max(FEWEST, min(LANES, places // (benches + 1)))
     lay_from(slots, WALK_SLOT + 3, address)
     lay_row(slots, benches)
@@ -143,6 +173,10 @@ def lay_all(slots: IntArray, address: int, family: Family, walk: Walk, places: i
     lay_row(slots, MOST_TRIALS + MOST_GROWTHS)
     lay_table(slots, MEETINGS, 4)
     lay_row(slots, NOTES)
+    lay_table(slots, square.things.shape[0], THING)
+    lay_table(slots, square.outlines.shape[0], 2)
+    lay_table(slots, 4 * walk.rows.shape[0] + REPEATS if fixed else 0, REPEAT)
+    lay_row(slots, ASKED)
     return slots[ADDRESS] - address
 
 
@@ -179,8 +213,14 @@ def make_searches(block: int) -> bool:
 
 
 @kernel
-def fill(sought: Sought, family: Family, walk: Walk, limits: Vector, beginnings: IntVector) -> None:
+def fill(
+    sought: Sought, family: Family, walk: Walk, square: Square, limits: Vector, beginnings: IntVector
+) -> None:
     """Copy what a host says."""
+    copy_table(sought.square.things, square.things)
+    for n in range(square.outlines.shape[0]):
+        sought.square.outlines[n, 0] = square.outlines[n, 0] - limits[ORIGIN_X]
+        sought.square.outlines[n, 1] = square.outlines[n, 1] - limits[ORIGIN_Y]
     own, benches = sought.family, sought.walk.benches
     copy_row(own.numbers, family.numbers)
     copy_table(own.parts, family.parts)
@@ -197,6 +237,7 @@ def fill(sought: Sought, family: Family, walk: Walk, limits: Vector, beginnings:
     copy_row(sought.limits, limits)
     copy_row(sought.beginnings, beginnings)
     clear(sought.figures)
+    sought.figures[BLOCKED] = math.nan
     clear(sought.state)
     clear(sought.note)
     for n in range(TALLY):

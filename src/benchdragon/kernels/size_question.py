@@ -2,8 +2,7 @@
 
 All of the search lies in a block of the engine's own memory, which a handle stands for. A host opens
 the question with the numbers of a plan, says what is sought, and steps until it is found, as
-kernels/question.py says. Before each size is tried a step ends with WALK: the host may answer what it
-knows of that walk by itself, as of obstacles, or UNKNOWN.
+kernels/question.py says. The walk of a size is looked at beside each obstacle, then for contact.
 """
 
 import math
@@ -73,6 +72,7 @@ from benchdragon.kernels.size_bracket import (
 )
 from benchdragon.kernels.size_memory import (
     BASE,
+    BESIDE,
     BROKEN,
     BYTES,
     DOING,
@@ -90,15 +90,18 @@ from benchdragon.kernels.size_memory import (
     ORIGIN_X,
     ORIGIN_Y,
     OWN_MEMORY,
+    PLAN_SIZE,
     RESULT,
     ROOM_SLOT,
     SAFER,
     SEARCHING,
     SEEKING,
+    UNSURE,
     WAITING,
     WALK_SLOT,
     WIDTH,
     Sought,
+    Square,
     fill,
     lay_all,
     make_route,
@@ -120,6 +123,7 @@ from benchdragon.kernels.size_search import (
     WALK,
     next_task,
 )
+from benchdragon.kernels.size_square import GOES_ON, begin_square, looked_beside
 from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.kernels.walk_search import (
     ASTRAY,
@@ -134,14 +138,12 @@ from benchdragon.kernels.walk_search import (
 ALONE = 3
 # How a step ends, besides WALK and the endings of size_search, and those of kernels/question.py.
 TRIED_ALONE = 7
-# What a host answers to WALK, besides how the walk goes.
-UNKNOWN = -1
-# How a walk stands that is to be searched on.
-GOES_ON = -2
+# Sizes are tried to so many times the plan's own where there are obstacles.
+FAR = 10.0
 
 
 @entry
-def open_size(family: Family, walk: Walk, limits: Vector, beginnings: IntVector) -> int:
+def open_size(family: Family, walk: Walk, square: Square, limits: Vector, beginnings: IntVector) -> int:
     """Open a question about a family, of which `walk` is one; its handle, 0 if there is no memory.
 
     What is handed over is copied. See LIMITS, and `own_room.BEGINNINGS`.
@@ -150,10 +152,10 @@ def open_size(family: Family, walk: Walk, limits: Vector, beginnings: IntVector)
     if block == 0:
         return 0
     slots, places = integers_at(block, END_SLOT), beginnings[PLACES]
-    size = lay_all(slots, 0, family, walk, places)
+    size = lay_all(slots, 0, family, walk, square, places)
     if take(slots, OWN_MEMORY, size) and make_route(slots, walk.rows.shape[0]):
-        lay_all(slots, slots[OWNED + OWN_MEMORY], family, walk, places)
-        fill(group_at(Sought, block + BASE), family, walk, limits, beginnings)
+        lay_all(slots, slots[OWNED + OWN_MEMORY], family, walk, square, places)
+        fill(group_at(Sought, block + BASE), family, walk, square, limits, beginnings)
         if family.numbers[ROUTE] == FIXED:
             settle(block)
         handle = remember(block) if make_searches(block) else 0
@@ -324,17 +326,31 @@ def aim_of(sought: Sought) -> Aim:
 
 
 @kernel
+def laid(block: int) -> int:
+    """How the walk of NOW goes, or GOES_ON once it is laid: to be looked at beside obstacles."""
+    sought = group_at(Sought, block + BASE)
+    figures, times = sought.figures, sought.state[NOW] / sought.limits[PLAN_SIZE]
+    if sought.square.things.shape[0] and not 1.0 / FAR <= times <= FAR:
+        return failed_alone(sought)
+    count, first, last = walk_of(block, sought.state[NOW])
+    if count == 0:
+        return failed_alone(group_at(Sought, block + BASE))
+    figures[FIRST], figures[LAST], figures[DOING] = first, last, BESIDE
+    begin_square(group_at(Sought, block + BASE))
+    return GOES_ON
+
+
+@kernel
 def begun(block: int) -> int:
     """How the walk of NOW goes, or GOES_ON once its search is begun."""
-    count, first, last = walk_of(block, group_at(Sought, block + BASE).state[NOW])
     sought = group_at(Sought, block + BASE)
-    walk, limits, figures = sought.walk, sought.limits, sought.figures
+    walk, limits, figures, first = sought.walk, sought.limits, sought.figures, sought.figures[FIRST]
     sought.at[0] = first
-    if count == 0 or not place_chain(walk.rows, walk.benches.links, sought.at, 0, 1, sought.placed):
+    if not place_chain(walk.rows, walk.benches.links, sought.at, 0, 1, sought.placed):
         return failed_alone(sought)
-    if first == last:
+    if first == figures[LAST]:
         return standing(sought, first)
-    figures[FIRST], figures[LAST], figures[LEFT] = first, last, limits[MOST]
+    figures[LEFT] = limits[MOST]
     clear(sought.note)
     return roomy(sought, aim_room(block, ROOM_SLOT, sought.sizes, walk, aim_of(sought)))
 
@@ -387,7 +403,7 @@ def judged(sought: Sought, ending: int) -> int:
 
 @kernel
 def pursued(block: int, value: float) -> int:
-    """Do what the search asks for, whose last question `value` answers, up to WALK or its ending."""
+    """Do what the search asks for, whose last question `value` answers, up to a walk or its ending."""
     figures = group_at(Sought, block + BASE).figures
     while True:
         sought = group_at(Sought, block + BASE)
@@ -398,29 +414,33 @@ def pursued(block: int, value: float) -> int:
             value = distance(block)
         else:
             figures[DOING] = WAITING if task == WALK else IDLE
-            return task
+            return MORE if task == WALK else task
         if figures[DOING] == BROKEN:
             return OUT_OF_MEMORY
 
 
 @kernel
-def gone_on(block: int, left: float, known: int) -> int:
-    """How the walk of NOW goes, of which a host knew so much, or MORE."""
-    sought, result = group_at(Sought, block + BASE), GOES_ON
-    if sought.figures[DOING] == WAITING:
-        sought.figures[DOING] = SEARCHING
-        result = begun(block) if known == UNKNOWN else known
-        if known == FAILS:
-            failed_alone(sought)
-    return searched_on(block, left) if result == GOES_ON else result
+def gone_on(block: int, left: float) -> int:
+    """How the walk of NOW goes, or MORE."""
+    figures, result = group_at(Sought, block + BASE).figures, GOES_ON
+    if figures[DOING] == WAITING:
+        result = laid(block)
+    if result == GOES_ON and figures[DOING] == BESIDE:
+        result = looked_beside(block, left)
+        if result == FAILS:
+            failed_alone(group_at(Sought, block + BASE))
+        if result == GOES_ON:
+            figures[DOING] = SEARCHING
+            result = begun(block)
+    result = searched_on(block, left) if result == GOES_ON else result
+    return UNDECIDED if result == PASSES and figures[UNSURE] > 0.0 else result
 
 
 @entry
-def step_size(handle: int, left: float, known: int) -> int:
-    """Go on for some hundredths of a second; WALK, MORE, or how what is sought was found.
+def step_size(handle: int, left: float) -> int:
+    """Go on for some hundredths of a second; MORE, or how what is sought was found.
 
-    `left`: about so many handles may be placed; `known`: what the host answers if the step before ended
-    with WALK, that is how the walk of NOW goes, or UNKNOWN.
+    `left`: about so many handles may be placed. A step ends before each walk, whose size NOW says.
     """
     block = recall(handle)
     if block == 0:
@@ -431,10 +451,10 @@ def step_size(handle: int, left: float, known: int) -> int:
         return CLOSED
     if doing == SEEKING and figures[ONE]:
         figures[DOING] = WAITING
-        return WALK
+        return MORE
     if doing == SEEKING:
         return pursued(block, 0.0)
-    result = gone_on(block, left, known) if doing != BROKEN else UNDECIDED
+    result = gone_on(block, left) if doing != BROKEN else UNDECIDED
     if figures[DOING] == BROKEN:
         return OVER_MEMORY if figures[WANTED] else OUT_OF_MEMORY
     if result == MORE:

@@ -16,7 +16,7 @@ import numpy as np
 from benchdragon import budget
 from benchdragon.analysis.contact_search import stand_alone
 from benchdragon.analysis.head_times import HeadTimes
-from benchdragon.analysis.obstacles import obstacle_answers
+from benchdragon.analysis.obstacles import obstacle_answers, touching
 from benchdragon.analysis.proof import (
     Claim,
     assumed,
@@ -28,13 +28,14 @@ from benchdragon.analysis.proof import (
 from benchdragon.errors import InputError, UnsureError, not_negative, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.size_bracket import BAD, FAILS, GOOD, PASSES, UNDECIDED, VALUE
+from benchdragon.kernels.size_question import FAR
 from benchdragon.kernels.size_search import EXHAUSTED, INFEASIBLE, UNLIMITED
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.size_family import TOLERANCE, PlanFamily, meeting_of, question
-from benchdragon.solve.size_question import FAR, SizeQuestion
+from benchdragon.solve.size_question import SizeQuestion
 
 # How often a bracket is doubled until it can be proved.
 MOST_WIDENINGS = 12
@@ -174,14 +175,17 @@ def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLE
 
 def _witness(family: PlanFamily, found: SizeQuestion, size: float) -> Witness | None:
     """What shows that a size does not pass; None where no pair does, or there is no such walk."""
-    if found.blocked is not None and found.blocked[0] == size:
-        return found.blocked[1].witness
-    meeting = found.guide
-    if meeting is None:
+    meeting, number = found.guide, found.blocked(size)
+    if meeting is None and number is None:
         return None
     try:
         walk, start, end = family.walk(size)
     except (InputError, PlanError):
+        return None
+    if number is not None:
+        touches = touching(walk, family.plan.obstacles()[number], start, end)
+        return touches[-1].witness if touches else None
+    if meeting is None:
         return None
     first, last = walk.head_position([start, end]).tolist()
     times = HeadTimes(walk, first, start)

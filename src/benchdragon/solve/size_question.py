@@ -1,7 +1,4 @@
-"""The engine's question about a size of a plan: kernels/size_question.py, asked by Python.
-
-What is known of obstacles is answered here: they are looked at size by size, as the engine asks.
-"""
+"""The engine's question about a size of a plan: kernels/size_question.py, asked by Python."""
 
 import math
 
@@ -11,26 +8,24 @@ from benchdragon import budget
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH
 from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.nearby import origin_of
-from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.tables import beginnings
-from benchdragon.errors import InputError, UnsureError, WalkError
+from benchdragon.errors import UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels import size_bracket as bracket
 from benchdragon.kernels import size_memory as told_of
 from benchdragon.kernels import size_question as kernel
 from benchdragon.kernels import size_search as search
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.family import FIXED, ROUTE
 from benchdragon.kernels.question import MORE
-from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
-from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress
 from benchdragon.solve.size_family import TOLERANCE, Meeting, PlanFamily, kernel_family
 
+# What moving a corner may round it by, as a share of its greatest coordinate.
+MOVED = 16.0 * 2.0**-53
 # How often a bracket is widened until a bench surely touches an obstacle at its end.
 MOST_WIDENINGS = 30
-# Sizes are tried to so many times the plan's own where there are obstacles.
-FAR = 10.0
 
 
 def limits_of(family: PlanFamily, walk: Walk, first: float, last: float) -> FloatArray:
@@ -49,8 +44,28 @@ def limits_of(family: PlanFamily, walk: Walk, first: float, last: float) -> Floa
         told_of.NARROW: max(TOLERANCE, family.tolerance),
         told_of.BEGIN: first,
         told_of.END: max(first, last),
+        told_of.PLAN_SIZE: family.first,
     }
     return np.array([named[n] for n in range(told_of.LIMITS)])
+
+
+def square_of(family: PlanFamily, fixed: bool) -> told_of.Square:
+    """What stands on the square, for the engine; `fixed` if all walks have one route.
+
+    Other routes are laid where they are before a plan moves them: what stands is moved to there.
+    """
+    route, given = family.plan.route, family.plan.obstacles()
+    moves = not fixed and (route.at is not None or route.turned != 0.0)
+    found = [route.unplaced(one) for one in given] if moves else given
+    off = [MOVED * float(np.abs(one.outline).max()) if moves else 0.0 for one in given]
+    things = [
+        (one.sort, one.radius, one.margin, len(one.outline), least)
+        for one, least in zip(found, off, strict=True)
+    ]
+    return told_of.Square(
+        np.array(things, dtype=float).reshape(-1, told_of.THING),
+        np.concatenate([np.empty((0, 2)), *(one.outline for one in found)]),
+    )
 
 
 class SizeQuestion(EngineQuestion):
@@ -62,27 +77,25 @@ class SizeQuestion(EngineQuestion):
 
     Attributes:
         state: of the search, by the names in kernels/size_bracket.py.
-        blocked: the last size that failed by an obstacle alone, m, and when a bench touched it, or
-            came within rounding of it.
     """
 
     def __init__(self, family: PlanFamily, progress: Progress) -> None:
-        self._progress, self._plans, self._obstacles = progress, family, family.plan.obstacles()
-        self.blocked: tuple[float, Answer] | None = None
-        self._marched = 0  # beside obstacles
+        self._progress = progress
         self.state = np.zeros(bracket.STATE)
         self._doubts = np.empty(bracket.MOST_TRIALS + bracket.MOST_GROWTHS)
         self._meetings = np.full((search.MEETINGS, 4), search.NOBODY)
         walk, start, end = family.walk(family.first)
         limits = limits_of(family, walk, *walk.head_position([start, end]).tolist())
-        handle = kernel.open_size(*kernel_family(family, walk), limits, beginnings())
+        own, laid = kernel_family(family, walk)
+        square = square_of(family, own.numbers[ROUTE] == FIXED)
+        handle = kernel.open_size(own, laid, square, limits, beginnings())
         told = np.zeros(told_of.FIGURES), self.state, self._doubts, self._meetings
         super().__init__(handle, kernel.step_size, kernel.read_size, *told)
 
     @property
     def evaluations(self) -> int:
         """Chains placed in searches of walks."""
-        return self._marched + int(self.figures[told_of.MARCHED])
+        return int(self.figures[told_of.MARCHED])
 
     @property
     def doubts(self) -> list[float]:
@@ -125,42 +138,17 @@ class SizeQuestion(EngineQuestion):
     def _sought(self, stage: int, size: float, good: float = math.nan) -> int:
         """Let the engine step until it has what is sought; how that ended."""
         kernel.seek_size(self._handle, stage, size, good)
-        ending, known = MORE, kernel.UNKNOWN
-        while ending in (MORE, search.WALK):
-            ending = self.step(known)
-            known = self.known(float(self.state[bracket.NOW])) if ending == search.WALK else known
+        ending, tried = MORE, math.nan
+        while ending == MORE:
+            ending = self.step()
+            if (now := float(self.state[bracket.NOW])) != tried:
+                self._progress(0.0, f"{now:.9g} m")
+                tried = now
         return ending
 
-    def known(self, size: float) -> int:
-        """What is known of the walk of a size without the engine: that it fails, or nothing."""
-        self._progress(0.0, f"{size:.9g} m")
-        try:
-            return bracket.FAILS if self._is_blocked(size) else kernel.UNKNOWN
-        except UnsureError:
-            return bracket.UNDECIDED
-
-    def _is_blocked(self, size: float) -> bool:
-        """Whether a bench comes nearer to an obstacle than it may in the walk of a size.
-
-        Or within rounding of that: see `surely_bad`. Obstacles stay where they are, so that sizes over
-        FAR times the plan's own, or below that share of it, are taken for blocked without a look.
-        """
-        if not self._obstacles:
-            return False
-        if not 1.0 / FAR <= size / self._plans.first <= FAR:
-            return True
-        try:
-            walk, start, end = self._plans.walk(size)
-            for obstacle in self._obstacles:
-                with ObstacleSearch(walk, obstacle, start, end) as beside:
-                    found = beside.touches()
-                self._marched += beside.evaluations
-                if found:
-                    self.blocked = size, found[-1]
-                    return True
-        except (InputError, PlanError, WalkError):
-            return False  # there is no such walk, or benches cannot follow: the engine finds out
-        return False
+    def blocked(self, size: float) -> int | None:
+        """The number, from 0, of the obstacle by which alone a size failed last; None if by none."""
+        return int(self.figures[told_of.BLOCKED_BY]) if self.figures[told_of.BLOCKED] == size else None
 
     def surely_bad(self, good: float, bad: float) -> float:
         """The size of a bracket that does not pass; beyond one that is within rounding of an obstacle.
@@ -169,7 +157,7 @@ class SizeQuestion(EngineQuestion):
             UnsureError: if no such size was found.
         """
         for _widening in range(MOST_WIDENINGS):
-            if self.blocked is None or self.blocked[0] != bad or self.blocked[1].status == "found":
+            if self.blocked(bad) is None or self.figures[told_of.SURELY]:
                 return bad
             bad += 2.0 * (bad - good)
             if self.trial(bad) != bracket.FAILS:

@@ -254,18 +254,22 @@ export const SIZE_MEMORY = {
   NARROW: 8,
   BEGIN: 9,
   END: 10,
+  PLAN_SIZE: 11,
+  THING: 5,
   MARCHED: 2,
   RESULT: 3,
-  FIGURES: 9,
+  BLOCKED: 12,
+  BLOCKED_BY: 13,
+  SURELY: 14,
+  FIGURES: 16,
 };
 
-export const SIZE_QUESTION = { ALONE: 3, UNKNOWN: -1 };
+export const SIZE_QUESTION = { ALONE: 3, FAR: 10 };
 
 export const SIZE_SEARCH = {
   GROW: 0,
   BORDER: 1,
   NARROW: 2,
-  WALK: 0,
   FOUND: 3,
   UNLIMITED: 4,
   INFEASIBLE: 5,
@@ -502,7 +506,7 @@ export const SOLVE_SIZE = { MOST_COUNT: 10000, QUICK_SIZE: 1e-5 };
 
 export const SOLVE_SIZE_FAMILY = { TOLERANCE: 1e-12 };
 
-export const SOLVE_SIZE_QUESTION = { MOST_WIDENINGS: 30, FAR: 10 };
+export const SOLVE_SIZE_QUESTION = { MOVED: 1.7763568394002505e-15, MOST_WIDENINGS: 30 };
 
 export const SOLVE_TOLERANCE = {
   STRAY_LENGTH: 10,

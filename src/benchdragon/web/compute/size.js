@@ -10,6 +10,7 @@ import { InputError, PlanError, notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
 import { evenly } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
+import { touched } from "./obstacles.js";
 import { PlanFamily, TOLERANCE, question } from "./size_family.js";
 import { FAR, SizeQuestion } from "./size_question.js";
 import { silent } from "./tick.js";
@@ -98,7 +99,7 @@ async function sought(family, search, began) {
   const value = Math.min(Math.max(found, lower), upper);
   return answered(value, lower, upper, "m", {
     status,
-    witness: witnessOf(family, search, bad),
+    witness: await witnessOf(family, search, bad),
     ...assumptions,
   });
 }
@@ -114,13 +115,14 @@ function familyOf(engine, plan, name, margin, tolerance) {
   return family;
 }
 
-/** What shows that a size does not pass; null where no pair does, or there is no such walk. @param {PlanFamily} family @param {SizeQuestion} found @param {number} size @returns {Witness | null} */
-function witnessOf(family, found, size) {
-  if (found.blocked?.size === size) return found.blocked.touch.witness;
-  const meeting = found.guide;
-  const spanned = meeting && walkOrNull(family, size);
-  if (!meeting || !spanned) return null;
+/** What shows that a size does not pass; null where no pair does, or there is no such walk. @param {PlanFamily} family @param {SizeQuestion} found @param {number} size @returns {Promise<Witness | null>} */
+async function witnessOf(family, found, size) {
+  const [meeting, thing] = [found.guide, found.blocked(size)];
+  const spanned = meeting || thing ? walkOrNull(family, size) : null;
+  if (!spanned) return null;
   const { walk, start, end } = spanned;
+  if (thing) return (await touched(walk, thing, start, end, silent))?.witness ?? null;
+  if (!meeting) return null;
   const [first, last] = [walk.headPosition(start), walk.headPosition(end)];
   const times = new HeadTimes(walk, first, start);
   return standAlone(walk, times, Math.min(meeting.s, last), meeting.i, meeting.j);

@@ -2,10 +2,11 @@
 // solve/size_question.py.
 
 import { _ } from "../words.js";
-import { withArena } from "./arena.js";
+import { doubles, withArena } from "./arena.js";
 import { memory } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
+  FAMILY,
   QUESTION,
   SIZE_BRACKET,
   SIZE_MEMORY,
@@ -14,30 +15,28 @@ import {
   SOLVE_SIZE_QUESTION,
 } from "./constants.js";
 import { EngineQuestion } from "./engine_question.js";
-import { InputError, PlanError, UnsureError, WalkError } from "./errors.js";
+import { UnsureError } from "./errors.js";
 import { originOf } from "./nearby.js";
 import { general } from "./number_format.js";
-import { ObstacleSearch } from "./obstacles.js";
 import { TOLERANCE, kernelFamily } from "./size_family.js";
 import { beginnings, inColumns } from "./tables.js";
-import { silent } from "./tick.js";
 
-/** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./size_family.js").Meeting} Meeting */
 /** @typedef {import("./size_family.js").PlanFamily} PlanFamily */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
 
 const { MOST_EVALUATIONS, SLACK, WIDTH } = ANALYSIS_CONTACT_SEARCH;
-const { FAILS, UNDECIDED } = SIZE_BRACKET;
-const { MOST_WIDENINGS } = SOLVE_SIZE_QUESTION;
+const { FAILS } = SIZE_BRACKET;
+const { MOST_WIDENINGS, MOVED } = SOLVE_SIZE_QUESTION;
 const MEETING = 4; // numbers of one
 
 /** Sizes are tried to so many times the plan's own where there are obstacles. */
-export const { FAR } = SOLVE_SIZE_QUESTION;
+export const { FAR } = SIZE_QUESTION;
 
 /** What the engine is told of a question about a family, whose plan's own walk goes so far, m. @param {PlanFamily} family @param {Walk} walk @param {number} first @param {number} last */
-function limitsOf({ engine, margin, question, tolerance }, walk, first, last) {
+function limitsOf({ engine, margin, question, tolerance, first: planSize }, walk, first, last) {
   const [x, y] = withArena(engine, (arena) =>
     originOf(walk.placement(arena, [first], { throws: false })),
   );
@@ -53,7 +52,33 @@ function limitsOf({ engine, margin, question, tolerance }, walk, first, last) {
     [SIZE_MEMORY.NARROW, Math.max(TOLERANCE, tolerance)],
     [SIZE_MEMORY.BEGIN, first],
     [SIZE_MEMORY.END, Math.max(first, last)],
+    [SIZE_MEMORY.PLAN_SIZE, planSize],
   ]);
+}
+
+/**
+ * What stands on the square, as the engine takes it; fixed if all walks have one route. Other routes are
+ * laid where they are before a plan moves them: what stands is moved to there.
+ * @param {Arena} arena
+ * @param {PlanFamily} family
+ * @param {boolean} fixed
+ */
+function squareOf(arena, { plan }, fixed) {
+  const { route } = plan.tables;
+  const moves = !fixed && (route.at !== null || route.turned !== 0);
+  const given = plan.obstacles();
+  const found = moves ? given.map((one) => route.unplaced(one)) : given;
+  const things = found.map(({ sort, radius, margin, outline }, n) => {
+    const most = Math.max(...given[n].outline.flat().map(Math.abs));
+    return [sort, radius, margin, outline.length, moves ? MOVED * most : 0];
+  });
+  return {
+    things: arena.table(things, SIZE_MEMORY.THING),
+    outlines: arena.table(
+      found.flatMap(({ outline }) => outline),
+      2,
+    ),
+  };
 }
 
 /** A question about a size of a plan, open until it is freed. */
@@ -70,7 +95,10 @@ export class SizeQuestion extends EngineQuestion {
       "bd_size_question_*_size",
       (arena, open) => {
         const made = kernelFamily(arena, family, walk);
-        return open(made.family, made.walk, arena.vector(limits), arena.whole(beginnings()));
+        const fixed = doubles(made.family.numbers)[FAMILY.ROUTE] === FAMILY.FIXED;
+        const square = squareOf(arena, family, fixed);
+        const room = arena.whole(beginnings());
+        return open(made.family, made.walk, square, arena.vector(limits), room);
       },
       [
         [SIZE_MEMORY.FIGURES],
@@ -81,12 +109,7 @@ export class SizeQuestion extends EngineQuestion {
     );
     this.plans = family;
     this.progress = progress;
-    /** Chains placed beside obstacles. */
-    this.marched = 0;
     this.obstacles = family.plan.obstacles();
-    /** The last size that failed by an obstacle alone, m, and when a bench came as near as it may.
-     * @type {{ size: number, touch: Answer } | null} */
-    this.blocked = null;
   }
 
   /** A number of the state: a column of kernels/size_bracket.py. @param {number} column */
@@ -96,7 +119,7 @@ export class SizeQuestion extends EngineQuestion {
 
   /** Chains placed in searches of walks. */
   get evaluations() {
-    return this.marched + this.numbers(0)[SIZE_MEMORY.MARCHED];
+    return this.numbers(0)[SIZE_MEMORY.MARCHED];
   }
 
   /** The sizes that were tried and could not be decided, m. */
@@ -142,55 +165,26 @@ export class SizeQuestion extends EngineQuestion {
   /** Let the engine step until it has what is sought; how that ended. @param {number} stage @param {number} size @param {number} [good] */
   async #sought(stage, size, good = NaN) {
     this.call("seek", this.handle, stage, size, good);
-    for (let known = SIZE_QUESTION.UNKNOWN; ;) {
-      const ending = await this.step(known);
-      if (ending === SIZE_SEARCH.WALK) known = await this.#known(this.stateAt(SIZE_BRACKET.NOW));
-      else if (ending !== QUESTION.MORE) return ending;
+    for (let tried = NaN; ;) {
+      const ending = await this.step();
+      const now = this.stateAt(SIZE_BRACKET.NOW);
+      if (now !== tried) this.progress(0, `${general(now, 9)} m`);
+      if (ending !== QUESTION.MORE) return ending;
+      tried = now;
     }
   }
 
-  /** What is known of the walk of a size without the engine: that it fails, or nothing. @param {number} size */
-  async #known(size) {
-    this.progress(0, `${general(size, 9)} m`);
-    try {
-      return (await this.#isBlocked(size)) ? FAILS : SIZE_QUESTION.UNKNOWN;
-    } catch (error) {
-      if (error instanceof UnsureError) return UNDECIDED;
-      throw error;
-    }
-  }
-
-  /**
-   * Whether a bench comes nearer to an obstacle than it may in the walk of a size, or within rounding of
-   * that. Sizes over FAR times the plan's own, or below that share of it, are taken for blocked.
-   * @param {number} size
-   */
-  async #isBlocked(size) {
-    if (!this.obstacles.length) return false;
-    const times = size / this.plans.first;
-    if (!(1 / FAR <= times && times <= FAR)) return true;
-    try {
-      const { walk, start, end } = this.plans.walk(size);
-      for (const obstacle of this.obstacles) {
-        const search = new ObstacleSearch(walk, obstacle, start, end, silent);
-        const touch = await search.touch().finally(() => search.free());
-        this.marched += search.evaluations;
-        if (touch === null) continue;
-        this.blocked = { size, touch };
-        return true;
-      }
-    } catch (error) {
-      // There is no such walk, or benches cannot follow: the engine finds out.
-      if (![InputError, PlanError, WalkError].some((kind) => error instanceof kind)) throw error;
-    }
-    return false;
+  /** The obstacle by which alone a size failed last; null if by none. @param {number} size */
+  blocked(size) {
+    const figures = this.numbers(0);
+    const same = figures[SIZE_MEMORY.BLOCKED] === size;
+    return same ? this.obstacles[figures[SIZE_MEMORY.BLOCKED_BY]] : null;
   }
 
   /** The size of a bracket that does not pass; beyond one within rounding of an obstacle. @param {number} good @param {number} bad */
   async surelyBad(good, bad) {
     for (let widening = 0; widening < MOST_WIDENINGS; widening++) {
-      const { blocked } = this;
-      if (blocked === null || blocked.size !== bad || blocked.touch.status === "found") return bad;
+      if (this.blocked(bad) === null || this.numbers(0)[SIZE_MEMORY.SURELY]) return bad;
       bad += 2 * (bad - good);
       if ((await this.trial(bad)) !== FAILS) break;
     }
