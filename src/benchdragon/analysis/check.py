@@ -151,12 +151,9 @@ class Prover:
 
 
 def checked(
-    plan: Plan,
-    walk: Walk,
-    span: tuple[float, float],
-    progress: Progress = silent,
+    plan: Plan, walk: Walk, span: tuple[float, float], progress: Progress = silent,
     prover: Prover | None = None,
-) -> Report:
+) -> Report:  # fmt: skip
     """The check of the walk that a plan describes, over its span, s: see `check`."""
     began = clock.perf_counter()
     (start, end), asked = span, levels_asked(plan.people)
@@ -218,13 +215,9 @@ def _no_clearance(contact: Answer | None) -> Answer | None:
 
 
 def _obstacles(
-    plan: Plan,
-    walk: Walk,
-    span: tuple[float, float],
-    prover: Prover | None,
-    left: list[Finding],
+    plan: Plan, walk: Walk, span: tuple[float, float], prover: Prover | None, left: list[Finding],
     progress: Progress,
-) -> tuple[ObstacleAnswers, ...]:
+) -> tuple[ObstacleAnswers, ...]:  # fmt: skip
     """What is found about the venue's edge and each obstacle over a span of the walk, s."""
     found, known = [], plan.obstacles()
     for n, obstacle in enumerate(known):
@@ -249,12 +242,8 @@ def _greatest_speed(plan: Plan, walk: Walk, span: tuple[float, float], progress:
 
 
 def _limited_peaks(
-    plan: Plan,
-    walk: Walk,
-    span: tuple[float, float],
-    left: list[Finding],
-    progress: Progress,
-) -> dict[str, Answer]:
+    plan: Plan, walk: Walk, span: tuple[float, float], left: list[Finding], progress: Progress,
+) -> dict[str, Answer]:  # fmt: skip
     """The greatest of each quantity but speed that the plan limits, over a span of the walk, s.
 
     Brackets are as narrow as it takes to compare them with their limits (see `speed.greatest`).

@@ -76,14 +76,9 @@ class ClearanceCurve:
 
 @budget.question()
 def contact_windows(
-    walk: Walk,
-    start: float,
-    end: float,
-    *,
-    margin: float = 0.0,
-    most: int = 1000,
+    walk: Walk, start: float, end: float, *, margin: float = 0.0, most: int = 1000,
     progress: Progress = silent,
-) -> list[Window]:
+) -> list[Window]:  # fmt: skip
     """All spans of time in start..end (s) in which two non-adjacent benches are nearer than margin.
 
     Never late and none left out, whatever the speed: what lies outside of all windows is clear by
@@ -141,13 +136,8 @@ def _widened(window: Window, graze: Answer) -> Window:
 
 @budget.question()
 def first_contact(
-    walk: Walk,
-    start: float,
-    end: float,
-    *,
-    margin: float = 0.0,
-    progress: Progress = silent,
-) -> Answer | None:
+    walk: Walk, start: float, end: float, *, margin: float = 0.0, progress: Progress = silent,
+) -> Answer | None:  # fmt: skip
     """The first time in start..end, s, at which two non-adjacent benches touch; None if never.
 
     With a margin (m), the first time at which two are nearer than that. The answer's bracket: all is
@@ -166,14 +156,9 @@ def first_contact(
 
 @budget.question()
 def first_sure_contact(
-    walk: Walk,
-    start: float,
-    end: float,
-    *,
-    margin: float,
-    search: Search | None = None,
+    walk: Walk, start: float, end: float, *, margin: float, search: Search | None = None,
     progress: Progress = silent,
-) -> Answer | None:
+) -> Answer | None:  # fmt: skip
     """`first_contact`, or if that is a graze the first that is none, if there is one.
 
     `search` is asked in its place, such as its proof.
@@ -194,14 +179,9 @@ def first_sure_contact(
 
 @budget.question()
 def least_clearance(
-    walk: Walk,
-    start: float,
-    end: float,
-    *,
-    within: float = math.inf,
-    tolerances: Sequence[float] = TOLERANCES,
-    progress: Progress = silent,
-) -> Answer:
+    walk: Walk, start: float, end: float, *, within: float = math.inf,
+    tolerances: Sequence[float] = TOLERANCES, progress: Progress = silent,
+) -> Answer:  # fmt: skip
     """The least clearance, m, of any two non-adjacent benches from start to end (s).
 
     0 where benches overlap; infinite for a dragon of one or two benches. The bracket is as wide as the

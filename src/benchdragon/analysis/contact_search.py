@@ -93,18 +93,10 @@ class ContactSearch(EngineQuestion):
     """
 
     def __init__(
-        self,
-        walk: Walk,
-        start: float,
-        end: float,
-        margin: float,
-        progress: Progress,
-        since: float = -math.inf,
-        spans: Sequence[Span] = (),
-        until: float = math.inf,
-        tolerances: Sequence[float] = (),
-        slack: float | None = None,
-    ) -> None:
+        self, walk: Walk, start: float, end: float, margin: float, progress: Progress,
+        since: float = -math.inf, spans: Sequence[Span] = (), until: float = math.inf,
+        tolerances: Sequence[float] = (), slack: float | None = None,
+    ) -> None:  # fmt: skip
         placed = walk.placement(start, throw=False)
         self.origin = origin_of(placed.x, placed.y)
         self.walk = seen_from(walk, self.origin)
@@ -219,15 +211,9 @@ def stand_alone(walk: Walk, times: HeadTimes, s: float, i: int, j: int) -> Witne
 
 
 def contact_search(
-    walk: Walk,
-    start: float,
-    end: float,
-    margin: float,
-    progress: Progress,
-    *,
-    whole: bool = False,
+    walk: Walk, start: float, end: float, margin: float, progress: Progress, *, whole: bool = False,
     tolerances: Sequence[float] = TOLERANCES,
-) -> ContactSearch:
+) -> ContactSearch:  # fmt: skip
     """A search of the walk from start to end, s; the dragon must stand at the start.
 
     Of the whole of it, or but of what repeats nothing that comes before it (see `rounds`).

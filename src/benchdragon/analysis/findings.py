@@ -105,14 +105,9 @@ class Finding:
 
 
 def all_findings(
-    plan: Plan,
-    walk: Walk,
-    span: tuple[float, float],
-    contact: Answer | None,
-    obstacles: Sequence[ObstacleAnswers],
-    peaks: Mapping[str, Answer],
-    room: Sequence[RoomLevel],
-) -> tuple[Finding, ...]:
+    plan: Plan, walk: Walk, span: tuple[float, float], contact: Answer | None,
+    obstacles: Sequence[ObstacleAnswers], peaks: Mapping[str, Answer], room: Sequence[RoomLevel],
+) -> tuple[Finding, ...]:  # fmt: skip
     """What a walk does that its plan forbids, from the first time of the span, s, to the second.
 
     `peaks` are the greatest speed and what else is limited, `room` the levels of room for people.

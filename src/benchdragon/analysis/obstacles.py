@@ -22,11 +22,8 @@ def touching(walk: Walk, obstacle: Obstacle, start: float, end: float) -> list[A
 
 @budget.question()
 def first_touch(
-    walk: Walk,
-    obstacle: Obstacle,
-    start: float,
-    end: float,
-) -> Answer | None:
+    walk: Walk, obstacle: Obstacle, start: float, end: float,
+) -> Answer | None:  # fmt: skip
     """The first time in start..end, s, at which a bench touches an obstacle; None if none ever does.
 
     Or is nearer to it than the obstacle's margin, or leaves the venue. The answer's bracket: all is
@@ -44,13 +41,9 @@ def first_touch(
 
 @budget.question()
 def least_distance(
-    walk: Walk,
-    obstacle: Obstacle,
-    start: float,
-    end: float,
-    *,
+    walk: Walk, obstacle: Obstacle, start: float, end: float, *,
     tolerances: Sequence[float] = TOLERANCES,
-) -> Answer:
+) -> Answer:  # fmt: skip
     """The least distance, m, that benches keep from an obstacle from start to end, s; 0 if they touch.
 
     Of the venue it is the distance from its edge. The bracket is as wide as the first of `tolerances`,
@@ -91,13 +84,9 @@ class ObstacleAnswers:
 
 @budget.question()
 def obstacle_answers(
-    walk: Walk,
-    obstacle: Obstacle,
-    start: float,
-    end: float,
-    *,
+    walk: Walk, obstacle: Obstacle, start: float, end: float, *,
     tolerances: Sequence[float] = TOLERANCES,
-) -> ObstacleAnswers:
+) -> ObstacleAnswers:  # fmt: skip
     """The least distance that benches keep from an obstacle, and when one comes nearer than it may.
 
     A contact that is sure is told before one that is not: see `first_touch` and `least_distance`.

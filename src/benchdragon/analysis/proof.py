@@ -75,15 +75,9 @@ def require_flint() -> None:
 
 @budget.question()
 def prove_contact(
-    walk: Walk,
-    start: float,
-    end: float,
-    *,
-    margin: float = 0.0,
-    progress: Progress = silent,
-    claims: list[Claim] | None = None,
-    plan: Plan | None = None,
-) -> Answer | None:
+    walk: Walk, start: float, end: float, *, margin: float = 0.0, progress: Progress = silent,
+    claims: list[Claim] | None = None, plan: Plan | None = None,
+) -> Answer | None:  # fmt: skip
     """`first_contact`, proved: clear up to `lower`, and a pair nearer than the margin by `upper`.
 
     None is proved as well: no pair comes nearer than the margin from start to end. A graze that stays
@@ -110,14 +104,9 @@ def prove_contact(
 
 @budget.question()
 def prove_obstacle(
-    walk: Walk,
-    answers: ObstacleAnswers,
-    start: float,
-    end: float,
-    *,
-    claims: list[Claim] | None = None,
-    plan: Plan | None = None,
-) -> ObstacleAnswers:
+    walk: Walk, answers: ObstacleAnswers, start: float, end: float, *,
+    claims: list[Claim] | None = None, plan: Plan | None = None,
+) -> ObstacleAnswers:  # fmt: skip
     """The answers about an obstacle, with its contact proved, or that there is none from start to end.
 
     What was shown is added to `claims`; `plan` as for `prove_contact`.
@@ -136,13 +125,9 @@ def prove_obstacle(
 
 
 def prove_nearer(
-    walk: Walk,
-    span: tuple[float, float],
-    s: float,
-    benches: tuple[int, int],
-    margin: float,
+    walk: Walk, span: tuple[float, float], s: float, benches: tuple[int, int], margin: float,
     plan: Plan | None = None,
-) -> Claim | None:
+) -> Claim | None:  # fmt: skip
     """That two benches (rows, from 0) are nearer than `margin` in a span of time, s; None if not.
 
     With the head at s, m, or where the span begins or ends, if that is nearer. `plan` as for
@@ -154,16 +139,9 @@ def prove_nearer(
 
 @budget.question()
 def prove_clearance(
-    walk: Walk,
-    found: Answer,
-    start: float,
-    end: float,
-    *,
-    width: float = CLEARANCE_WIDTH,
-    progress: Progress = silent,
-    claims: list[Claim] | None = None,
-    plan: Plan | None = None,
-) -> Answer:
+    walk: Walk, found: Answer, start: float, end: float, *, width: float = CLEARANCE_WIDTH,
+    progress: Progress = silent, claims: list[Claim] | None = None, plan: Plan | None = None,
+) -> Answer:  # fmt: skip
     """The least clearance from start to end, s, proved in a bracket of `width`, m.
 
     No two benches are ever nearer than the lower end of the bracket, and two are nearer than the upper.
@@ -237,12 +215,9 @@ class Question:
         self._guess = self._numbers.guess
 
     def proved(
-        self,
-        span: tuple[float, float],
-        found: Sequence[Answer],
-        progress: Progress,
+        self, span: tuple[float, float], found: Sequence[Answer], progress: Progress,
         claims: list[Claim] | None,
-    ) -> Answer | None:
+    ) -> Answer | None:  # fmt: skip
         """The first contact among those that were found, proved; or that there is none."""
         from benchdragon.proofs.cover import cells
 

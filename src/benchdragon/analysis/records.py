@@ -208,18 +208,11 @@ class Verdict(Record):
 def answer_of(found: Solved, plan: Plan) -> Answer:
     """The record of an answer about a plan."""
     return Answer(
-        value=found.value,
-        lower=found.lower,
-        upper=found.upper,
-        unit=found.unit,
-        status=found.status,
+        value=found.value, lower=found.lower, upper=found.upper, unit=found.unit, status=found.status,
         witness=None if found.witness is None else _witness(found.witness),
-        assumptions=list(found.assumptions),
-        evaluations=found.evaluations,
-        seconds=found.seconds,
-        plan_sha256=plan.sha256,
-        version=__version__,
-    )
+        assumptions=list(found.assumptions), evaluations=found.evaluations, seconds=found.seconds,
+        plan_sha256=plan.sha256, version=__version__,
+    )  # fmt: skip
 
 
 def _witness(near: Near) -> Witness:
@@ -250,13 +243,9 @@ def verdict_of(report: Report) -> Verdict:
     """The record of a check."""
     plan = report.plan
     return Verdict(
-        safe=report.safe,
-        decided=report.decided,
-        proved=report.proved,
+        safe=report.safe, decided=report.decided, proved=report.proved,
         unproved=[Unproved(kind=one.kind, text=_in_both(one)) for one in report.unproved],
-        sentence=both(lambda: sentence(report)),
-        start=report.start,
-        end=report.end,
+        sentence=both(lambda: sentence(report)), start=report.start, end=report.end,
         first_contact=answer_or_none(report.first_contact, plan),
         clearance=answer_of(report.clearance, plan),
         greatest_speed=answer_of(report.greatest_speed, plan),
@@ -265,11 +254,8 @@ def verdict_of(report: Report) -> Verdict:
         room=[_room(level, plan) for level in report.room],
         findings=[_finding(found) for found in report.findings],
         not_looked_at=[NotLookedAt(kind=one.kind, text=_in_both(one)) for one in report.not_looked_at],
-        stops=_stops(report),
-        seconds=report.seconds,
-        plan_sha256=plan.sha256,
-        version=__version__,
-    )
+        stops=_stops(report), seconds=report.seconds, plan_sha256=plan.sha256, version=__version__,
+    )  # fmt: skip
 
 
 def _in_both(one: not_looked_at.NotLookedAt | left_open.Unproved) -> Words:
@@ -292,14 +278,10 @@ def _finding(found: findings.Finding) -> Finding:
 def _obstacle(found: ObstacleAnswers, plan: Plan) -> ObstacleRecord:
     obstacle = found.obstacle
     return ObstacleRecord(
-        name=obstacle.name,
-        shown=both(lambda: shown_name(obstacle)),
-        kind=obstacle.kind,
-        margin=obstacle.margin,
-        contact=answer_or_none(found.contact, plan),
-        touch=answer_or_none(found.touch, plan),
-        distance=answer_of(found.distance, plan),
-    )
+        name=obstacle.name, shown=both(lambda: shown_name(obstacle)), kind=obstacle.kind,
+        margin=obstacle.margin, contact=answer_or_none(found.contact, plan),
+        touch=answer_or_none(found.touch, plan), distance=answer_of(found.distance, plan),
+    )  # fmt: skip
 
 
 def _room(level: RoomLevel, plan: Plan) -> RoomRecord:
@@ -329,25 +311,12 @@ def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> 
         benches=[error.bench], value=None, limit=None,
     )  # fmt: skip
     return Verdict(
-        safe=False,
-        decided=True,
-        proved=False,
-        unproved=[],
-        sentence=both(lambda: _("Not safe: {finding}").format(finding=error)),
-        start=span[0],
-        end=span[1],
-        first_contact=None,
-        clearance=None,
-        greatest_speed=None,
-        peaks=[],
-        obstacles=[],
-        room=[],
-        findings=[fall],
-        not_looked_at=[],
-        seconds=None,
-        plan_sha256=plan.sha256,
+        safe=False, decided=True, proved=False, unproved=[],
+        sentence=both(lambda: _("Not safe: {finding}").format(finding=error)), start=span[0],
+        end=span[1], first_contact=None, clearance=None, greatest_speed=None, peaks=[], obstacles=[],
+        room=[], findings=[fall], not_looked_at=[], seconds=None, plan_sha256=plan.sha256,
         version=__version__,
-    )
+    )  # fmt: skip
 
 
 def untimed(verdict: Verdict) -> Verdict:

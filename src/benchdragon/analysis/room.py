@@ -99,15 +99,10 @@ def levels_asked(people: PeopleTable) -> list[LevelName]:
 
 
 def room_levels(
-    plan: Plan,
-    walk: Walk,
-    span: tuple[float, float],
-    bare: tuple[Answer | None, tuple[ObstacleAnswers, ...]],
-    levels: list[RoomLevel],
-    *,
-    prove: bool,
+    plan: Plan, walk: Walk, span: tuple[float, float],
+    bare: tuple[Answer | None, tuple[ObstacleAnswers, ...]], levels: list[RoomLevel], *, prove: bool,
     progress: Progress,
-) -> None:
+) -> None:  # fmt: skip
     """Add the levels of room that a plan asks for, if it does, to `levels`, benches alone first.
 
     Two benches that each sway, or stray, come nearer by twice that; to what stands still, by once. Each

@@ -92,12 +92,9 @@ class _Seen:
 
 
 def shortage(
-    walk: Walk,
-    broken: tuple[Answer, Obstacle | None],
-    margin: float,
-    asked: Mapping[str, float],
+    walk: Walk, broken: tuple[Answer, Obstacle | None], margin: float, asked: Mapping[str, float],
     end: float,
-) -> Shortage | None:
+) -> Shortage | None:  # fmt: skip
     """What the pair that breaks a level of room first has too little of, until the end, s.
 
     None where too little is missing to be told. The walk is that of the boards alone.

@@ -89,13 +89,8 @@ class Peak:
 
 
 def greatest_speed(
-    walk: Walk,
-    start: float,
-    end: float,
-    *,
-    tolerance: float = TOLERANCE,
-    progress: Progress = silent,
-) -> Answer:
+    walk: Walk, start: float, end: float, *, tolerance: float = TOLERANCE, progress: Progress = silent,
+) -> Answer:  # fmt: skip
     """The greatest speed of any handle from start to end (s), m/s, over continuous time.
 
     See `greatest`.
@@ -109,15 +104,9 @@ def greatest_speed(
 
 @budget.question()
 def greatest(
-    walk: Walk,
-    quantity: Quantity,
-    start: float,
-    end: float,
-    *,
-    tolerance: float = TOLERANCE,
-    limit: float = math.inf,
-    progress: Progress = silent,
-) -> Answer:
+    walk: Walk, quantity: Quantity, start: float, end: float, *, tolerance: float = TOLERANCE,
+    limit: float = math.inf, progress: Progress = silent,
+) -> Answer:  # fmt: skip
     """The greatest of a quantity from start to end (s), in its unit, over continuous time.
 
     Where the head's acceleration or a curvature jumps, what is just before and just after counts. The
@@ -145,15 +134,9 @@ def greatest(
 
 @budget.question()
 def greatest_of(
-    walk: Walk,
-    quantity: Quantity,
-    first: float,
-    last: float,
-    *,
-    tolerance: float = TOLERANCE,
-    limit: float = math.inf,
-    progress: Progress = silent,
-) -> Peak:
+    walk: Walk, quantity: Quantity, first: float, last: float, *, tolerance: float = TOLERANCE,
+    limit: float = math.inf, progress: Progress = silent,
+) -> Peak:  # fmt: skip
     """The greatest of a quantity while a head at 1 m/s walks from position first to last, m.
 
     The bracket is as that of `greatest`.

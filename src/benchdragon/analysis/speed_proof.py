@@ -175,14 +175,9 @@ class SpeedQuestion:
 
 @budget.question()
 def prove_speed(
-    walk: Walk,
-    start: float,
-    end: float,
-    s: float,
-    *,
-    plan: Plan | None = None,
+    walk: Walk, start: float, end: float, s: float, *, plan: Plan | None = None,
     progress: Progress = silent,
-) -> SpeedClaim:
+) -> SpeedClaim:  # fmt: skip
     """Bounds on the greatest speed of any handle from start to end, s, with the head at 1 m/s.
 
     Args:

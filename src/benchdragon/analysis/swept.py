@@ -159,14 +159,9 @@ class SweptArea:
 
 @budget.question()
 def swept_area(
-    walk: Walk,
-    start: float,
-    end: float,
-    *,
-    margin: float = 0.0,
-    error: float = ERROR,
+    walk: Walk, start: float, end: float, *, margin: float = 0.0, error: float = ERROR,
     progress: Progress = silent,
-) -> SweptArea:
+) -> SweptArea:  # fmt: skip
     """The ground that benches cover from start to end, s, both included.
 
     Args:

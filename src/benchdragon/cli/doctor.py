@@ -17,16 +17,9 @@ from benchdragon.i18n import N_, _, language
 from benchdragon.version import __version__
 
 LIBRARIES = (
-    "numpy",
-    "scipy",
-    "wasmtime",
-    "matplotlib",
-    "pydantic",
-    "click",
-    "rich",
-    "XlsxWriter",
+    "numpy", "scipy", "wasmtime", "matplotlib", "pydantic", "click", "rich", "XlsxWriter",
     "python-calamine",
-)
+)  # fmt: skip
 EXTRAS = {
     N_("extra data"): ("xarray", "pyarrow", "h5netcdf", "h5py"),
     N_("extra prove"): ("flint",),

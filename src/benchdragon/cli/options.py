@@ -163,13 +163,9 @@ def explain_option(command: Command) -> Command:
 def workers_option(default: int) -> Callable[[Command], Command]:
     """-j, where threads may help."""
     return click.option(
-        "-j",
-        "--workers",
-        type=click.IntRange(1, 64),
-        default=default,
-        show_default=True,
+        "-j", "--workers", type=click.IntRange(1, 64), default=default, show_default=True,
         help=N_("Threads; the answers do not depend on it."),
-    )
+    )  # fmt: skip
 
 
 def place_options(command: Command) -> Command:

@@ -89,15 +89,9 @@ def exit_code(found: Answer) -> int:
 
 
 def print_solved(
-    plan: "Plan",
-    name: str,
-    found: Answer,
-    options: dict[str, Any],
-    lines: list[str],
-    *,
-    up: bool = False,
-    **more: Any,
-) -> None:
+    plan: "Plan", name: str, found: Answer, options: dict[str, Any], lines: list[str], *,
+    up: bool = False, **more: Any,
+) -> None:  # fmt: skip
     """An answer as JSON, with `more` beside it, or for readers, rounded `up` or down."""
     if options["as_json"]:
         click.echo(json.dumps(found.as_json(**more, **about(plan, lines))))

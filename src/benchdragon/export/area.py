@@ -49,14 +49,9 @@ class AreaWarning(UserWarning):
 
 
 def planned_area(
-    plan: Plan,
-    start: float | None = None,
-    end: float | None = None,
-    *,
-    margin: float = 0.0,
-    error: float = ERROR,
-    progress: Progress = silent,
-) -> SweptArea:
+    plan: Plan, start: float | None = None, end: float | None = None, *, margin: float = 0.0,
+    error: float = ERROR, progress: Progress = silent,
+) -> SweptArea:  # fmt: skip
     """The ground that a plan's dance covers; times that are None are as the plan says.
 
     An end that is not given is where the dragon can no longer stand, if that comes first: a warning
@@ -100,13 +95,9 @@ def drawing_of(
 
 
 def write_area(
-    drawing: AreaDrawing,
-    path: Path,
-    plan_sha256: str,
-    *,
-    paper: str = "A3",
+    drawing: AreaDrawing, path: Path, plan_sha256: str, *, paper: str = "A3",
     scale: float | None = None,
-) -> None:
+) -> None:  # fmt: skip
     """Write a drawing as the ending of `path` says: one of ENDINGS.
 
     Raises:

@@ -41,14 +41,9 @@ def add_form(writer: PdfWriter, file: bytes) -> IndirectObject:
 
 
 def show_form(
-    writer: PdfWriter,
-    page: int,
-    form: IndirectObject,
-    at: tuple[float, float],
-    *,
-    scale: float = 1.0,
+    writer: PdfWriter, page: int, form: IndirectObject, at: tuple[float, float], *, scale: float = 1.0,
     window: Box | None = None,
-) -> None:
+) -> None:  # fmt: skip
     """Show a form on a page: a stream after those of the page; before them, if it is in a window.
 
     Args:

@@ -52,12 +52,9 @@ def sounds_of(score: Score, start: float) -> list[tuple[float, str]]:
 
 
 def write_track(
-    path: Path,
-    score: Score,
-    span: tuple[float, float],
-    rate: int = RATES[0],
+    path: Path, score: Score, span: tuple[float, float], rate: int = RATES[0],
     progress: Progress = silent,
-) -> None:
+) -> None:  # fmt: skip
     """Write the drum of a dance over a span, s, as a WAV file; beat t starts at sample round(t rate).
 
     Raises:

@@ -61,14 +61,9 @@ def write_html(path: Path, document: Document, folder: Path) -> None:
         return document.link(part) if isinstance(part, Reference) else part
 
     text = environment.get_template("report.html.jinja").render(
-        document=document,
-        blocks=[(type(block).__name__, block) for block in document.blocks],
-        drawn=drawn,
-        spoken=spoken,
-        anchor_of=anchor_of,
-        contents=_("Contents"),
-        version=__version__,
-    )
+        document=document, blocks=[(type(block).__name__, block) for block in document.blocks],
+        drawn=drawn, spoken=spoken, anchor_of=anchor_of, contents=_("Contents"), version=__version__,
+    )  # fmt: skip
     write_whole(path, text)
 
 

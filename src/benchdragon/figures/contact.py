@@ -34,12 +34,9 @@ VALLEY, NEAR_MISS = 0.02, 0.005
 
 
 def moment_picture(
-    motion: Motion,
-    answer: Answer,
-    title: str = "",
-    disc: float | None = None,
+    motion: Motion, answer: Answer, title: str = "", disc: float | None = None,
     obstacles: Sequence[Obstacle] = (),
-) -> Figure:
+) -> Figure:  # fmt: skip
     """The whole dragon at the one time of `motion`, and what the witness tells of close by.
 
     That is two benches, or a bench and one of `obstacles`: see `Plan.obstacles`.

@@ -35,15 +35,9 @@ def square_corners(obstacles: Sequence[Obstacle]) -> list[tuple[float, float]]:
 
 
 def draw_square(
-    panel: Axes,
-    obstacles: Sequence[Obstacle],
-    *,
-    ground: Sequence[FloatArray] = (),
-    ink: str = "black",
-    paper: str = "white",
-    mark: float = 1.0,
-    size: float | None = LEAST_TEXT,
-) -> None:
+    panel: Axes, obstacles: Sequence[Obstacle], *, ground: Sequence[FloatArray] = (),
+    ink: str = "black", paper: str = "white", mark: float = 1.0, size: float | None = LEAST_TEXT,
+) -> None:  # fmt: skip
     """Draw the venue's edge, obstacles with their names, and the margins about them.
 
     Args:

@@ -61,25 +61,16 @@ def draw_map(panel: Axes, found: Answered, keys: tuple[str, str], colours: Scala
 
 
 def _draw_grid(
-    panel: Axes,
-    found: Answered,
-    x: FloatArray,
-    y: FloatArray,
-    order: Ints,
-    colours: ScalarMappable,
-) -> None:
+    panel: Axes, found: Answered, x: FloatArray, y: FloatArray, order: Ints, colours: ScalarMappable,
+) -> None:  # fmt: skip
     """Every combination of x and y: cells about them, and contours between them."""
     shape = (len(y), len(x))
     value, why = found.value[order].reshape(shape), found.why[order].reshape(shape)
     columns, rows = _edges(x), _edges(y)
     panel.pcolormesh(
-        columns,
-        rows,
-        np.ma.masked_invalid(value),
-        cmap=colours.cmap,
-        norm=_norm(colours),
+        columns, rows, np.ma.masked_invalid(value), cmap=colours.cmap, norm=_norm(colours),
         rasterized=True,
-    )
+    )  # fmt: skip
     cells: dict[str, list[Any]] = {}
     for n in range(len(y)):
         for first, last in runs(why[n]):
@@ -151,13 +142,9 @@ def _draw_scattered(
             triangles.set_mask(~whole)
             value = np.where(known, found.value, 0.0)
             panel.tripcolor(
-                triangles,
-                value,
-                shading="gouraud",
-                cmap=colours.cmap,
-                norm=_norm(colours),
+                triangles, value, shading="gouraud", cmap=colours.cmap, norm=_norm(colours),
                 rasterized=True,
-            )
+            )  # fmt: skip
             if levels := _levels(colours, value[corners[whole]]):
                 lines = panel.tricontour(
                     triangles, value, levels=levels, colors="white", linewidths=0.7

@@ -103,16 +103,9 @@ def answered(sweep: Sweep, name: str) -> Answered:
     sound = np.isin(status, ANSWERED) & np.isfinite(value)
     who, names = _deciders(sweep, name, sound)
     return Answered(
-        question,
-        varying or keys,
-        texts,
-        np.where(sound, value, np.nan),
-        sweep.column(f"{name}.lower"),
-        sweep.column(f"{name}.upper"),
-        np.where(sound, "", status),
-        who,
-        names,
-    )
+        question, varying or keys, texts, np.where(sound, value, np.nan), sweep.column(f"{name}.lower"),
+        sweep.column(f"{name}.upper"), np.where(sound, "", status), who, names,
+    )  # fmt: skip
 
 
 def _numbers(values: list[Any]) -> tuple[FloatArray, tuple[str, ...]]:

@@ -51,13 +51,9 @@ MOST_PLACES = 10_000_000
 
 
 def dragon_picture(
-    motion: Motion,
-    title: str = "",
-    indices: Sequence[int] = (0,),
-    disc: float | None = None,
-    obstacles: Sequence[Obstacle] = (),
-    ground: Sequence[FloatArray] = (),
-) -> Figure:
+    motion: Motion, title: str = "", indices: Sequence[int] = (0,), disc: float | None = None,
+    obstacles: Sequence[Obstacle] = (), ground: Sequence[FloatArray] = (),
+) -> Figure:  # fmt: skip
     """The dragon on its route, benches to scale, head marked, at times number `indices`.
 
     Args:
@@ -96,11 +92,9 @@ def name_below(figure: Figure, *panels: Axes) -> None:
 
 
 def framing_of(
-    motion: Motion,
-    indices: Sequence[int],
-    disc: float | None,
+    motion: Motion, indices: Sequence[int], disc: float | None,
     kept: Sequence[tuple[float, float]] = (),
-) -> Framing:
+) -> Framing:  # fmt: skip
     """What pictures of the dragon at all `indices` show, all to one scale, the points `kept` too, m."""
     dragon, route = motion.walk.dragon, motion.walk.route
     s = motion.s[list(indices)]
@@ -131,14 +125,9 @@ def bench_corners(motion: Motion, index: int) -> FloatArray:
 
 
 def draw_dragon(
-    panel: Axes,
-    motion: Motion,
-    index: int,
-    disc: float | None,
-    framed: Framing,
-    obstacles: Sequence[Obstacle] = (),
-    covered: Sequence[FloatArray] = (),
-) -> None:
+    panel: Axes, motion: Motion, index: int, disc: float | None, framed: Framing,
+    obstacles: Sequence[Obstacle] = (), covered: Sequence[FloatArray] = (),
+) -> None:  # fmt: skip
     """Draw benches, route, disc and square into one panel, and an inset where not all is shown."""
     tail = float(np.nanmin(motion.s[index], initial=0.0))
     front = float(np.nanmax(motion.s[index], initial=0.0))
@@ -315,13 +304,9 @@ def head_angle_picture(motion: Motion, title: str = "") -> Figure:
 
 
 def walk_pictures(
-    walk: Walk,
-    times: FloatArray,
-    title: str,
-    disc: float | None,
-    throw: bool = True,
+    walk: Walk, times: FloatArray, title: str, disc: float | None, throw: bool = True,
     obstacles: Sequence[Obstacle] = (),
-) -> dict[str, Figure]:
+) -> dict[str, Figure]:  # fmt: skip
     """All pictures of a walk at `times`: dragon (up to four instants), speeds, head-angle.
 
     Raises:

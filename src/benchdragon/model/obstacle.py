@@ -83,13 +83,9 @@ class Obstacle:
 
     @classmethod
     def rectangle(
-        cls,
-        name: str,
-        centre: Point,
-        size: tuple[float, float],
-        angle: float = 0.0,
+        cls, name: str, centre: Point, size: tuple[float, float], angle: float = 0.0,
         margin: float = 0.0,
-    ) -> Self:
+    ) -> Self:  # fmt: skip
         """A rectangle: its size along its own axes, m, and its angle, rad.
 
         Raises:

@@ -224,14 +224,10 @@ DEVIATION_ORDER = ("aside", "play", "stray", "height", "length", "width")
 
 def _needed_pitches(found: Results) -> Table:
     columns = (
-        _("relaxed assumption"),
-        _("by how much (cm)"),
-        _("median (m)"),
-        _("1 in 10 touches (m)"),
-        _("1 in 20 touches (m)"),
-        _("other dances that touch at the larger of these (%)"),
+        _("relaxed assumption"), _("by how much (cm)"), _("median (m)"), _("1 in 10 touches (m)"),
+        _("1 in 20 touches (m)"), _("other dances that touch at the larger of these (%)"),
         _("tolerance over the exact pitch (cm)"),
-    )
+    )  # fmt: skip
     rows = []
     for name in CASES:
         one, vouched = found.dances.tolerance(name), found.dances.vouched[name]

@@ -99,13 +99,9 @@ def accumulation_picture(
         )
         panel.semilogy(handles[1:], exact[1:], color=BODY, lw=1.2, label=_("handles here"))
         panel.semilogy(
-            handles[1:],
-            np.maximum(residuals, 1e-16),
-            ":",
-            color=DISC,
-            lw=1.2,
+            handles[1:], np.maximum(residuals, 1e-16), ":", color=DISC, lw=1.2,
             label=_("chord less link, here"),
-        )
+        )  # fmt: skip
         panel.set_xlabel(_("handle (0: the head's front)"))
         panel.set_ylabel(_("error (m)"))
         panel.set_title(_("What adds up along the benches"))
@@ -115,12 +111,9 @@ def accumulation_picture(
 
 
 def stepping_picture(
-    contact: Sequence[tuple[float, float]],
-    windows: Sequence[tuple[float, float]],
-    pitch: Sequence[tuple[float, float]],
-    smallest: float,
-    title: str = "",
-) -> Figure:
+    contact: Sequence[tuple[float, float]], windows: Sequence[tuple[float, float]],
+    pitch: Sequence[tuple[float, float]], smallest: float, title: str = "",
+) -> Figure:  # fmt: skip
     """What stepped searches answer, over their steps.
 
     Args:

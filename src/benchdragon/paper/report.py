@@ -63,17 +63,9 @@ def report(found: Results, docs: str | None = None) -> Document:
     """
     title = _("The bench dragon paper, repeated and checked")
     blocks = [
-        *_opening(found),
-        *_claims(found),
-        *questions(found),
-        *_flow(),
-        *_equations(found),
-        *errors(found),
-        *conditioning(found),
-        *people(found),
-        *evidence_table(found, docs),
-        *left_out(),
-    ]
+        *_opening(found), *_claims(found), *questions(found), *_flow(), *_equations(found),
+        *errors(found), *conditioning(found), *people(found), *evidence_table(found, docs), *left_out(),
+    ]  # fmt: skip
     return Document(title, language(), datetime.date.today().isoformat(), tuple(blocks))
 
 
@@ -104,14 +96,8 @@ def _opening(found: Results) -> Iterable[Block]:
 def _claims(found: Results) -> Iterable[Block]:
     yield Heading(_("Claim by claim"), "claims")
     columns = (
-        _("section"),
-        _("claim"),
-        _("paper"),
-        _("here"),
-        _("difference"),
-        _("why"),
-        _("how known"),
-    )
+        _("section"), _("claim"), _("paper"), _("here"), _("difference"), _("why"), _("how known"),
+    )  # fmt: skip
     rows = [*_walk_claims(found), *_contact_claims(found), *_turn_claims(found), *_other_claims(found)]
     yield say(
         _("{claims} holds each claim of the paper beside what comes out here."),
@@ -333,13 +319,8 @@ def _equations(found: Results) -> Iterable[Block]:
         "cos θ = (d1² + r1² - L1²)/(2 d1 r1)",
     )
     columns = (
-        _("equation"),
-        _("gives"),
-        _("as printed"),
-        _("exact value"),
-        _("difference"),
-        _("remark"),
-    )
+        _("equation"), _("gives"), _("as printed"), _("exact value"), _("difference"), _("remark"),
+    )  # fmt: skip
     rows = tuple(
         (
             f"({one.number})",

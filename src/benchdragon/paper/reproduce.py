@@ -96,12 +96,9 @@ def planned_files(folder: Path) -> list[Path]:
 
 
 def reproduce(
-    folder: Path,
-    force: bool = False,
-    progress: Progress = silent,
-    docs: str | None = None,
+    folder: Path, force: bool = False, progress: Progress = silent, docs: str | None = None,
     first: Callable[[Answer, Answer, Path], None] | None = None,
-) -> Reproduction:
+) -> Reproduction:  # fmt: skip
     """Walk the paper's two parts and write report, tables, pictures and `answers.json` into `folder`.
 
     Args:

@@ -73,13 +73,9 @@ def _only_part(walk: Walk, s: FloatArray, method: str) -> int:
 
 
 def head_angles(
-    spiral: Spiral,
-    profile: SpeedProfile,
-    start: float,
-    times: Sequence[float],
-    method: Method,
+    spiral: Spiral, profile: SpeedProfile, start: float, times: Sequence[float], method: Method,
     step: float = 0.1,
-) -> FloatArray:
+) -> FloatArray:  # fmt: skip
     """theta of a head on `spiral` at `times` by Runge-Kutta, rad, (times,).
 
     Args:

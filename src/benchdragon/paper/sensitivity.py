@@ -83,13 +83,9 @@ class Configuration:
         place = motion.x[0] + 1j * motion.y[0]
         dragon = motion.walk.dragon
         return cls(
-            place,
-            np.exp(1j * route.heading(s)),
-            route.curvature(s),
-            (place[:-1] - place[1:]) / dragon.links,
-            dragon.links,
-            dragon.sizes,
-        )
+            place, np.exp(1j * route.heading(s)), route.curvature(s),
+            (place[:-1] - place[1:]) / dragon.links, dragon.links, dragon.sizes,
+        )  # fmt: skip
 
 
 @dataclass(frozen=True)

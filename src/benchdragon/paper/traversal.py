@@ -28,13 +28,9 @@ JUMP = 0.5
 
 
 def traversed_pitch(
-    plan: Plan,
-    pitch_step: float,
-    time_step: float,
-    *,
-    first: float | None = None,
+    plan: Plan, pitch_step: float, time_step: float, *, first: float | None = None,
     progress: Progress = silent,
-) -> Answer:
+) -> Answer:  # fmt: skip
     """The smallest pitch as the paper finds it: pitches in steps, a flag at times in steps.
 
     The flag rises when the gap of any two non-adjacent benches is negative at a time that is looked
@@ -104,12 +100,8 @@ class PitchCurve:
 
 
 def pitch_curve(
-    plan: Plan,
-    pitches: npt.ArrayLike,
-    *,
-    resolution: float = math.inf,
-    progress: Progress = silent,
-) -> PitchCurve:
+    plan: Plan, pitches: npt.ArrayLike, *, resolution: float = math.inf, progress: Progress = silent,
+) -> PitchCurve:  # fmt: skip
     """The two angles of the paper's Fig 2 at given pitches, m, for a spiral-in plan with a disc.
 
     Where the least angle jumps from one pitch to the next, pitches between are added until the two

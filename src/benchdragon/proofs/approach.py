@@ -16,12 +16,9 @@ IntArray = npt.NDArray[np.int64]
 
 
 def approach(
-    ends: tuple[Chain, Chain],
-    sizes: Sizes,
-    i: IntArray,
-    lines: tuple[FloatArray, FloatArray],
+    ends: tuple[Chain, Chain], sizes: Sizes, i: IntArray, lines: tuple[FloatArray, FloatArray],
     way: FloatArray,
-) -> FloatArray:
+) -> FloatArray:  # fmt: skip
     """By how much benches go along lines, m, at most: on from one chain, and back from the other.
 
     Of N benches looked at, `i` are their numbers, (N,), `lines` unit vectors at both ends, (N, 2) each,
@@ -48,14 +45,9 @@ class _Slopes:
     """
 
     def __init__(
-        self,
-        chain: Chain,
-        sizes: Sizes,
-        i: IntArray,
-        line: FloatArray,
-        way: FloatArray,
+        self, chain: Chain, sizes: Sizes, i: IntArray, line: FloatArray, way: FloatArray,
         turned: FloatArray,
-    ) -> None:
+    ) -> None:  # fmt: skip
         links, front, rear, width = (values[i] for values in sizes.numbers)
         ahead = np.stack([chain.x[i] - chain.x[i + 1], chain.y[i] - chain.y[i + 1]], 1) / links[:, None]
         towards, off = _along(chain.tangent[i], turned[i], line)

@@ -103,13 +103,9 @@ def holds(dance: Dance, a: Chain, b: Chain) -> bool:
 
 
 def _keeps_off(
-    dance: Dance,
-    standing: Standing,
-    chains: tuple[Chain, Chain],
-    boxes: tuple[FloatArray, FloatArray],
-    way: FloatArray,
-    room: FloatArray,
-) -> bool:
+    dance: Dance, standing: Standing, chains: tuple[Chain, Chain], boxes: tuple[FloatArray, FloatArray],
+    way: FloatArray, room: FloatArray,
+) -> bool:  # fmt: skip
     """Whether all benches keep off what stands still."""
     pairs = near_sides(boxes[0], standing.boxes, dance.sizes, room, float(standing.margin))
     doubtful = unsure(chains, dance.sizes, boxes, 2 * (standing.boxes,), pairs, way, standing.margin)
@@ -118,14 +114,9 @@ def _keeps_off(
 
 
 def unsure(
-    chains: tuple[Chain, Chain],
-    sizes: Sizes,
-    boxes: Sequence[FloatArray],
-    others: Sequence[FloatArray],
-    pairs: IntArray,
-    way: FloatArray,
-    margin: arb,
-) -> IntArray:
+    chains: tuple[Chain, Chain], sizes: Sizes, boxes: Sequence[FloatArray],
+    others: Sequence[FloatArray], pairs: IntArray, way: FloatArray, margin: arb,
+) -> IntArray:  # fmt: skip
     """Which pairs, of benches or of a bench and what stands, are not surely farther apart."""
     for which in LINES:
         i, j = pairs.T

@@ -77,12 +77,9 @@ def _turned(row: Row, handle: Handle) -> float:
 
 
 def enclosed_chain(
-    route: BallRoute,
-    links: Sequence[arb],
-    s: arb,
-    guess: tuple[Sequence[int], FloatArray],
+    route: BallRoute, links: Sequence[arb], s: arb, guess: tuple[Sequence[int], FloatArray],
     origin: tuple[float, float],
-) -> Chain:
+) -> Chain:  # fmt: skip
     """The chain with its head at route position s, m, near computed rows and parameters.
 
     Raises:

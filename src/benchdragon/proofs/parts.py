@@ -63,13 +63,9 @@ NOWHERE = Start()
 
 
 def route_of(
-    parts: Sequence[Part],
-    rows: FloatArray,
-    start: Start = NOWHERE,
-    turned: arb = ZERO,
-    at: Pair = (ZERO, ZERO),
-    lead: arb | None = None,
-) -> BallRoute:
+    parts: Sequence[Part], rows: FloatArray, start: Start = NOWHERE, turned: arb = ZERO,
+    at: Pair = (ZERO, ZERO), lead: arb | None = None,
+) -> BallRoute:  # fmt: skip
     """The route of these parts, which stored rows have as well, but for their rounding.
 
     Args:

@@ -251,11 +251,7 @@ def kernel_family(family: PlanFamily, walk: Walk) -> tuple[sizes_of.Family, Kern
         benches.links.copy(), benches.sizes.copy(), kind, benches.ahead.copy(), benches.lever.copy()
     )
     made = sizes_of.Family(
-        kernel_numbers(family.plan, family.question),
-        np.empty((MOST_PIECES + 2, PART_COLUMNS)),
-        np.empty((ARCS, 2)),
-        np.empty((MOST_PIECES, 3)),
-        dragon.sizes,
-        share,
-    )
+        kernel_numbers(family.plan, family.question), np.empty((MOST_PIECES + 2, PART_COLUMNS)),
+        np.empty((ARCS, 2)), np.empty((MOST_PIECES, 3)), dragon.sizes, share,
+    )  # fmt: skip
     return made, KernelWalk(rows.copy(), own, kinds)

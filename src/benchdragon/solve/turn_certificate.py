@@ -81,17 +81,12 @@ def certificate_of(plan: Plan, goal: TurnGoal, proof: TurnProof) -> TurnCertific
     if not math.isfinite(proof.bound):
         raise InputError(_("nothing was proved, so that there is no certificate"))
     return TurnCertificate(
-        version=__version__,
-        plan=plan.data(),
-        plan_sha256=plan.sha256,
-        objective=goal.objective,
-        least_radius=goal.least_radius,
-        longest=goal.longest if math.isfinite(goal.longest) else None,
-        longest_way=goal.longest_way if math.isfinite(goal.longest_way) else None,
-        bound=proof.bound,
+        version=__version__, plan=plan.data(), plan_sha256=plan.sha256, objective=goal.objective,
+        least_radius=goal.least_radius, longest=goal.longest if math.isfinite(goal.longest) else None,
+        longest_way=goal.longest_way if math.isfinite(goal.longest_way) else None, bound=proof.bound,
         across=[-1 if node.halves is None else node.across for node in _in_order(proof.root)],
         witnesses=[_written(leaf) for leaf in proof.root.leaves()],
-    )
+    )  # fmt: skip
 
 
 def _written(leaf: Node) -> Written | None:

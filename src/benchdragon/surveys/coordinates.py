@@ -259,12 +259,9 @@ def _in_area(degrees: FloatArray, system: System) -> bool:
 
 
 def _subtracted(
-    points: Sequence[tuple[float, float]],
-    survey: Survey,
-    factor: Decimal | None,
-    name: str,
+    points: Sequence[tuple[float, float]], survey: Survey, factor: Decimal | None, name: str,
     most: float,
-) -> tuple[FloatArray, Survey]:
+) -> tuple[FloatArray, Survey]:  # fmt: skip
     """Plane points less the origin: subtracted as decimals, so that no digit is lost."""
     assert factor is not None
     _check_finite(points, name)

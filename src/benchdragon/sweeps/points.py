@@ -167,11 +167,9 @@ def _check_mapping(columns: object) -> None:
 
 
 def sampled_points(
-    ranges: Mapping[str, tuple[float, float]],
-    count: int,
-    seed: int = 1,
+    ranges: Mapping[str, tuple[float, float]], count: int, seed: int = 1,
     method: Method = "latin-hypercube",
-) -> Points:
+) -> Points:  # fmt: skip
     """So many points between two values of each key, by scipy.stats.qmc; whole numbers where both are.
 
     Raises:

@@ -238,16 +238,11 @@ def read_sweep(folder: Path | str) -> Sweep:
 
 
 def sweep(
-    plan: Plan,
-    vary: Mapping[str, Iterable[Value]] | Points,
-    ask: Sequence[str] = ("first_contact",),
-    *,
-    output: Path | str | None = None,
-    dances: RandomDances | None = None,
-    refinement: Refinement | None = None,
-    executor: Executor | Place | None = None,
+    plan: Plan, vary: Mapping[str, Iterable[Value]] | Points, ask: Sequence[str] = ("first_contact",),
+    *, output: Path | str | None = None, dances: RandomDances | None = None,
+    refinement: Refinement | None = None, executor: Executor | Place | None = None,
     progress: Progress = silent,
-) -> Sweep:
+) -> Sweep:  # fmt: skip
     """Questions asked of a plan at many points; the same call goes on where one was broken off.
 
     Args:
