@@ -15,9 +15,10 @@ from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.kinds import same_size
+from benchdragon.kernels.memory import ROW
 from benchdragon.kernels.nearness import NEARNESS
 from benchdragon.kernels.obstacle import fill_boxes, sides
-from benchdragon.kernels.own_room import WIDER, lay_placements, lay_search
+from benchdragon.kernels.own_room import WIDER, placements, searches
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
 from benchdragon.kernels.route import IntArray
@@ -106,41 +107,15 @@ def lay_beside(
     known: int,
 ) -> int:  # fmt: skip
     """Lay a search from a slot and an address on, but for what is found; the bytes that takes."""
-    near = max(boxes, 2)
-    memory.lay_from(slots, slot + AFTER_FOUND, address)
-    memory.lay_table(slots, rows, COLUMNS)
-    memory.lay_row(slots, 1)
-    memory.lay_table(slots, 4, 1)
-    memory.lay_table(slots, rows, SEAM_COLUMNS)
-    memory.lay_table(slots, boxes, BOX_COLUMNS)
-    memory.lay_table(slots, near, BOX_COLUMNS)
-    for _list in range(3):
-        memory.lay_row(slots, boxes)
-    memory.lay_row(slots, 1)
-    lay_search(slots, 2, boxes + 1, boxes + 1)
-    memory.lay_row(slots, benches)
-    memory.lay_table(slots, 4, benches)
-    memory.lay_row(slots, benches)
-    memory.lay_table(slots, corners, 2)
-    memory.lay_table(slots, known, REPEAT)
-    memory.lay_table(slots, known, BEGUN)
-    memory.lay_table(slots, known, 2)
-    memory.lay_table(slots, known + 1, 2)
-    lay_placements(slots, benches + 1, 2)
-    memory.lay_table(slots, benches + 1, 2)
-    memory.lay_table(slots, benches, WAYS)
-    memory.lay_row(slots, 2)
-    lay_placements(slots, benches + 1, 1)
-    memory.lay_row(slots, benches)
-    memory.lay_row(slots, benches + 1)
-    memory.lay_row(slots, benches)
-    memory.lay_row(slots, NEARNESS)
-    memory.lay_row(slots, 1)
-    memory.lay_table(slots, 2, BOX_COLUMNS)
-    memory.lay_row(slots, ASKED)
-    memory.lay_row(slots, FIGURES)
-    memory.lay_row(slots, NOTES)
-    return slots[memory.ADDRESS] - address
+    row, each, one, near = (benches, ROW), (boxes, ROW), (1, ROW), max(boxes, 2)
+    return memory.lay(slots, slot + AFTER_FOUND, address, (
+        (rows, COLUMNS), one, (4, 1), (rows, SEAM_COLUMNS), (boxes, BOX_COLUMNS), (near, BOX_COLUMNS),
+        each, each, each, one, *searches(2, boxes + 1, boxes + 1), row, (4, benches), row, (corners, 2),
+        (known, REPEAT), (known, BEGUN), (known, 2), (known + 1, 2), *placements(benches + 1, 2),
+        (benches + 1, 2), (benches, WAYS), (2, ROW), *placements(benches + 1, 1), row,
+        (benches + 1, ROW), row, (NEARNESS, ROW), one, (2, BOX_COLUMNS), (ASKED, ROW),
+        (FIGURES, ROW), (NOTES, ROW),
+    ))  # fmt: skip
 
 
 @kernel

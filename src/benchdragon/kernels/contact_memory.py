@@ -10,8 +10,9 @@ from benchdragon.kernels.course import Benches, Room, Walk
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.kinds import find_kinds
+from benchdragon.kernels.memory import ROW
 from benchdragon.kernels.nearness import NEARNESS
-from benchdragon.kernels.own_room import lay_block, lay_placements
+from benchdragon.kernels.own_room import lay_block, placements, walks
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
 from benchdragon.kernels.route import IntArray
@@ -113,35 +114,20 @@ class Asked(NamedTuple):
 def lay_hunt(slots: IntArray, address: int, asked: Asked) -> int:
     """Lay all from an address on that keeps its size; the bytes that takes."""
     rows, benches, places = asked.rows.shape[0], asked.links.shape[0], asked.beginnings[own_room.PLACES]
-    kinds = min(benches, int(asked.limits[MOST_KINDS]))
-    memory.lay_from(slots, WALK_SLOT, address)
-    memory.lay_table(slots, rows, COLUMNS)
-    memory.lay_row(slots, benches)
-    memory.lay_table(slots, 4, benches)
-    memory.lay_row(slots, benches)
-    memory.lay_row(slots, benches)
-    memory.lay_row(slots, 1)
-    memory.lay_table(slots, 4, kinds)
-    memory.lay_row(slots, kinds)
-    memory.lay_table(slots, rows, SEAM_COLUMNS)
+    kinds, count = (
+        min(benches, int(asked.limits[MOST_KINDS])),
+        max(FEWEST, min(LANES, places // (benches + 1))),
+    )
+    memory.lay(slots, WALK_SLOT, address, (
+        (rows, COLUMNS), *walks(benches, kinds), (rows, SEAM_COLUMNS),
+    ))  # fmt: skip
     end = lay_block(slots, ROOM_SLOT, slots[memory.ADDRESS], benches, places)
-    memory.lay_from(slots, SIZES_SLOT, end)
-    memory.lay_row(slots, own_room.SIZES)
-    memory.lay_row(slots, own_room.BEGINNINGS)
-    memory.lay_table(slots, asked.spans.shape[0], 2)
-    count = max(FEWEST, min(LANES, places // (benches + 1)))
-    memory.lay_row(slots, count)
-    lay_placements(slots, benches + 1, count)
-    memory.lay_table(slots, 2, BOX_COLUMNS)
-    memory.lay_row(slots, benches)
-    memory.lay_row(slots, benches + 1)
-    memory.lay_row(slots, benches)
-    memory.lay_row(slots, LIMITS)
-    memory.lay_row(slots, asked.tolerances.shape[0])
-    memory.lay_row(slots, FIGURES)
-    memory.lay_row(slots, NEARNESS)
-    memory.lay_row(slots, NOTES)
-    return slots[memory.ADDRESS] - address
+    return end - address + memory.lay(slots, SIZES_SLOT, end, (
+        (own_room.SIZES, ROW), (own_room.BEGINNINGS, ROW), (asked.spans.shape[0], 2), (count, ROW),
+        *placements(benches + 1, count), (2, BOX_COLUMNS), (benches, ROW), (benches + 1, ROW),
+        (benches, ROW), (LIMITS, ROW), (asked.tolerances.shape[0], ROW), (FIGURES, ROW),
+        (NEARNESS, ROW), (NOTES, ROW),
+    ))  # fmt: skip
 
 
 @kernel

@@ -22,6 +22,9 @@ from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import IntArray
 
 Group = TypeVar("Group", bound=tuple[Any, ...])
+# Rows and columns of arrays; of a row its length, and ROW.
+Shapes = tuple[tuple[int, int], ...]
+ROW = -1
 
 # Of a block's header: the slot and the address that the next array is laid at, how many slots there
 # are, and from OWNED on the addresses of the memory that is released with the block.
@@ -160,6 +163,18 @@ def drop(slots: IntArray, which: int) -> None:
     """Give back the memory number `which` of a block."""
     release(slots[OWNED + which])
     slots[OWNED + which] = 0
+
+
+@kernel
+def lay(slots: IntArray, slot: int, address: int, shapes: Shapes) -> int:
+    """Lay arrays from a slot and an address on; the bytes that takes."""
+    lay_from(slots, slot, address)
+    for rows, columns in shapes:
+        if columns == ROW:
+            lay_row(slots, rows)
+        else:
+            lay_table(slots, rows, columns)
+    return slots[ADDRESS] - address
 
 
 @kernel

@@ -13,6 +13,7 @@ from benchdragon.kernels.course import Block, Course, Crowd, Room, Walk
 from benchdragon.kernels.curve import LENGTH, S_START
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
+from benchdragon.kernels.memory import ROW, Shapes
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import DEPTH
@@ -61,15 +62,26 @@ def lay_placements(slots: IntArray, handles: int, count: int) -> None:
 
 
 @kernel
-def lay_grid(slots: IntArray, places: int) -> None:
-    """Lay a grid of so many places: see `grid.empty_grid`."""
+def placements(handles: int, count: int) -> Shapes:
+    """The shapes of chains of so many handles at so many head positions."""
+    one = (handles, count)
+    return one, one, one, one, one, one, one, (2, count)
+
+
+@kernel
+def grid(places: int) -> Shapes:
+    """Those of a grid of so many places: see `grid.empty_grid`."""
     buckets = 16
     while buckets < 2 * places:
         buckets *= 2
-    memory.lay_row(slots, 1)
-    memory.lay_row(slots, buckets)
-    for _row in range(3):
-        memory.lay_row(slots, places)
+    return (1, ROW), (buckets, ROW), (places, ROW), (places, ROW), (places, ROW)
+
+
+@kernel
+def walks(benches: int, kinds: int) -> Shapes:
+    """Those of a walk but for the rows of its route."""
+    row = (benches, ROW)
+    return row, (4, benches), row, row, (1, ROW), (4, kinds), (kinds, ROW)
 
 
 @kernel
@@ -77,24 +89,12 @@ def lay_ground(slots: IntArray, slot: int, address: int, sizes: IntVector, group
     """Lay what is known of the route, from a slot and an address on; the bytes that takes."""
     cells, pairs, rows = sizes[OF_CELLS], sizes[OF_ENTRIES], sizes[ROUTE_ROWS]
     boxes = groups * cells + sizes[OF_PARTS]
-    memory.lay_from(slots, slot, address)
-    memory.lay_row(slots, of.COUNTS)
-    memory.lay_row(slots, of.MEASURES)
-    memory.lay_table(slots, groups, of.WAYS + groups)
-    memory.lay_table(slots, groups * groups * rows, 2)
-    memory.lay_table(slots, cells, groups * groups)
-    memory.lay_table(slots, cells, 2)
-    memory.lay_table(slots, boxes, of.HULL_COLUMNS)
-    memory.lay_table(slots, boxes, of.TREE_COLUMNS)
-    memory.lay_table(slots, pairs, 2)
-    memory.lay_row(slots, boxes)
-    memory.lay_table(slots, pairs, 2)
-    memory.lay_table(slots, sizes[OF_DOUBTS], 2)
-    memory.lay_table(slots, rows, SEAM_COLUMNS)
-    lay_grid(slots, cells)
-    lay_grid(slots, groups * cells)
-    memory.lay_row(slots, groups * cells)
-    return slots[memory.ADDRESS] - address
+    return memory.lay(slots, slot, address, (
+        (of.COUNTS, ROW), (of.MEASURES, ROW), (groups, of.WAYS + groups), (groups * groups * rows, 2),
+        (cells, groups * groups), (cells, 2), (boxes, of.HULL_COLUMNS), (boxes, of.TREE_COLUMNS),
+        (pairs, 2), (boxes, ROW), (pairs, 2), (sizes[OF_DOUBTS], 2), (rows, SEAM_COLUMNS),
+        *grid(cells), *grid(groups * cells), (groups * cells, ROW),
+    ))  # fmt: skip
 
 
 @kernel
@@ -110,44 +110,30 @@ def ground_bytes(sizes: IntVector, groups: int) -> int:
 def lay_block(slots: IntArray, slot: int, address: int, benches: int, places: int) -> int:
     """Lay dragons at steps to come, the crowd and the course of a room; where that ends."""
     count = max(2, min(LANES, places // (benches + 1)))
-    memory.lay_from(slots, slot + BLOCK, address)
-    memory.lay_row(slots, count)
-    lay_placements(slots, benches + 1, count)
-    memory.lay_table(slots, benches + 1, count)
-    memory.lay_table(slots, benches, of.HULL_COLUMNS)
-    lay_grid(slots, benches)
-    memory.lay_row(slots, benches)
-    memory.lay_row(slots, course.COURSE)
-    memory.lay_row(slots, course.TALLY)
-    return slots[memory.ADDRESS]
+    return address + memory.lay(slots, slot + BLOCK, address, (
+        (count, ROW), *placements(benches + 1, count), (benches + 1, count), (benches, of.HULL_COLUMNS),
+        *grid(benches), (benches, ROW), (course.COURSE, ROW), (course.TALLY, ROW),
+    ))  # fmt: skip
 
 
 @kernel
-def lay_search(slots: IntArray, handles: int, members: int, pairs: int) -> None:
-    """Lay what steps are searched in: see `search.room`."""
-    memory.lay_row(slots, DEPTH)
-    lay_placements(slots, handles, DEPTH)
-    memory.lay_table(slots, handles, HANDLE_COLUMNS)
-    memory.lay_table(slots, members, BENCH_COLUMNS)
-    memory.lay_table(slots, DEPTH * members, BOX_COLUMNS)
-    memory.lay_row(slots, DEPTH * members)
-    memory.lay_row(slots, handles)
-    memory.lay_row(slots, handles)
-    memory.lay_table(slots, DEPTH, pairs)
-    memory.lay_row(slots, DEPTH)
+def searches(handles: int, members: int, pairs: int) -> Shapes:
+    """The shapes of what steps are searched in: see `search.room`."""
+    return (
+        (DEPTH, ROW), *placements(handles, DEPTH), (handles, HANDLE_COLUMNS), (members, BENCH_COLUMNS),
+        (DEPTH * members, BOX_COLUMNS), (DEPTH * members, ROW), (handles, ROW), (handles, ROW),
+        (DEPTH, pairs), (DEPTH, ROW),
+    )  # fmt: skip
 
 
 @kernel
 def lay_step(slots: IntArray, slot: int, address: int, sizes: IntVector, benches: int) -> int:
     """Lay the pairs of a step and what it is searched in; the bytes that takes."""
-    pairs, members = sizes[OF_PAIRS], sizes[OF_MEMBERS]
-    memory.lay_from(slots, slot + MEETING, address)
-    for _row in range(4):
-        memory.lay_row(slots, pairs)
-    memory.lay_row(slots, benches)
-    memory.lay_row(slots, benches)
-    lay_search(slots, benches + 1, members, pairs)
-    return slots[memory.ADDRESS] - address
+    pairs = sizes[OF_PAIRS]
+    return memory.lay(slots, slot + MEETING, address, (
+        (pairs, ROW), (pairs, ROW), (pairs, ROW), (pairs, ROW), (benches, ROW), (benches, ROW),
+        *searches(benches + 1, sizes[OF_MEMBERS], pairs),
+    ))  # fmt: skip
 
 
 @kernel

@@ -8,6 +8,8 @@ from benchdragon.kernels.bench_cells import CELL_COLUMNS, Cells, Kinds, Workshop
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.drive import DRIVE_COLUMNS, MOST_JUMPS, QUANTITIES
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.memory import ROW, Shapes
+from benchdragon.kernels.own_room import placements
 from benchdragon.kernels.pacing import HULL_COLUMNS
 from benchdragon.kernels.peak import COUNTS, NOTES, PART_COLUMNS, SLOTS, Batch, Chains, Drives, Heap
 from benchdragon.kernels.rounding import SEAM_COLUMNS
@@ -88,45 +90,29 @@ HEAP_SLOT, CELLS_SLOT = memory.slot_of(Asked, "heap"), memory.slot_of(Asked, "ce
 END_SLOT, BASE = memory.HEADER + memory.slot_count(Asked), 8 * memory.HEADER
 
 
-def errors(handles: int, slots: int) -> tuple[tuple[int, int], ...]:
-    """The lengths of `Errors`."""
-    tables = ((handles, slots),) * 5
-    return (ROWS, SEAM_COLUMNS), (handles, 0), (handles, 0), *tables, (slots, 0), (slots, 0)
-
-
-def placements(handles: int, slots: int) -> tuple[tuple[int, int], ...]:
-    """The lengths of `Placements`."""
-    return *(((handles, slots),) * 7), (2, slots)
-
-
-# The lengths of the arrays that keep theirs, 0 for the second of a row; these stand for what they name.
-ROWS, BENCHES, HANDLES, KINDS, STRETCHES, BORDERS = -1, -2, -3, -4, -5, -6
-LENGTHS = (
-    (ROWS, COLUMNS), (BENCHES, 0), (BENCHES, 0), (KINDS, 1), (KINDS, 2),
-    (STRETCHES, 2), (STRETCHES, 2), (STRETCHES, 0),
-    (SLOTS, PART_COLUMNS), (SLOTS, PART_COLUMNS), (SLOTS, 2), (SLOTS, 0), (DRIVE_COLUMNS, 0),
-    *placements(HANDLES, SLOTS), (HANDLES, SLOTS), (HANDLES, SLOTS),
-    (HANDLES, HANDLE_COLUMNS), (HANDLES, 2), (HANDLES, 2), (MOST_JUMPS, 0), (MOST_JUMPS + 1, 4),
-    (HANDLES, 0), (2, 0), *errors(HANDLES, SLOTS),
-    *placements(2, BORDERS), (2, HANDLE_COLUMNS), (BORDERS, 0), (KINDS, 0), (2, BORDERS), (2, BORDERS),
-    *errors(2, BORDERS),
-    (HANDLES, HULL_COLUMNS), (QUANTITIES, 0), (QUANTITIES, 0), (NUMBERS, 0), (NOTES, 0), (COUNTS, 0),
-    (STATE, 0), (FIGURES, 0), (2, 0), (2, 0),
-)  # fmt: skip
+@kernel
+def errors(rows: int, handles: int, slots: int) -> Shapes:
+    """The shapes of `Errors`."""
+    row, one, slot = (handles, ROW), (handles, slots), (slots, ROW)
+    return (rows, SEAM_COLUMNS), row, row, one, one, one, one, one, slot, slot
 
 
 @kernel
 def lay_all(slots: IntArray, address: int, rows: int, benches: int, kinds: int, stretches: int) -> int:
     """Lay from an address on all that keeps its size; the bytes that takes."""
-    named = (0, rows, benches, benches + 1, kinds, stretches, 2 * (kinds + 1))
-    memory.lay_from(slots, memory.HEADER, address)
-    for length, width in LENGTHS:
-        count = named[-length] if length < 0 else length
-        if width == 0:
-            memory.lay_row(slots, count)
-        else:
-            memory.lay_table(slots, count, named[-width] if width < 0 else width)
-    return slots[memory.ADDRESS] - address
+    handles, borders = benches + 1, 2 * (kinds + 1)
+    part, one, two = (SLOTS, PART_COLUMNS), (handles, SLOTS), (2, borders)
+    return memory.lay(slots, memory.HEADER, address, (
+        (rows, COLUMNS), (benches, ROW), (benches, ROW), (kinds, 1), (kinds, 2),
+        (stretches, 2), (stretches, 2), (stretches, ROW),
+        part, part, (SLOTS, 2), (SLOTS, ROW), (DRIVE_COLUMNS, ROW),
+        *placements(handles, SLOTS), one, one, (handles, HANDLE_COLUMNS), (handles, 2), (handles, 2),
+        (MOST_JUMPS, ROW), (MOST_JUMPS + 1, 4), (handles, ROW), (2, ROW), *errors(rows, handles, SLOTS),
+        *placements(2, borders), (2, HANDLE_COLUMNS), (borders, ROW), (kinds, ROW), two, two,
+        *errors(rows, 2, borders),
+        (handles, HULL_COLUMNS), (QUANTITIES, ROW), (QUANTITIES, ROW), (NUMBERS, ROW), (NOTES, ROW),
+        (COUNTS, ROW), (STATE, ROW), (FIGURES, ROW), (2, ROW), (2, ROW),
+    ))  # fmt: skip
 
 
 @kernel
@@ -134,20 +120,15 @@ def lay_heap(block: int, address: int, rows: int) -> None:
     """Lay room for so many parts that wait."""
     slots = memory.integers_at(block, END_SLOT)
     slots[memory.OWNED + HEAP_MEMORY] = address
-    memory.lay_from(slots, HEAP_SLOT, address)
-    memory.lay_table(slots, rows, PART_COLUMNS)
-    memory.lay_table(slots, rows, PART_COLUMNS)
+    memory.lay(slots, HEAP_SLOT, address, ((rows, PART_COLUMNS), (rows, PART_COLUMNS)))
 
 
 @kernel
 def lay_cells(block: int, address: int, rows: int, kinds: int) -> None:
     """Lay room for cells with so many borders."""
-    slots = memory.integers_at(block, END_SLOT)
+    slots, row = memory.integers_at(block, END_SLOT), (rows, ROW)
     slots[memory.OWNED + CELL_MEMORY] = address
-    memory.lay_from(slots, CELLS_SLOT, address)
-    for _row in range(4):
-        memory.lay_row(slots, rows)
-    memory.lay_table(slots, rows, kinds)
+    memory.lay(slots, CELLS_SLOT, address, (row, row, row, row, (rows, kinds)))
     slots[slots[memory.SLOT]] = CELL_COLUMNS
 
 

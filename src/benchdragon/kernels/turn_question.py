@@ -13,7 +13,8 @@ from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.curve import COLUMNS as ROUTE_COLUMNS
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.own_room import lay_placements
+from benchdragon.kernels.memory import ROW
+from benchdragon.kernels.own_room import placements
 from benchdragon.kernels.question import CLOSED, MORE, SPENT
 from benchdragon.kernels.question import TOLD as OWN
 from benchdragon.kernels.route import IntArray
@@ -56,42 +57,19 @@ BASE, END_SLOT = 8 * memory.HEADER, memory.HEADER + memory.slot_count(Asked)
 @kernel
 def lay_asked(slots: IntArray, address: int, x: int, benches: int, boxes: int, obstacles: int) -> int:
     """Lay all of a question from an address on; the bytes that takes."""
-    few = min(turn_trial.FEW, benches)
-    memory.lay_from(slots, memory.HEADER, address)
-    memory.lay_row(slots, turn_trial.TOLD)
-    memory.lay_row(slots, x)
-    memory.lay_row(slots, x)
-    memory.lay_row(slots, turn_trial.KINDS)
-    memory.lay_table(slots, 4, benches)
-    memory.lay_row(slots, benches)
-    memory.lay_table(slots, boxes, BOX_COLUMNS)
-    memory.lay_row(slots, obstacles + 1)
-    memory.lay_table(slots, obstacles, 2)
-    memory.lay_table(slots, ARCS, 2)
-    memory.lay_table(slots, MOST_PIECES, 3)
-    memory.lay_table(slots, MOST_PIECES + 2, PART_COLUMNS)
-    memory.lay_table(slots, turn_trial.MOST_ROWS, ROUTE_COLUMNS)
-    memory.lay_row(slots, turn_trial.SLOTS)
-    lay_placements(slots, few + 1, turn_trial.SLOTS)
-    memory.lay_table(slots, benches + 1, turn_trial.SLOTS)
-    memory.lay_table(slots, benches + 1, turn_trial.SLOTS)
-    lay_placements(slots, benches + 1, 1)
-    memory.lay_table(slots, 2, BOX_COLUMNS)
-    memory.lay_table(slots, 2 * turn_trial.RATES, few + 1)
-    memory.lay_row(slots, 2)
-    memory.lay_table(slots, turn_trial.MOST_NOTED, turn_trial.PEAK)
-    memory.lay_row(slots, turn_trial.COUNTS)
-    memory.lay_row(slots, x)
-    memory.lay_row(slots, x)
-    memory.lay_row(slots, turn_descent.COLUMNS)
-    memory.lay_table(slots, turn_trial.MOST_KEPT, turn_trial.PEAK)
-    memory.lay_table(slots, turn_trial.MOST_KEPT, turn_trial.UNKNOWNS)
-    memory.lay_table(slots, turn_descent.MOST_LINES, turn_descent.LINE)
-    memory.lay_table(slots, turn_descent.COLUMNS, turn_descent.COLUMNS + 1)
-    memory.lay_row(slots, turn_descent.STATE)
-    memory.lay_table(slots, STARTS, turn_trial.UNKNOWNS + 1)
-    memory.lay_row(slots, FIGURES)
-    return slots[memory.ADDRESS] - address
+    few, slot_count, point = min(turn_trial.FEW, benches), turn_trial.SLOTS, (x, ROW)
+    return memory.lay(slots, memory.HEADER, address, (
+        (turn_trial.TOLD, ROW), point, point, (turn_trial.KINDS, ROW), (4, benches), (benches, ROW),
+        (boxes, BOX_COLUMNS), (obstacles + 1, ROW), (obstacles, 2), (ARCS, 2), (MOST_PIECES, 3),
+        (MOST_PIECES + 2, PART_COLUMNS), (turn_trial.MOST_ROWS, ROUTE_COLUMNS), (slot_count, ROW),
+        *placements(few + 1, slot_count), (benches + 1, slot_count), (benches + 1, slot_count),
+        *placements(benches + 1, 1), (2, BOX_COLUMNS), (2 * turn_trial.RATES, few + 1), (2, ROW),
+        (turn_trial.MOST_NOTED, turn_trial.PEAK), (turn_trial.COUNTS, ROW), point, point,
+        (turn_descent.COLUMNS, ROW), (turn_trial.MOST_KEPT, turn_trial.PEAK),
+        (turn_trial.MOST_KEPT, turn_trial.UNKNOWNS), (turn_descent.MOST_LINES, turn_descent.LINE),
+        (turn_descent.COLUMNS, turn_descent.COLUMNS + 1), (turn_descent.STATE, ROW),
+        (STARTS, turn_trial.UNKNOWNS + 1), (FIGURES, ROW),
+    ))  # fmt: skip
 
 
 @entry
