@@ -16,17 +16,28 @@ const { obstacleAnswers } = await load("compute/obstacles");
 const { QUANTITIES } = await load("made/quantities");
 const { greatest } = await load("compute/speed");
 const { Profile } = await load("compute/profile");
-const { Route } = await load("compute/curves");
+const { within } = await load("compute/arrays");
+const { Curve } = await load("compute/curve");
+const { py } = await load("compute/python");
 const { Walk } = await load("compute/walk");
 
 const engine = await Engine.load(readFileSync(wasm));
 
 /** A route by its rows, kinks and all. */
+class Rows extends Curve {
+  constructor(rows) {
+    super();
+    py.keep(this, "rows", rows);
+  }
+  seen_from(origin) {
+    const rows = py.copy(this.rows);
+    py.entry("bd_route_parts_settle_rows", rows, ...origin);
+    return new Rows(rows);
+  }
+}
+
 function routeOf(arena, rows) {
-  const table = arena.table(rows, CURVE.COLUMNS);
-  const last = rows[rows.length - 1];
-  const length = last[CURVE.S_START] + last[CURVE.LENGTH];
-  return Object.assign(Object.create(Route.prototype), { engine, rows: table, length });
+  return within(arena, () => new Rows(arena.table(rows, CURVE.COLUMNS)));
 }
 
 function walkOf(arena, { sizes, rows, times, speeds, start }) {
