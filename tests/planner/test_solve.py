@@ -111,6 +111,20 @@ def test_sizes_of_a_range_are_the_same() -> None:
     assert found.spans[0].tried == twin["spans"][0]["tried"]
 
 
+def test_limits_of_a_dance_that_is_moved_beside_an_obstacle_and_of_a_programme_are_the_same() -> None:
+    alone = {name: table for name, table in SQUARE.items() if name != "venue"}
+    moved = checked(plain(alone), "plan").with_values(
+        {"route.at": [30.0, -20.0], "route.turned": 40.0, "obstacle.0.centre": [30.5, -19.8]}
+    )
+    swing = {"name": "tail-swing", "swing": 2.6, "swings": 3, "run": 176.4}
+    route = {"kind": "programme", "formation": [swing], "radius": 2.0}
+    told = {"schema": 1, "dragon": {"benches": 3}, "route": route, "walk": {"end": 20.0}}
+    for whole, name in ((moved, "disc"), (checked(told, "plan"), "length")):
+        found = limit(whole, name)
+        assert found.status == "found"
+        assert same_answer(found, searched("limit", whole, size=name))
+
+
 @pytest.mark.parametrize("sets", [[*FEW, "limits.speed=2"], LIMITED])
 def test_head_speeds_are_the_same(sets: list[str]) -> None:
     whole = read_plan("spiral-in" if sets[0] == FEW[0] else "turn", sets)

@@ -331,3 +331,16 @@ def test_a_limit_below_which_there_is_no_walk_needs_no_pair(tolerance: float) ->
     assert answer.lower <= 0.45 <= answer.upper < 0.45 + 2.0 * tolerance
     assert answer.status == "found"
     assert answer.witness is None
+
+
+@pytest.mark.parametrize("kind", ["formation", "programme"])
+def test_benches_are_no_longer_than_the_bends_of_formations_let_them_be(kind: str) -> None:
+    """On its run they could be: but no plan may have such, which `check` refuses."""
+    swing = {"name": "tail-swing", "swing": 2.6, "swings": 3, "run": 176.4}
+    route = {"kind": kind, **(swing if kind == "formation" else {"formation": [swing], "radius": 2.0})}
+    told = {"schema": 1, "dragon": {"benches": 3}, "route": route, "walk": {"end": 20.0}}
+    plan = checked(told, "plan")
+    found = limit(plan, "length")
+    plan.with_values({"dragon.body_length": found.lower, "dragon.tail_length": found.lower}).build()
+    with pytest.raises(PlanError, match="cannot follow a bend"):
+        plan.with_values({"dragon.body_length": found.upper + 2e-12}).build()

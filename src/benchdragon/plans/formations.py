@@ -63,6 +63,12 @@ def formation_of(table: FormationTable, key: str, link: float) -> Formation:
     return made
 
 
+def links_below(table: FormationTable) -> float:
+    """How long links, m, must not be for benches to follow the bends of a formation."""
+    made = formation_of(table, "route", 0.0)
+    return 2.0 * made.least_radius if made.narrowest else math.inf
+
+
 def refuse_tight(key: str, radius: float, link: float) -> None:
     """Refuse bends of a radius, m, that a bench with a link, m, cannot follow; the key widens them."""
     if 2.0 * radius <= link:

@@ -21,6 +21,7 @@ from benchdragon.plans.formations import (
     FormationTable,
     StepTable,
     formation_of,
+    links_below,
     refuse_tight,
     whole_dragon_on,
 )
@@ -105,6 +106,10 @@ class RouteTable(Table):
         turned = -math.radians(self.turned)
         (x, y), c, s = self.at or (0.0, 0.0), math.cos(turned), math.sin(turned)
         return obstacle.moved(turned, (s * y - c * x, -s * x - c * y))
+
+    def links_below(self) -> float:
+        """How long links, m, must not be for benches to follow the bends of formations."""
+        return math.inf
 
 
 class SpiralInRoute(RouteTable):
@@ -232,6 +237,10 @@ class FormationRoute(RouteTable, FormationTable):
         route = formation_of(self, "route", _longest_link(plan)).build()
         return route, _whole_dragon_on(route, plan)
 
+    def links_below(self) -> float:
+        """See `RouteTable.links_below`."""
+        return links_below(self)
+
     def last_position(self, walk: Walk) -> float:
         """The head's route position at the end of the walk, m."""
         return walk.route.length
@@ -257,6 +266,10 @@ class ProgrammeRoute(RouteTable):
             raise KeyedError(faults.found)
         route = programme([step for step in tried if step is not None], self.radius)
         return route, _whole_dragon_on(route, plan)
+
+    def links_below(self) -> float:
+        """See `RouteTable.links_below`."""
+        return min([2.0 * self.radius, *[links_below(one) for one in self.formation]])
 
     def last_position(self, walk: Walk) -> float:
         """The head's route position at the end of the walk, m."""

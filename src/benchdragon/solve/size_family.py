@@ -223,11 +223,19 @@ def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
         sizes_of.END_WAY: end_way,
         sizes_of.MOST_WAY: most_way,
         sizes_of.LEAST_SIZE: least,
-        sizes_of.MOST_SIZE: MOST_METRES,
+        sizes_of.MOST_SIZE: _most_size(plan, question),
         sizes_of.ROOMY: ROOMY,
         sizes_of.FITS: FITS,
     }
     return np.array([numbers[n] for n in range(sizes_of.NUMBERS)], dtype=np.float64)
+
+
+def _most_size(plan: Plan, question: Question) -> float:
+    """The greatest size that a plan may have, m: longer benches cannot follow its formations."""
+    if question.what != sizes_of.BENCH:
+        return MOST_METRES
+    insets = plan.dragon.front_inset + plan.dragon.rear_inset
+    return min(MOST_METRES, plan.route.links_below() + insets - TOLERANCE)
 
 
 def _or_nan(value: float | None) -> float:

@@ -3,7 +3,8 @@
 
 import { _ } from "../words.js";
 import { TurnRoute } from "../made/plan_routes.js";
-import { Arena, doubles } from "./arena.js";
+import { Arena, doubles, withArena } from "./arena.js";
+import { within } from "./arrays.js";
 import {
   CURVE,
   FAMILY,
@@ -145,6 +146,14 @@ export class PlanFamily {
   }
 }
 
+/** The greatest size that a plan may have, m: longer benches cannot follow its formations. @param {Engine} engine @param {Plan} plan @param {Question} sought */
+function mostSize(engine, { tables }, sought) {
+  if (sought.what !== FAMILY.BENCH) return CURVE.MOST_METRES;
+  const { front_inset: front, rear_inset: rear } = tables.dragon;
+  const below = withArena(engine, (arena) => within(arena, () => tables.route.links_below()));
+  return Math.min(CURVE.MOST_METRES, below + front + rear - TOLERANCE);
+}
+
 /** @param {number | null} value */
 function orNaN(value) {
   return value ?? NaN;
@@ -178,7 +187,7 @@ function kernelNumbers(engine, plan, sought) {
     [FAMILY.END_WAY, end],
     [FAMILY.MOST_WAY, most],
     [FAMILY.LEAST_SIZE, sought.name === "pitch" ? PLANS_TABLES.LEAST_PITCH : PLANS_TABLES.LEAST],
-    [FAMILY.MOST_SIZE, CURVE.MOST_METRES],
+    [FAMILY.MOST_SIZE, mostSize(engine, plan, sought)],
     [FAMILY.ROOMY, PLANS_TABLES.ROOMY],
     [FAMILY.FITS, PLANS_ROUTES.FITS],
   ];

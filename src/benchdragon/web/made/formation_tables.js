@@ -28,6 +28,11 @@ export function formationOf(table, key, link) {
   }
   return made;
 }
+export function linksBelow(table) {
+  let made;
+  made = formationOf(table, "route", 0.0);
+  return (py.truth(made.narrowest) ? (2.0 * made.least_radius) : Infinity);
+}
 export function refuseTight(key, radius, link) {
   let text;
   if (((2.0 * radius) <= link)) {

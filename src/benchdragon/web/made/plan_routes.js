@@ -7,7 +7,7 @@ import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { programme } from "./connections.js";
 import { Line, Route, Spiral } from "./curves.js";
-import { formationOf, refuseTight, wholeDragonOn } from "./formation_tables.js";
+import { formationOf, linksBelow, refuseTight, wholeDragonOn } from "./formation_tables.js";
 
 const MOST_CURVES = 10000;
 const TRAIL = 1000.0;
@@ -35,6 +35,9 @@ class RouteTable {
     turned = -py.radians(this.turned);
     [[x, y], c, s] = py.list([py.or(this.at, () => [0.0, 0.0]), py.cos(turned), py.sin(turned)]);
     return obstacle.moved(turned, [py.sub((s * y), (c * x)), py.sub((-s * x), (c * y))]);
+  }
+  links_below() {
+    return Infinity;
   }
 }
 export class SpiralInRoute extends RouteTable {
@@ -119,6 +122,9 @@ export class FormationRoute extends RouteTable {
     route = formationOf(this, "route", _longestLink(plan)).build();
     return [route, _wholeDragonOn(route, plan)];
   }
+  links_below() {
+    return linksBelow(this);
+  }
   last_position(walk) {
     return walk.route.length;
   }
@@ -135,6 +141,9 @@ export class ProgrammeRoute extends RouteTable {
     }
     route = programme(py.list(tried).flatMap((step) => (((step != null)) ? [step] : [])), this.radius);
     return [route, _wholeDragonOn(route, plan)];
+  }
+  links_below() {
+    return py.min([(2.0 * this.radius), ...py.iter(py.list(this.formation).map((one) => linksBelow(one)))]);
   }
   last_position(walk) {
     return walk.route.length;
