@@ -92,11 +92,17 @@ class Ring(Disc):
     def size(self):
         return super().size() - 1.0
 
+def scaled(share):
+    return 10 * share
+
 def told():
     disc, ring = Disc(-1.0), Ring.of({"radius": 4.0})
-    later = [partial(one.size) for one in (disc, ring)]
+    later, shares = [partial(one.size) for one in (disc, ring)], []
+    for share in (1, 2):
+        shares.append(partial(scaled, share))
     known = [disc.area, disc.area, disc.made, ring.area, [one.called for one in (disc, ring)]]
     ring.__dict__["area"] = 7.0
+    known += [one() for one in shares]
     return [*known, ring.area, [one() for one in later], disc.made, Disc().radius]
 """
 PATTERNS = (
@@ -150,9 +156,9 @@ def test_records_are_translated_with_what_they_are_built_on() -> None:
         lambda pattern, _flags: pattern,
     )
     code.kind = here.get
-    *records, function = ast.parse(RECORDS).body
+    *records, other, function = ast.parse(RECORDS).body
     said = [code.record(one) for one in records if isinstance(one, ast.ClassDef)]
-    said += [code.function(function)] if isinstance(function, ast.FunctionDef) else []
+    said += [code.function(one) for one in (other, function) if isinstance(one, ast.FunctionDef)]
     imports = f'import {{ py }} from "{made("compute/python.js")}";'
     there = run("\n".join([imports, *said, "console.log(JSON.stringify(told()));"]))
     assert there == here["told"]()

@@ -59,6 +59,7 @@ TWINS = {
     "model.formations": ("formations", "FORMATIONS"),
     "model.holds": ("holds", "Hold"),
     "model.numbering": ("numbering", "handle_words"),
+    "model.obstacle": ("obstacle", "Obstacle", "rectangle_outline"),
     "model.turns": ("turns", "Turn"),
     "number_format": ("number_format", "at_most", "finite_or_none", "known", "seconds"),
     "player.occasions": ("occasions", "occasion", "occasions_found", "tighten"),
@@ -75,6 +76,10 @@ TWINS = {
         "TurnRoute",
     ),
     "plans.signs": ("signs", "narrow"),
+    "plans.square": (
+        "square", "CircleTable", "LineTable", "PolygonTable", "RectangleTable", "VenueTable",
+        "built_obstacles",
+    ),
     "plans.tables": (
         "tables", "ArcPart", "ClothoidPart", "LinePart", "LogSpiralPart", "SpiralPart", "TurnTable",
         "one_line",
@@ -122,7 +127,8 @@ GIVEN = {
     "kernels.chain.empty_placements": "../compute/arrays.js",
     "model.base_curve.Curve": "../compute/curve.js",
     "model.holds.HoldError": "../compute/holds.js",
-    "model.obstacle.Obstacle": "../compute/obstacle.js",
+    "model.obstacle.Standing": "../compute/obstacle.js",
+    "model.obstacle._crossing": "../compute/obstacle.js",
     "number_format.decimals": "../compute/number_format.js",
     "number_format.figures": "../compute/number_format.js",
     "plans.routes._fitted": "../compute/fitting.js",
@@ -131,6 +137,7 @@ GIVEN = {
 UNASKED = {
     "errors.of_kind": "() => null",
     "model.arrays.as_numbers": "(_name, values) => values",
+    "model.arrays.as_table": "(rows) => rows",
     "model.connections._check": "() => null",
     "model.connections._check_steps": "() => null",
     "model.curves._checked_curves": "(curves) => curves",
@@ -156,10 +163,12 @@ LEFT_OUT = {
     "analysis.beats.Run": ("beats", "time"),
     "analysis.ground.Ground": ("of", "seen"),
     "model.answer.Answer": ("as_json", *AS_FUNCTIONS),
+    "model.obstacle.Obstacle": ("__eq__", "__hash__"),
     "model.curves.Route": ("__getitem__", "__iter__", "__len__"),
     "model.curves.Spiral": ("angle",),
     "model.formations": ("chinese", "english", "pinyin", "shape", "source"),
     "plans.routes.Drawn": ("line",),
+    "plans.square": ("about", "keys"),
     "plans.tables": ("about", "keys"),
 }
 HEADER = "// @ts-nocheck\n// Made from {name} by tools/make_twins.py; to make it again: make types\n"

@@ -11,14 +11,15 @@ import ast
 import inspect
 from collections.abc import Iterable, Iterator
 
-from tools.translation.expressions import Expressions, arguments_of
+from tools.translation.calls import Calls
+from tools.translation.expressions import arguments_of
 from tools.translation.names import UntranslatableError, camel
 
 # What methods may be marked with.
 DECORATORS = {"cached_property", "classmethod", "property", "staticmethod"}
 
 
-class Code(Expressions):
+class Code(Calls):
     """Statements, functions and records."""
 
     # Statements

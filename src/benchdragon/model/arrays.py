@@ -1,5 +1,7 @@
 """Lists of numbers, checked once at the door."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from benchdragon.errors import InputError, brief
@@ -22,3 +24,8 @@ def as_numbers(name: str, values: object) -> FloatArray:
             _("{name} must be numbers, not {value}").format(name=name, value=brief(values))
         )
     return array.astype(np.float64)
+
+
+def as_table(rows: Sequence[Sequence[float]]) -> FloatArray:
+    """Rows of numbers as an array, one row a row."""
+    return np.array(rows, np.float64)

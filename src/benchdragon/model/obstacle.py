@@ -18,7 +18,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels import obstacle as kernel
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
-from benchdragon.model.arrays import as_numbers
+from benchdragon.model.arrays import as_numbers, as_table
 from benchdragon.model.base_curve import Point, checked_size
 
 Kind = Literal["circle", "rectangle", "polygon", "line", "venue"]
@@ -36,8 +36,40 @@ MOST_CORNERS = 5_000
 LEAST_SIDE = 1e-6
 
 
+class Standing:
+    """What kernels know of an obstacle.
+
+    Attributes:
+        kind: see `Obstacle`, as all others.
+    """
+
+    kind: Kind
+    outline: FloatArray
+    radius: float
+
+    @property
+    def sort(self) -> int:
+        """What its kind is to the kernels."""
+        return SORTS[self.kind]
+
+    @cached_property
+    def boxes(self) -> FloatArray:
+        """Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py."""
+        out = np.empty((kernel.sides(self.sort, len(self.outline)), BOX_COLUMNS))
+        kernel.fill_boxes(self.sort, self.outline, out)
+        out.flags.writeable = False
+        return out
+
+    def forbids(self, points: FloatArray) -> npt.NDArray[np.bool_]:
+        """Which of points, m, (P, 2), lie where none may: inside it, or outside the venue; (P,)."""
+        out = np.empty(len(points), dtype=np.int64)
+        points = np.ascontiguousarray(points)
+        kernel.forbidden(self.sort, self.outline, self.radius, points, out)
+        return out.astype(np.bool_)
+
+
 @dataclass(frozen=True, eq=False)
-class Obstacle:
+class Obstacle(Standing):
     """Something that stands still, and that no bench may touch; or the edge of the venue.
 
     Use `circle`, `rectangle`, `polygon`, `line` and `venue`, which check what they are given.
@@ -120,37 +152,21 @@ class Obstacle:
         """
         return cls(name, "venue", closed_outline(name, points), 0.0, margin)
 
-    @property
-    def sort(self) -> int:
-        """What its kind is to the kernels."""
-        return SORTS[self.kind]
-
-    @cached_property
-    def boxes(self) -> FloatArray:
-        """Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py."""
-        out = np.empty((kernel.sides(self.sort, len(self.outline)), BOX_COLUMNS))
-        kernel.fill_boxes(self.sort, self.outline, out)
-        out.flags.writeable = False
-        return out
-
-    def forbids(self, points: FloatArray) -> npt.NDArray[np.bool_]:
-        """Which of points, m, (P, 2), lie where none may: inside it, or outside the venue; (P,)."""
-        out = np.empty(len(points), dtype=np.int64)
-        points = np.ascontiguousarray(points)
-        kernel.forbidden(self.sort, self.outline, self.radius, points, out)
-        return out.astype(np.bool_)
-
     def moved(self, turned: float, by: Point) -> "Obstacle":
         """The same turned about the origin by an angle, rad, and then moved, m."""
         c, s = math.cos(turned), math.sin(turned)
-        outline = self.outline @ np.array([[c, s], [-s, c]]) + np.asarray(by)
+        turns = [(c * x - s * y, s * x + c * y) for x, y in self.outline.tolist()]
+        outline = as_table([(x + by[0], y + by[1]) for x, y in turns])
         return Obstacle(self.name, self.kind, outline, self.radius, self.margin)
 
 
 def rectangle_outline(name: str, centre: Point, size: tuple[float, float], angle: float) -> FloatArray:
     """The corners of a rectangle in going round, m, (4, 2)."""
-    (sides,), (middle,) = _points(f"{name}: size", [size], 1), _points(name, [centre], 1)
-    a, b = (0.5 * checked_size(f"{name}: size", side) for side in sides.tolist())
+    [sides], [middle] = (
+        _points(f"{name}: size", [size], 1).tolist(),
+        _points(name, [centre], 1).tolist(),
+    )
+    a, b = [0.5 * checked_size(f"{name}: size", side) for side in sides]
     turned = finite(f"{name}: angle", angle)
     c, s = math.cos(turned), math.sin(turned)
     corners = [(a, b), (-a, b), (-a, -b), (a, -b)]
@@ -165,7 +181,6 @@ def closed_outline(name: str, points: npt.ArrayLike) -> FloatArray:
         InputError: for what is no polygon, naming the sides that cross.
     """
     corners = _points(name, points, 3, closed=True)
-    sides = np.roll(corners, -1, axis=0) - corners
     crossing = _crossing(corners)
     if crossing is not None:
         i, j = crossing
@@ -174,7 +189,9 @@ def closed_outline(name: str, points: npt.ArrayLike) -> FloatArray:
                 name=name, i=i + 1, j=j + 1
             )
         )
-    area = 0.5 * abs(float(np.sum(corners[:, 0] * sides[:, 1] - corners[:, 1] * sides[:, 0])))
+    ring = corners.tolist()
+    ways = zip(ring, [*ring[1:], ring[0]], strict=True)
+    area = 0.5 * abs(sum(x * (to_y - y) - y * (to_x - x) for (x, y), (to_x, to_y) in ways))
     if area < LEAST_SIDE * LEAST_SIDE:
         raise InputError(_("{name}: it has no area").format(name=name))
     return corners
@@ -182,16 +199,16 @@ def closed_outline(name: str, points: npt.ArrayLike) -> FloatArray:
 
 def _points(name: str, points: npt.ArrayLike, least: int, *, closed: bool = False) -> FloatArray:
     """Points as an array, (P, 2); repeated ones refused, but for a closed outline's last."""
-    table = as_numbers(f"{name}: points", points)
-    if table.ndim != 2 or table.shape[1] != 2:
+    table = as_numbers(f"{name}: points", points).tolist()
+    if np.shape(table)[1:] != (2,):
         raise InputError(
             _("{name}: wanted a list of points [x, y], not {value}").format(
                 name=name, value=brief(points)
             )
         )
-    if not (np.abs(table) <= MOST_METRES).all():
+    if not all(abs(value) <= MOST_METRES for point in table for value in point):
         raise InputError(_("{name}: points must lie within 1e8 m of the origin").format(name=name))
-    if closed and len(table) > 1 and (table[0] == table[-1]).all():
+    if closed and len(table) > 1 and table[0] == table[-1]:
         table = table[:-1]
     if not least <= len(table) <= MOST_CORNERS:
         raise InputError(
@@ -199,15 +216,15 @@ def _points(name: str, points: npt.ArrayLike, least: int, *, closed: bool = Fals
                 name=name, least=least, most=MOST_CORNERS, count=len(table)
             )
         )
-    ahead = np.roll(table, -1, axis=0) if closed else table[1:]
-    short = np.hypot(*(ahead - table[: len(ahead)]).T) < LEAST_SIDE
-    if short.any():
-        raise InputError(
-            _("{name}: points {i} and {j} are the same").format(
-                name=name, i=int(np.argmax(short)) + 1, j=(int(np.argmax(short)) + 1) % len(table) + 1
+    ahead = [*table[1:], table[0]] if closed else table[1:]
+    for i, (one, other) in enumerate(zip(table, ahead, strict=False), start=1):
+        if math.dist(one, other) < LEAST_SIDE:
+            raise InputError(
+                _("{name}: points {i} and {j} are the same").format(
+                    name=name, i=i, j=i % len(table) + 1
+                )
             )
-        )
-    return np.ascontiguousarray(table)
+    return as_table(table)
 
 
 def _crossing(corners: FloatArray) -> tuple[int, int] | None:

@@ -163,7 +163,9 @@ def built_obstacles(
     Raises:
         KeyedError: for all that cannot be.
     """
-    faults, found, taken = Faults(), [], dict[str, str]()
+    faults = Faults()
+    found: list[Obstacle] = []
+    taken: dict[str, str] = {}
     margin = limits.margin if limits.venue_margin is None else limits.venue_margin
     edge = faults.tried("venue", lambda: venue.build(margin))
     if edge is not None:

@@ -392,8 +392,6 @@ export const MODEL_DRAGON = { MOST_BENCHES: 1000000, MOST_FAULTS: 20 };
 
 export const MODEL_HOLDS = { KNOTS: 6 };
 
-export const MODEL_OBSTACLE = { MOST_CORNERS: 5000, LEAST_SIDE: 1e-6 };
-
 export const MODEL_PLACEMENT = { PLACE: 40 };
 
 export const MODEL_PROFILE = { MOST_SPEED: 100 };

@@ -1,33 +1,22 @@
-// What stands on the square: twin of model/obstacle.py and plans/square.py.
+// What stands on the square, as kernels see it; and which sides of an outline meet.
 
-import { _ } from "../words.js";
 import { doubles, wholes } from "./arena.js";
-import { checkedSize } from "../made/base_curve.js";
-import { radians } from "./curve.js";
-import { BOX, CURVE, MODEL_OBSTACLE, OBSTACLE } from "./constants.js";
-import { Fault, Faults, InputError, KeyedError, finite, notNegative } from "./errors.js";
+import { BOX, OBSTACLE } from "./constants.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {[number, number]} Point */
+/** @typedef {import("../made/obstacle.js").Obstacle} Obstacle */
 /** @typedef {"circle" | "rectangle" | "polygon" | "line" | "venue"} ObstacleKind */
 
-/** Something that stands still, and that no bench may touch; or the edge of the venue. */
-export class Obstacle {
-  /**
-   * @param {string} name what people call it
-   * @param {ObstacleKind} kind
-   * @param {Point[]} outline its corners in order, m; of a circle the centre
-   * @param {number} radius of a circle, m; else 0
-   * @param {number} margin the distance that benches must keep, m
-   */
-  constructor(name, kind, outline, radius, margin) {
-    this.name = name;
-    this.kind = kind;
-    this.outline = outline;
-    this.radius = radius;
-    this.margin = notNegative("margin", margin, "m");
-  }
+/** What kernels know of an obstacle: twin of `Standing` in model/obstacle.py. */
+export class Standing {
+  /** @type {ObstacleKind} */
+  kind = "line";
+  /** Its corners in order, m; of a circle the centre. @type {Point[]} */
+  outline = [];
+  /** Of a circle, m; else 0. */
+  radius = 0;
 
   /** What its kind is to the kernels. */
   get sort() {
@@ -72,94 +61,10 @@ export class Obstacle {
     arena.engine.call("bd_standing_distances_to", table, boxes, near, out, which);
     return { apart: doubles(out).slice(), which: wholes(which), boxes };
   }
-
-  /** The same turned about the origin by an angle, rad, and then moved, m. @param {number} turned @param {Point} by */
-  moved(turned, by) {
-    const [c, s] = [Math.cos(turned), Math.sin(turned)];
-    const outline = this.outline.map(
-      ([x, y]) => /** @type {Point} */ ([x * c - y * s + by[0], x * s + y * c + by[1]]),
-    );
-    return new Obstacle(this.name, this.kind, outline, this.radius, this.margin);
-  }
-}
-
-/**
- * The corners of a rectangle in going round, m.
- * @param {string} name
- * @param {Point} centre
- * @param {Point} size along its own axes, m
- * @param {number} angle rad
- */
-function rectangleOutline(name, centre, size, angle) {
-  const [[x, y]] = checkedPoints(name, [centre], 1);
-  const [a, b] = checkedPoints(`${name}: size`, [size], 1)[0].map(
-    (side) => 0.5 * checkedSize(`${name}: size`, side),
-  );
-  const turned = finite(`${name}: angle`, angle);
-  const [c, s] = [Math.cos(turned), Math.sin(turned)];
-  /** @type {Point[]} */
-  const corners = [[a, b], [-a, b], [-a, -b], [a, -b]]; // prettier-ignore
-  const ends = corners.map(([u, v]) => /** @type {Point} */ ([x + u * c - v * s, y + u * s + v * c]));
-  return checkedPoints(name, ends, 4, true);
-}
-
-/**
- * The corners of a polygon, m; a last one that repeats the first is left out.
- * @param {string} name
- * @param {Point[]} points
- */
-function closedOutline(name, points) {
-  const corners = checkedPoints(name, points, 3, true);
-  const crossing = crossingSides(corners);
-  if (crossing)
-    throw new InputError(
-      _("{name}: its sides {i} and {j} cross or touch: an outline must not meet itself", {
-        name,
-        i: crossing[0] + 1,
-        j: crossing[1] + 1,
-      }),
-    );
-  const twice = corners.reduce((sum, [x, y], i) => {
-    const [nextX, nextY] = corners[(i + 1) % corners.length];
-    return sum + x * (nextY - y) - y * (nextX - x);
-  }, 0);
-  if (0.5 * Math.abs(twice) < MODEL_OBSTACLE.LEAST_SIDE ** 2)
-    throw new InputError(_("{name}: it has no area", { name }));
-  return corners;
-}
-
-/**
- * Points, of which none is repeated, but for a closed outline's last.
- * @param {string} name
- * @param {Point[]} points
- * @param {number} least how many
- * @param {boolean} [closed]
- */
-function checkedPoints(name, points, least, closed = false) {
-  if (points.some((point) => point.some((value) => !(Math.abs(value) <= CURVE.MOST_METRES))))
-    throw new InputError(_("{name}: points must lie within 1e8 m of the origin", { name }));
-  const last = points[points.length - 1];
-  const repeats = closed && points.length > 1 && last.every((value, k) => value === points[0][k]);
-  const table = repeats ? points.slice(0, -1) : points;
-  const most = MODEL_OBSTACLE.MOST_CORNERS;
-  const count = table.length;
-  if (!(least <= count && count <= most))
-    throw new InputError(
-      _("{name}: wanted {least} to {most} points, not {count}", { name, least, most, count }),
-    );
-  const sides = closed ? count : count - 1;
-  for (let i = 0; i < sides; i++) {
-    const [[x, y], [toX, toY]] = [table[i], table[(i + 1) % count]];
-    if (Math.hypot(toX - x, toY - y) < MODEL_OBSTACLE.LEAST_SIDE)
-      throw new InputError(
-        _("{name}: points {i} and {j} are the same", { name, i: i + 1, j: ((i + 1) % count) + 1 }),
-      );
-  }
-  return table;
 }
 
 /** Two sides of a closed outline that meet though they are no neighbours, or fold back; null if none. @param {Point[]} corners @returns {[number, number] | null} */
-function crossingSides(corners) {
+export function _crossing(corners) {
   const count = corners.length;
   const end = (/** @type {number} */ i) => corners[(i + 1) % count];
   for (let i = 0; i < count; i++) {
@@ -186,60 +91,4 @@ function doMeet(a, b, c, d) {
 /** On which side of a line from a to b a point lies: -1, 0, 1. @param {Point} a @param {Point} b @param {Point} c */
 function sideOf(a, b, c) {
   return Math.sign((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
-}
-
-/** @param {Record<string, any>} table of an obstacle, filled @param {string} name @param {number} margin */
-function builtObstacle(table, name, margin) {
-  switch (table.kind) {
-    case "circle": {
-      const centre = checkedPoints(name, [table.centre], 1);
-      return new Obstacle(name, "circle", centre, checkedSize("radius", table.radius), margin);
-    }
-    case "rectangle": {
-      const outline = rectangleOutline(name, table.centre, table.size, radians(table.angle));
-      return new Obstacle(name, "rectangle", outline, 0, margin);
-    }
-    case "polygon":
-      return new Obstacle(name, "polygon", closedOutline(name, table.points), 0, margin);
-    default:
-      return new Obstacle(name, "line", checkedPoints(name, table.points, 2), 0, margin);
-  }
-}
-
-/** The edge, from which benches keep `margin`, m; null if the plan says none. @param {Record<string, any>} venue @param {number} margin */
-function builtVenue(venue, margin) {
-  const name = venue.name || "venue";
-  if (venue.boundary !== null)
-    return new Obstacle(name, "venue", closedOutline(name, venue.boundary), 0, margin);
-  if (venue.rectangle === null) return null;
-  const angle = radians(venue.angle ?? 0);
-  const outline = rectangleOutline(name, venue.centre ?? [0, 0], venue.rectangle, angle);
-  return new Obstacle(name, "venue", closedOutline(name, outline), 0, margin);
-}
-
-/**
- * The edge of the venue, if there is one, then what stands on it.
- * @param {Record<string, any>} data a plan's tables, filled
- * @returns {Obstacle[]}
- */
-export function builtObstacles({ venue, obstacle: tables, limits }) {
-  const faults = new Faults();
-  const edge = faults.tried("venue", () => builtVenue(venue, limits.venue_margin ?? limits.margin));
-  const found = edge ? [edge] : [];
-  const taken = new Map(edge ? [[edge.name, "venue"]] : []);
-  tables.forEach((/** @type {Record<string, any>} */ table, /** @type {number} */ n) => {
-    const name = table.name || `obstacle ${n + 1}`;
-    const first = taken.get(name);
-    if (first !== undefined) {
-      const second = `obstacle.${n}`;
-      const text = _("two things are called {name}: {first} and {second}", { name, first, second });
-      faults.found.push(new Fault(`${second}.name`, text));
-    } else taken.set(name, `obstacle.${n}`);
-    const made = faults.tried(`obstacle.${n}`, () =>
-      builtObstacle(table, name, table.margin ?? limits.margin),
-    );
-    if (made) found.push(made);
-  });
-  if (faults.found.length) throw new KeyedError(faults.found);
-  return found;
 }

@@ -2,6 +2,7 @@
 // engine's question of kernels/obstacle_question.py, asked by the page. Twin of analysis/obstacles.py and
 // analysis/obstacle_search.py.
 
+import { Obstacle } from "../made/obstacle.js";
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { doubles, withArena } from "./arena.js";
@@ -22,7 +23,6 @@ import { HeadTimes } from "./head_times.js";
 import { evenly } from "./lists.js";
 import { checkedOff, originOf, seenFrom } from "./nearby.js";
 import { general } from "./number_format.js";
-import { Obstacle } from "./obstacle.js";
 import { returns } from "./rounds.js";
 import { silent } from "./tick.js";
 

@@ -1,6 +1,7 @@
 // A whole plan: what it says, its hash, its walk and its span. Twin of plans/schema.py.
 
 import { Paced, outside, paced } from "../made/cues.js";
+import { builtObstacles } from "../made/square.js";
 import { drop, dropReplaced, idleKeys } from "../made/idle.js";
 import { _, language } from "../words.js";
 import { within } from "./arrays.js";
@@ -8,7 +9,6 @@ import { MODEL_DRAGON, PLANS_SOURCE } from "./constants.js";
 import { Dragon, SizeError, countText } from "./dragon.js";
 import { Fault, Faults, InputError, KeyedError, PlanError, keyed } from "./errors.js";
 import { withHolds } from "./holds.js";
-import { builtObstacles } from "./obstacle.js";
 import { checkedTables, filledTable, jsonOfTable, withoutDefaults } from "./plan_check.js";
 import { setValue, withBase } from "./plan_tables.js";
 import { Profile } from "./profile.js";
@@ -261,7 +261,7 @@ export class Plan {
   }
 
   #builtObstacles() {
-    this.#obstacles ??= builtObstacles(this.tables);
+    this.#obstacles ??= builtObstacles(this.tables.venue, this.tables.obstacle, this.limits);
     return this.#obstacles;
   }
 

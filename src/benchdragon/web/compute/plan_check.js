@@ -22,6 +22,7 @@ import {
   SpiralInRoute,
   TurnRoute,
 } from "../made/plan_routes.js";
+import { CircleTable, LineTable, PolygonTable, RectangleTable, VenueTable } from "../made/square.js";
 import { _ } from "../words.js";
 import { PLANS_SOURCE } from "./constants.js";
 import { Fault } from "./errors.js";
@@ -60,6 +61,7 @@ const DOING = {
     FormationTable,
     StepTable,
   },
+  ...{ CircleTable, LineTable, PolygonTable, RectangleTable, VenueTable },
   ...{ DrawnRoute, FormationRoute, PartsRoute, ProgrammeRoute, SpiralInRoute, TurnRoute },
 };
 

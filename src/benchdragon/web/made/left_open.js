@@ -1,10 +1,10 @@
 // @ts-nocheck
 // Made from analysis/left_open.py by tools/make_twins.py; to make it again: make types
 
-import { Obstacle } from "../compute/obstacle.js";
 import { py } from "../compute/python.js";
 import { N_ } from "../words.js";
 import { Finding, nameWords } from "./findings.js";
+import { Obstacle } from "./obstacle.js";
 import { QUANTITIES } from "./quantities.js";
 
 export const DEAR = N_("that takes more work than a question may");

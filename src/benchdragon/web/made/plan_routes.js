@@ -98,7 +98,7 @@ export class PartsRoute extends RouteTable {
   build(_plan) {
     let curves, faults, heading, point, tried;
     faults = new Faults();
-    tried = py.list(py.enumerate(this.part)).map(([i, part]) => faults.tried(`route.part.${py.str(i)}`, () => part.build()));
+    tried = py.list(py.enumerate(this.part)).map(([i, part]) => faults.tried(`route.part.${py.str(i)}`, ((of) => () => of.build())(part)));
     curves = py.list(tried).flatMap((curve) => (((curve != null)) ? [curve] : []));
     if (py.truth(faults.found)) {
       throw new KeyedError(faults.found);
@@ -133,9 +133,9 @@ export class ProgrammeRoute extends RouteTable {
   build(plan) {
     let faults, keys, link, route, tried;
     [faults, link] = py.list([new Faults(), _longestLink(plan)]);
-    faults.tried("route.radius", () => refuseTight("route.radius", this.radius, link));
+    faults.tried("route.radius", ((given0, given1, given2) => () => refuseTight(given0, given1, given2))("route.radius", this.radius, link));
     keys = py.list(py.range(py.len(this.formation))).map((i) => `route.formation.${py.str(i)}`);
-    tried = py.list(py.zip(keys, this.formation)).map(([key, one]) => faults.tried(key, () => one.step(key, link)));
+    tried = py.list(py.zip(keys, this.formation)).map(([key, one]) => faults.tried(key, ((of, given0, given1) => () => of.step(given0, given1))(one, key, link)));
     if (py.truth(faults.found)) {
       throw new KeyedError(faults.found);
     }

@@ -1,0 +1,99 @@
+// @ts-nocheck
+// Made from model/obstacle.py by tools/make_twins.py; to make it again: make types
+
+import { InputError, brief, finite, notNegative } from "../compute/errors.js";
+import { Standing, _crossing } from "../compute/obstacle.js";
+import { py } from "../compute/python.js";
+import { _ } from "../words.js";
+import { checkedSize } from "./base_curve.js";
+
+const asNumbers = (_name, values) => values;
+const MOST_METRES = 100000000.0;
+const asTable = (rows) => rows;
+const MOST_CORNERS = 5000;
+const LEAST_SIDE = 1e-06;
+export class Obstacle extends Standing {
+  constructor(name, kind, outline, radius = 0.0, margin = 0.0) {
+    super();
+    this.name = name;
+    this.kind = kind;
+    this.outline = outline;
+    this.radius = radius;
+    this.margin = margin;
+    this.__post_init__();
+  }
+  __post_init__() {
+    notNegative("margin", this.margin, "m");
+  }
+  static circle(name, centre, radius, margin = 0.0) {
+    return new this(name, "circle", _points(name, [centre], 1), checkedSize("radius", radius), margin);
+  }
+  static rectangle(name, centre, size, angle = 0.0, margin = 0.0) {
+    return new this(name, "rectangle", rectangleOutline(name, centre, size, angle), 0.0, margin);
+  }
+  static polygon(name, points, margin = 0.0) {
+    return new this(name, "polygon", closedOutline(name, points), 0.0, margin);
+  }
+  static line(name, points, margin = 0.0) {
+    return new this(name, "line", _points(name, points, 2), 0.0, margin);
+  }
+  static venue(name, points, margin = 0.0) {
+    return new this(name, "venue", closedOutline(name, points), 0.0, margin);
+  }
+  moved(turned, by) {
+    let c, outline, s, turns;
+    [c, s] = py.list([py.cos(turned), py.sin(turned)]);
+    turns = py.list(py.tolist(this.outline)).map(([x, y]) => [py.sub((c * x), (s * y)), py.add((s * x), (c * y))]);
+    outline = asTable(py.list(turns).map(([x, y]) => [py.add(x, py.at(by, 0)), py.add(y, py.at(by, 1))]));
+    return new Obstacle(this.name, this.kind, outline, this.radius, this.margin);
+  }
+}
+export function rectangleOutline(name, centre, size, angle) {
+  let a, b, c, corners, ends, middle, s, sides, turned;
+  [[sides], [middle]] = py.list([py.tolist(_points(`${py.str(name)}: size`, [size], 1)), py.tolist(_points(name, [centre], 1))]);
+  [a, b] = py.list(py.list(sides).map((side) => (0.5 * checkedSize(`${py.str(name)}: size`, side))));
+  turned = finite(`${py.str(name)}: angle`, angle);
+  [c, s] = py.list([py.cos(turned), py.sin(turned)]);
+  corners = [[a, b], [-a, b], [-a, -b], [a, -b]];
+  ends = py.list(corners).map(([x, y]) => [py.sub(py.add(py.at(middle, 0), (x * c)), (y * s)), py.add(py.add(py.at(middle, 1), (x * s)), (y * c))]);
+  return _points(name, ends, 4, true);
+}
+function closedOutline(name, points) {
+  let area, corners, crossing, i, j, ring, ways;
+  corners = _points(name, points, 3, true);
+  crossing = _crossing(corners);
+  if ((crossing != null)) {
+    [i, j] = py.list(crossing);
+    throw new InputError(py.filled(_("{name}: its sides {i} and {j} cross or touch: an outline must not meet itself"), { name: name, i: (i + 1), j: (j + 1) }));
+  }
+  ring = py.tolist(corners);
+  ways = py.zip(ring, [...py.iter(py.slice(ring, 1, null)), py.at(ring, 0)]);
+  area = (0.5 * py.abs(py.sum(py.list(ways).map(([[x, y], [toX, toY]]) => py.sub((x * py.sub(toY, y)), (y * py.sub(toX, x)))))));
+  if ((area < (LEAST_SIDE * LEAST_SIDE))) {
+    throw new InputError(py.filled(_("{name}: it has no area"), { name: name }));
+  }
+  return corners;
+}
+function _points(name, points, least, closed = false) {
+  let ahead, i, one, other, table;
+  table = py.tolist(asNumbers(`${py.str(name)}: points`, points));
+  if (!py.eq(py.slice(py.shape(table), 1, null), [2])) {
+    throw new InputError(py.filled(_("{name}: wanted a list of points [x, y], not {value}"), { name: name, value: brief(points) }));
+  }
+  if (!py.list(table).every((point) => py.list(point).every((value) => (py.abs(value) <= MOST_METRES)))) {
+    throw new InputError(py.filled(_("{name}: points must lie within 1e8 m of the origin"), { name: name }));
+  }
+  if ((py.truth(closed) && (py.len(table) > 1) && py.eq(py.at(table, 0), py.at(table, -1)))) {
+    table = py.slice(table, null, -1);
+  }
+  if (!((least <= py.len(table)) && (py.len(table) <= MOST_CORNERS))) {
+    throw new InputError(py.filled(_("{name}: wanted {least} to {most} points, not {count}"), { name: name, least: least, most: MOST_CORNERS, count: py.len(table) }));
+  }
+  ahead = (py.truth(closed) ? [...py.iter(py.slice(table, 1, null)), py.at(table, 0)] : py.slice(table, 1, null));
+  for ([i, [one, other]] of py.iter(py.enumerate(py.zip(table, ahead), 1))) {
+    if ((py.dist(one, other) < LEAST_SIDE)) {
+      throw new InputError(py.filled(_("{name}: points {i} and {j} are the same"), { name: name, i: i, j: (py.mod(i, py.len(table)) + 1) }));
+    }
+  }
+  return asTable(table);
+}
