@@ -21,24 +21,32 @@ how large it is, for the turn of the contest.
 """
 
 import zlib
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.kernels.drawn_route import cubic
+from benchdragon.kernels.following import FIRST, NODES
+from benchdragon.kernels.frames import QUANTUM
 from benchdragon.plans.schema import read_plan
 from benchdragon.player.following import following
 from benchdragon.player.frames import (
     LEVEL,
-    QUANTUM,
     SHARES,
     Frames,
-    between,
     packed_bytes,
     packed_frames,
 )
 
 Table = npt.NDArray[np.float64]
 START, END = -20.0, 100.0
+
+
+def between(s: Table, rise: Table, share: float) -> Table:
+    """Cubics through values s with slopes `rise` a frame, at a share of each step."""
+    whole: Any = cubic
+    return np.asarray(whole(s[:, :-1], s[:, 1:], rise[:, :-1], rise[:, 1:], share))
 
 
 def kilobytes(*tables: Table) -> float:
@@ -78,8 +86,9 @@ def main() -> None:
         walk = plan.build()
         told = following(walk, *plan.span(walk), 0.9e-3, SHARES)
         assert told is not None
-        tables = [np.concatenate([table.ways, table.rates]).astype("<i4") for table in told.tables]
-        sent = [packed_frames(told.head), *map(packed_bytes, tables)]
+        last = told.tables.stretches[told.tables.ends[-1] - 1]
+        nodes = told.tables.nodes[:, : int(last[FIRST] + last[NODES])].astype("<i4")
+        sent = [packed_frames(told.head), packed_bytes(nodes.ravel())]
         size = sum(map(len, sent)) / 1000.0
         print(f"{benches} benches follow the head: {1e3 * told.head.error:.3f} mm, {size:.0f} kB")
 

@@ -35,6 +35,7 @@ from benchdragon.model.formations import CoilIn, FigureEight, TailSwing
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.traversal import first_overlap
 from benchdragon.plans.schema import checked, read_plan
+from benchdragon.player.following import following
 from benchdragon.player.scene import Span, plain_dance
 from benchdragon.solve.head_speed import slowed
 from benchdragon.solve.tolerance import CASES, Draw, random_dance
@@ -73,6 +74,7 @@ def questions() -> None:
     check(few)
     bench_walks(few, few.build(), (0.0, 2.0))
     plain_dance(few.build(), Span(0.0, 4.0))
+    following(few.build(), 0.0, 4.0, 1e-3, (0.5,), compared=60)
     Trail.of(few.build(), 0.0, 4.0).marked(1.0)
     read_plan("spiral-in", ["dragon.benches=12", 'cues.cue=[{kind="hold", head=5, hold=3}]']).build()
     well = '[{kind="circle", centre=[8, 3], radius=0.5}, {kind="line", points=[[0, 2], [1, 2]]}]'

@@ -9,16 +9,18 @@ import pytest
 
 from benchdragon import Dragon, InputError, Line, Route, SpeedProfile, Walk
 from benchdragon.cli.main import run
+from benchdragon.kernels import following as kernel
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.frames import QUANTUM
 from benchdragon.model.curves import Arc
 from benchdragon.plans.schema import read_plan
 from benchdragon.player import following as door
 from benchdragon.player import messages, scene
-from benchdragon.player.following import Following, followed, following, head_at
-from benchdragon.player.frames import QUANTUM, SHARES
+from benchdragon.player.following import Following, following
+from benchdragon.player.frames import SHARES
 from benchdragon.player.page import player_page
 from benchdragon.player.scene import Span, plain_dance
-from tests.player.test_frames import EXAMPLES, HASTY, MIXED, decoded, unpacked
+from tests.player.test_frames import EXAMPLES, HASTY, MIXED, decoded, positions, unpacked
 
 ERROR = 1e-3
 
@@ -37,11 +39,32 @@ def long_dance() -> tuple[Walk, messages.Dance]:
     return walk, plain_dance(walk, Span(start, end))
 
 
+def behind(tables: kernel.Tables, kind: int, s: FloatArray) -> FloatArray:
+    """Where the handles behind those at s stand, by a table of a kind: as `kernel.behind` says."""
+    rows = tables.stretches[tables.ends[kind - 1] if kind else 0 : tables.ends[kind]]
+    start, step, first, count = rows[np.maximum(np.searchsorted(rows[:, 0], s, side="right") - 1, 0)].T
+    k = np.minimum((s - start) // step, count - 2.0)
+    (a, b), (ra, rb) = (
+        row[np.add((first + k).astype(int), [[0], [1]])] * kernel.FINE for row in tables.nodes
+    )
+    f = (s - start) / step - k
+    way = (1 + 2 * f) * (1 - f) ** 2 * a + f * f * (3 - 2 * f) * b
+    return np.asarray(
+        s - tables.links[kind] - way - step * (f * (1 - f) ** 2 * ra - f * f * (1 - f) * rb)
+    )
+
+
 def off(walk: Walk, found: Following, times: FloatArray) -> float:
     """How far any handle is off at these times, m."""
-    exact = walk.motion(times)
-    here = followed(found.tables, found.kinds, head_at(found.head, times))
-    return max(float(np.abs(s - at).max()) for (s, _ratio), at in zip(here, exact.s.T, strict=True))
+    exact, along = walk.motion(times).s.T, (times - found.head.start) / found.head.step
+    k = np.minimum(along.astype(int), found.head.count - 2)
+    pairs = zip(k.tolist(), along - k, strict=True)
+    here = np.array([positions(found.head, share)[0, n] for n, share in pairs])
+    worst = float(np.abs(here - exact[0]).max())
+    for kind, s in zip(found.tables.kinds.tolist(), exact[1:], strict=True):
+        here = behind(found.tables, kind, here)
+        worst = max(worst, float(np.abs(here - s).max()))
+    return worst
 
 
 def sent_place(table: messages.FollowTable, s: float) -> float:
@@ -109,6 +132,16 @@ def test_a_head_that_changes_its_speed_is_followed_past_joints() -> None:
     np.testing.assert_allclose(found.fastest, speeds.max(axis=0)[:-1], rtol=0.0, atol=1e-5)
     assert found.speeds == pytest.approx((speeds.min(), speeds.max()), abs=1e-5)
     np.testing.assert_allclose(found.ends, walk.motion(found.times).s.T[[0, -1]], rtol=0.0, atol=1e-4)
+
+
+def test_few_benches_follow_round_a_bend() -> None:
+    walk = Walk(Dragon.uniform(3, 2.2), Route.joined([Line(9.0), Arc(2.2, 2.0)]), start=8.0)
+    found = following(walk, 0.0, 3.0, ERROR, (0.5,), compared=60)
+    assert found is not None
+    assert off(walk, found, np.linspace(0.0, 3.0, 20)) <= 1.05 * found.head.error
+    np.testing.assert_allclose(found.ends[1], walk.motion(found.times).s[:, -1], rtol=0.0, atol=1e-4)
+    moved = found.tables._replace(nodes=found.tables.nodes + np.array([[500_000], [0]]))
+    assert door._compared(walk, found.head, moved, 60) == pytest.approx(3 * 5e-4, abs=1e-4)
 
 
 def test_benches_of_many_kinds_and_benches_that_leap_are_left_to_frames() -> None:

@@ -14,18 +14,18 @@ import pytest
 from benchdragon import Dragon, InputError, Line, Route, SpeedProfile, Spiral, Walk, WalkError
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drawn_route import STRETCH_ERROR
+from benchdragon.kernels.following import LONGEST
+from benchdragon.kernels.frames import QUANTUM
 from benchdragon.model.curves import Arc
 from benchdragon.plans.schema import read_plan
 from benchdragon.player import frames as door
 from benchdragon.player.frames import (
-    NEAR,
-    QUANTUM,
+    BEFORE,
+    CLOSE,
     SHARES,
     STEPS,
-    STRETCH,
     Course,
     Frames,
-    between,
     course,
     frames,
     packed_bytes,
@@ -64,6 +64,19 @@ def shot(name: str) -> Frames:
 def exact(walk: Walk, times: FloatArray) -> FloatArray:
     """Route positions, m, (handles, times)."""
     return np.concatenate([motion.s.T for motion in walk.motions(times)], axis=1)
+
+
+def between(s: FloatArray, rise: FloatArray, share: float | FloatArray) -> FloatArray:
+    """Cubics through values s with slopes `rise` a frame, at a share of each step."""
+    f, a, b = share, s[:, :-1], s[:, 1:]
+    into = (1 + 2 * f) * (1 - f) ** 2 * a + f * f * (3 - 2 * f) * b
+    return np.asarray(into + f * (1 - f) ** 2 * rise[:, :-1] - f * f * (1 - f) * rise[:, 1:])
+
+
+def positions(found: Frames, share: float) -> FloatArray:
+    """Route positions so far (0..1) between each frame and the next, m, (handles, frames - 1)."""
+    s, rise = (np.asarray(table * QUANTUM, dtype=float) for table in (found.places, found.speeds))
+    return between(s, rise * found.step, share)
 
 
 def unpacked(text: str) -> bytes:
@@ -107,7 +120,7 @@ def test_no_place_is_farther_off_than_stated_wherever_else_one_looks(name: str) 
     worst = 0.0
     before = found.start + found.step * np.arange(found.count - 1, dtype=np.float64)
     for share in others:
-        off = np.abs(found.positions(share) - exact(walk, before + share * found.step))
+        off = np.abs(positions(found, share) - exact(walk, before + share * found.step))
         worst = max(worst, float(off.max()))
     # The stated error is looked for, not proved: a few hundredths more may lie between its looks.
     assert 0.0 < worst <= 1.05 * found.error
@@ -130,11 +143,12 @@ def test_frames_are_no_more_than_needed(name: str) -> None:
 
 def placed(way: Course, s: FloatArray) -> FloatArray:
     """Points at route positions s, m, (..., 2), as a page finds them."""
-    stretch = np.clip(np.searchsorted(way.starts, s, side="right") - 1, 0, None)
-    step = way.steps[stretch]
-    along = (s - way.starts[stretch]) / step
-    node = np.clip(along.astype(np.int64), 0, way.counts[stretch] - 2)
-    f, first = along - node, np.concatenate([[0], np.cumsum(way.counts)])[stretch] + node
+    starts, steps, firsts, counts = way.stretches.T
+    stretch = np.clip(np.searchsorted(starts, s, side="right") - 1, 0, None)
+    step = steps[stretch]
+    along = (s - starts[stretch]) / step
+    node = np.clip(along.astype(np.int64), 0, counts[stretch].astype(np.int64) - 2)
+    f, first = along - node, firsts[stretch].astype(np.int64) + node
     x, y, heading = way.nodes.astype(np.float64)
     out = [
         base
@@ -194,7 +208,7 @@ def test_a_head_that_changes_its_speed_is_followed() -> None:
     times = np.linspace(found.start, found.end, 997)[:-1]
     share = (times - found.start) / found.step
     k = share.astype(int)
-    table = np.array([found.positions(f)[:, n] for n, f in zip(k, share - k, strict=True)]).T
+    table = np.array([positions(found, f)[:, n] for n, f in zip(k, share - k, strict=True)]).T
     assert np.abs(table - exact(walk, times)).max() <= 1.05 * found.error
     # Before it sets out, and at its knots, the head is exactly as fast as its profile says.
     speeds = found.speeds * QUANTUM
@@ -211,7 +225,7 @@ def test_frames_end_before_a_bench_finds_no_place(benches: int) -> None:
     failure = float(still.times[np.flatnonzero(still.status)[0]])
     found = frames(walk, 400.0, 442.0, ERROR)
     assert found.leap
-    assert failure - 2.0 * NEAR <= found.end < failure
+    assert failure - BEFORE - CLOSE - 0.01 <= found.end < failure
     assert exact(walk, np.linspace(found.start, found.end, 50)).shape == (benches + 1, 50)
 
 
@@ -227,10 +241,10 @@ def test_frames_end_before_a_bench_leaps() -> None:
     for end in (8.9, 8.8, 8.7):
         found = frames(walk, 7.6, end, ERROR)
         assert found.leap
-        assert leap - 2.0 * NEAR <= found.end <= leap + 0.002
-    before = frames(walk, 7.6, leap - 2.0 * NEAR, ERROR)
+        assert leap - BEFORE - CLOSE - 0.002 <= found.end <= leap - BEFORE + 0.002
+    before = frames(walk, 7.6, leap - 0.25, ERROR)
     assert not before.leap
-    assert before.end == pytest.approx(leap - 2.0 * NEAR)
+    assert before.end == pytest.approx(leap - 0.25)
 
 
 def test_limits_refuse_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -261,14 +275,15 @@ def test_the_route_is_drawn_within_its_error_and_through_its_joints() -> None:
     assert way.error <= STRETCH_ERROR
     s = np.sort(np.random.default_rng(5).uniform(low, high, 5000))
     assert np.hypot(*(placed(way, s) - MIXED.point(s)).T).max() <= 1.2 * STRETCH_ERROR
-    ends = way.starts + way.steps * (way.counts - 1)
-    np.testing.assert_allclose(ends[:-1], way.starts[1:], rtol=0.0, atol=1e-9)
-    assert (ends[-1], (ends - way.starts).max()) == (
+    starts, steps, _firsts, counts = way.stretches.T
+    ends = starts + steps * (counts - 1)
+    np.testing.assert_allclose(ends[:-1], starts[1:], rtol=0.0, atol=1e-9)
+    assert (ends[-1], (ends - starts).max()) == (
         pytest.approx(high),
-        pytest.approx(STRETCH, abs=1e-6),
+        pytest.approx(LONGEST, abs=1e-6),
     )
     for joint in MIXED.joints[1:-1].tolist():
-        assert np.abs(way.starts - joint).min() == 0.0
+        assert np.abs(starts - joint).min() == 0.0
     beside = placed(way, np.nextafter(MIXED.joints[1:-1], -np.inf))
     np.testing.assert_allclose(beside, MIXED.point(MIXED.joints[1:-1]), rtol=0.0, atol=STRETCH_ERROR)
 

@@ -8,40 +8,41 @@ quantum, packed so that a page unpacks exactly these.
 import base64
 import math
 import zlib
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon import budget
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
+from benchdragon.kernels import frames as kernel
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drawn_route import MOST_NODES, draw_stretch
+from benchdragon.kernels.following import LONGEST, STRETCH_COLUMNS, find_edges
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.walk import Walk
 
 Nodes = npt.NDArray[np.float32]
+Shares = tuple[float, ...]
 
-# Route positions are kept to this, m, and speeds, m/s.
-QUANTUM = 1e-4
 # Seconds between frames that are tried, largest first.
 STEPS = tuple(2.0**n for n in range(2, -7, -1))
-# Looks between two frames, as shares of the step.
-SHARES = (0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875)
-# Frames looked at first, to see whether a step can do at all.
+# Looks between two frames, as shares of the step: where cubics are off most is looked at first.
+SHARES = (0.5, 0.125, 0.25, 0.375, 0.625, 0.75, 0.875)
+# A handle so far from its cubic, m, leaps if it also is with frames so near to one another, s, and then
+# the dance ends so long before, s.
+LEAP, CLOSE, BEFORE = 0.125, 2.0**-6, 0.125
+# Frames that a sketch looks at.
 TRIED = 40
-# With frames so near to one another, s, a handle that is so far from its cubic, m, has leapt.
-NEAR, LEAP = 0.125, 0.25
 # Handles times frames: 8 bytes each in a page's memory.
 MOST_PLACES = 12_000_000
 # Of deflating: larger ones take up to twenty times as long for a third less.
 LEVEL = 4
 # Route positions, m, whose quanta fit four bytes.
 FARTHEST = 200_000.0
-# A stretch of route is at most so long, m.
-STRETCH = 20.0
 
 
 @dataclass(frozen=True)
@@ -74,26 +75,8 @@ class Frames:
         """Time of the last frame, s."""
         return self.start + self.step * (self.count - 1)
 
-    def positions(self, share: float) -> FloatArray:
-        """Route positions so far (0..1) between each frame and the next, m, (handles, frames - 1)."""
-        s = np.asarray(self.places * QUANTUM, dtype=np.float64)
-        rise = np.asarray(self.speeds * (QUANTUM * self.step), dtype=np.float64)
-        return between(s, rise, share)
 
-
-def between(s: FloatArray, rise: FloatArray, share: float | FloatArray) -> FloatArray:
-    """Cubics through values s with slopes `rise` a frame, at a share of each step."""
-    f = share
-    return np.asarray(
-        s[:, :-1]
-        + f * f * (3.0 - 2.0 * f) * (s[:, 1:] - s[:, :-1])
-        + f * (1.0 - f) * ((1.0 - f) * rise[:, :-1] - f * rise[:, 1:])
-    )
-
-
-def frames(
-    walk: Walk, start: float, end: float, most_error: float, shares: tuple[float, ...] = SHARES
-) -> Frames:
+def frames(walk: Walk, start: float, end: float, most_error: float, shares: Shares = SHARES) -> Frames:
     """The fewest frames between two times, s, that are nowhere farther off than `most_error`, m.
 
     They end early where the dragon can no longer stand, or a bench leaps.
@@ -103,25 +86,19 @@ def frames(
         WalkError: if the dragon does not stand at the start.
     """
     check_farthest(walk, start, end)
-    until, leap = end, False
-    for step in STEPS:
-        count = max(math.ceil((until - start) / step - 1e-9), 1) + 1
-        if count * (len(walk.dragon) + 1) > MOST_PLACES:
+    links, tried, until, leap = walk.dragon.links, 0, end, False
+    while tried < len(STEPS) and until > start:
+        times = even_times(start, until, STEPS[tried])
+        if len(times) * (len(links) + 1) > MOST_PLACES:
             break
-        even = (until - start) / (count - 1)
-        if step > NEAR and count > 4 * TRIED and _tried(walk, start, even, count) > most_error:
-            continue
-        found, errors = _shot(walk, start, even, count, shares)
-        far = np.flatnonzero(~(errors <= LEAP))
-        if far.size and step > NEAR:
-            continue
-        if far.size:
-            leap, until = True, start + even * float(far[0] + 1)
-            errors = errors[: far[0]]
-        error = float(errors.max(initial=0.0))
-        if errors.size and error <= most_error:
-            kept = errors.size + 1
-            return Frames(start, even, found[0][:, :kept], found[1][:, :kept], error, leap)
+        found, errors = shot(walk, links, times, shares, most_error)
+        if found.error <= most_error:
+            return replace(found, leap=leap)
+        before = _before_leap(walk, times, errors)
+        if before < until:
+            until, leap = before, True
+        else:
+            tried += 1
     raise InputError(
         _(
             "frames of {benches} benches from {start} s to {end} s would be off by more than "
@@ -133,54 +110,60 @@ def frames(
     )  # fmt: skip
 
 
-def check_farthest(walk: Walk, start: float, end: float) -> None:
+def check_farthest(walk: Walk, start: float, end: float) -> float:
     """Refuse a walk from start to end, s, that goes beyond FARTHEST.
+
+    Where the front handle of the tail's bench starts, m.
 
     Raises:
         InputError: if it does.
         WalkError: if the dragon does not stand at the start.
     """
-    farthest = max(-float(walk.motion([start]).s.min()), float(walk.head_position([end])[0]))
+    s = walk.motion([start]).s[0]
+    farthest = max(-float(s.min()), float(walk.head_position([end])[0]))
     if farthest > FARTHEST:
         text = _("a player shows {most} m of a route, and this walk goes to {far} m")
         raise InputError(text.format(most=f"{FARTHEST:g}", far=f"{farthest:g}"))
+    return float(s[-2])
 
 
-def _tried(walk: Walk, start: float, step: float, count: int) -> float:
-    """The largest error halfway between TRIED frames and the next, m: no more than that of all."""
-    before = start + step * np.linspace(0, count - 2, TRIED).round()
-    ends = walk.motion(np.stack([before, before + step], axis=1).ravel(), throw=False)
-    s, rise = (table.T.reshape(-1, 2) for table in (ends.s, ends.speed * step))
-    exact = walk.motion(before + 0.5 * step, throw=False).s.T.reshape(-1, 1)
-    errors = np.abs(between(s, rise, 0.5) - exact)
-    return float(np.nanmax(errors, initial=0.0))
+def even_times(start: float, end: float, step: float) -> FloatArray:
+    """Times from start to end, s, evenly spaced by so much, s, or a little less."""
+    return np.linspace(start, end, max(math.ceil((end - start) / step - 1e-9), 1) + 1)
 
 
-def _shot(
-    walk: Walk, start: float, step: float, count: int, shares: tuple[float, ...]
-) -> tuple[tuple[IntArray, IntArray], FloatArray]:
-    """Places and speeds in quanta at evenly spaced times; the error between each frame and the next, m.
+def shot(
+    walk: Walk, links: FloatArray, times: FloatArray, shares: Shares, most: float = math.inf
+) -> tuple[Frames, FloatArray]:
+    """Frames of handles so linked at times, s; how far off each is, m, until the next.
 
-    NaN where the dragon does not stand all along.
+    No more is looked at once one is off by more than `most`, m.
     """
-    times = np.linspace(start, start + step * (count - 1), count)
-    s, v = (np.concatenate(parts, axis=1) for parts in zip(*_slices(walk, times), strict=True))
-    shot = Frames(start, step, _quanta(s), _quanta(v), math.nan, False)
-    errors = np.where(np.isnan(s).any(axis=0), np.nan, 0.0)
-    errors = errors[:-1] + errors[1:]
-    for share in shares:
-        exact = np.concatenate([part[0] for part in _slices(walk, times[:-1] + share * step)], axis=1)
-        errors = np.maximum(errors, np.abs(shot.positions(share) - exact).max(axis=0))
-    return (shot.places, shot.speeds), errors
+    step, handles = float(times[-1] - times[0]) / (len(times) - 1), len(links) + 1
+    table, errors = np.zeros((handles, len(times)), dtype=np.int64), np.zeros(len(times))
+    kept = kernel.Shot(table, errors, np.empty(kernel.SLOTS), empty_placements(handles, kernel.SLOTS))
+    for share in (0.0, *shares):
+        at = times[:-1] + share * step if share else times
+        budget.spend(handles * len(at))
+        kernel.look_at_frames(
+            walk.route.rows, links, walk.head_position(at), walk.profile.speed(at), 0, len(at), share,
+            step, math.inf, kept,
+        )  # fmt: skip
+        if errors.max() > most:
+            break
+    error = float(errors.max())
+    places, speeds = table >> kernel.HALF, table & kernel.LOW
+    return Frames(float(times[0]), step, places, speeds, error, False), errors[:-1]
 
 
-def _quanta(table: FloatArray) -> IntArray:
-    return np.nan_to_num(np.rint(table / QUANTUM)).astype(np.int64)
-
-
-def _slices(walk: Walk, times: FloatArray) -> Iterator[tuple[FloatArray, FloatArray]]:
-    for motion in walk.motions(times, throw=False):
-        yield motion.s.T, motion.speed.T
+def _before_leap(walk: Walk, times: FloatArray, errors: FloatArray) -> float:
+    """When frames at these times, s, are to end, as a bench leaps behind one; inf if none."""
+    far = int(np.argmax(errors > LEAP))
+    if errors[far] <= LEAP:
+        return math.inf
+    close = even_times(float(times[far]), float(times[far + 1]), CLOSE)
+    leaps = shot(walk, walk.dragon.links, close, (0.5,))[1] > LEAP
+    return float(close[np.argmax(leaps)]) - BEFORE if leaps.any() else math.inf
 
 
 def packed_frames(frames: Frames) -> str:
@@ -214,47 +197,30 @@ class Course:
     """The route as cubics between nodes, from one route position to another, m.
 
     Attributes:
-        starts: route position of each stretch's first node, (stretches,).
-        steps: distance of its nodes, (stretches,).
-        counts: how many nodes it has, (stretches,).
+        stretches: of evenly spaced nodes, as in kernels/following.py.
         nodes: x, y (m, from `origin`) and heading (rad) of all nodes, float32, (3, nodes).
         origin: m.
         error: the largest distance of a cubic from the route, m, as looked at.
     """
 
-    starts: FloatArray
-    steps: FloatArray
-    counts: IntArray
+    stretches: FloatArray
     nodes: Nodes
     origin: tuple[float, float]
     error: float
 
 
-def spread(borders: Iterable[float], longest: float) -> list[float]:
-    """Borders, m, with more of them evenly in between, so that none are farther apart than that."""
-    first, *others = borders
-    edges = [first]
-    for border in others:
-        parts = max(math.ceil((border - edges[-1]) / longest), 1)
-        edges += np.linspace(edges[-1], border, parts + 1)[1:].tolist()
-    return edges
-
-
 def course(walk: Walk, low: float, high: float) -> Course:
     """The route from position low to high, m, in cubics within STRETCH_ERROR."""
-    joints = [joint for joint in walk.route.joints.tolist() if low < joint < high]
-    edges = spread([low, *joints, high], STRETCH)
-    x, y = np.round(walk.route.point(np.array([high]))[0], 3).tolist()
-    nodes, found = np.empty((3, MOST_NODES + 1)), list[tuple[Nodes, float]]()
-    for a, b in pairwise(edges):
-        count, error = draw_stretch(walk.route.rows, a, b, x, y, nodes)
-        found.append((nodes[:, :count].astype(np.float32), error))
-    counts = np.array([own.shape[1] for own, _error in found])
-    return Course(
-        np.array(edges[:-1]),
-        np.diff(edges) / (counts - 1),
-        counts,
-        np.concatenate([own for own, _error in found], axis=1),
-        (x, y),
-        max(error for _nodes, error in found),
-    )
+    route = walk.route
+    x, y = np.round(route.point(np.array([high]))[0], 3).tolist()
+    edges = np.empty(math.ceil((high - low) / LONGEST) + len(route.joints) + 2)
+    nodes, found, worst = np.empty((3, MOST_NODES + 1)), list[Nodes](), 0.0
+    scratch = np.empty(1), empty_placements(2, 1)
+    count = find_edges(route.rows, route.joints, np.empty(0), low, high, *scratch, edges)
+    stretches, first = np.empty((count - 1, STRETCH_COLUMNS)), 0
+    for n, (a, b) in enumerate(pairwise(edges[:count].tolist())):
+        count, error = draw_stretch(route.rows, a, b, x, y, nodes)
+        found.append(nodes[:, :count].astype(np.float32))
+        stretches[n] = a, (b - a) / (count - 1), first, count
+        first, worst = first + count, max(worst, error)
+    return Course(stretches, np.concatenate(found, axis=1), (x, y), worst)

@@ -4,8 +4,10 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
 
 import numpy as np
+import numpy.typing as npt
 
 from benchdragon import budget
 from benchdragon.analysis.beats import score_of
@@ -17,6 +19,8 @@ from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.i18n import Words, _, both
 from benchdragon.kernels.bench_nearness import see_near
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.following import FINE, FIRST, NODES, Tables
+from benchdragon.kernels.frames import QUANTUM
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import margin_rings
@@ -25,9 +29,8 @@ from benchdragon.plans.cues import cue_name
 from benchdragon.plans.people import PeopleTable, village
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
-from benchdragon.player.following import FINE, Following, Table, following
+from benchdragon.player.following import Following, following
 from benchdragon.player.frames import (
-    QUANTUM,
     SHARES,
     Course,
     Frames,
@@ -262,26 +265,35 @@ def _shot(walk: Walk, span: Span) -> tuple[Frames, Following | None]:
 
 def _following(found: Following) -> messages.Following:
     """How handles follow, as a page takes it."""
+    tables, ends = found.tables, found.tables.ends.tolist()
+    stretches = [tables.stretches[a:b] for a, b in pairwise([0, *ends])]
     return messages.Following(
         tables=[
             messages.FollowTable(
-                link=table.link, stretches=_stretches(table), fine=FINE,
-                packed=packed_bytes(np.concatenate([table.ways, table.rates]).astype("<i4")),
+                link=link,
+                stretches=_stretches(rows),
+                fine=FINE,
+                packed=packed_bytes(_nodes(tables, rows)),
             )
-            for table in found.tables
+            for link, rows in zip(tables.links.tolist(), stretches, strict=True)
         ],
-        kinds=found.kinds.tolist(),
+        kinds=tables.kinds.tolist(),
         fastest=np.round(found.fastest, 4).tolist(),
         when=np.round(found.when, 2).tolist(),
         speeds=found.speeds,
         change=found.change,
-    )  # fmt: skip
+    )
 
 
-def _stretches(line: Course | Table) -> list[messages.Stretch]:
+def _nodes(tables: Tables, stretches: FloatArray) -> npt.NDArray[np.int32]:
+    """The nodes of some stretches: ways, then their changes."""
+    first, last = int(stretches[0, FIRST]), int(stretches[-1, FIRST] + stretches[-1, NODES])
+    return tables.nodes[:, first:last].ravel().astype("<i4")
+
+
+def _stretches(rows: FloatArray) -> list[messages.Stretch]:
     """The stretches of nodes that are evenly spaced."""
-    stretches = zip(line.starts.tolist(), line.steps.tolist(), line.counts.tolist(), strict=True)
-    return [messages.Stretch(start=a, step=b, nodes=n) for a, b, n in stretches]
+    return [messages.Stretch(start=a, step=b, nodes=int(n)) for a, b, _first, n in rows.tolist()]
 
 
 def _sizes(dragon: Dragon) -> messages.Sizes:
@@ -300,7 +312,7 @@ def _way(walk: Walk, shot: Frames) -> Course:
 def _course(way: Course) -> messages.Course:
     """The route as a page takes it."""
     return messages.Course(
-        stretches=_stretches(way),
+        stretches=_stretches(way.stretches),
         origin=way.origin,
         packed=packed_bytes(way.nodes.ravel()),
     )

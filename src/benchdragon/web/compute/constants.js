@@ -149,6 +149,10 @@ export const FAMILY = {
   UNKNOWN: 1e-6,
 };
 
+export const FOLLOWING = { FINE: 1e-9, LONGEST: 20, MOST_NODES: 4096, STRETCH_COLUMNS: 4 };
+
+export const FRAMES = { QUANTUM: 0.0001, SLOTS: 32 };
+
 export const HOLDS = {
   PIECE_COLUMNS: 5,
   TIME: 0,
@@ -396,8 +400,6 @@ export const MODEL_PLACEMENT = { PLACE: 40 };
 
 export const MODEL_PROFILE = { MOST_SPEED: 100 };
 
-export const MODEL_WALK = { MOST_PLACES: 50000000, SLICE_PLACES: 1000000 };
-
 export const NUMBER_FORMAT = { FIGURES: 5 };
 
 export const PLANS_ROUTES = { FITS: 0.001, RUN_UP: 1 };
@@ -409,29 +411,23 @@ export const PLANS_TABLES = { ROOMY: 0.9, LEAST: 1e-6, LEAST_PITCH: 0.001 };
 export const PLANS_TOML = { MOST_KEYS: 500000, MOST_ENTRIES: 1000000 };
 
 export const PLAYER_FOLLOWING = {
-  FINE: 1e-9,
-  LARGEST: 2.1,
   SHARE: 0.0001,
-  STRETCH: 20,
-  MOST_NODES: 4096,
   MOST_ALL: 100000,
   MOST_KINDS: 8,
-  NARROW: 1e-6,
   LOOK: 0.25,
   MOST_LOOKS: 60000000,
   MOST_COMPARED: 1500000,
 };
 
 export const PLAYER_FRAMES = {
-  QUANTUM: 0.0001,
   STEPS: [4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625],
-  SHARES: [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875],
+  SHARES: [0.5, 0.125, 0.25, 0.375, 0.625, 0.75, 0.875],
+  LEAP: 0.125,
+  CLOSE: 0.015625,
+  BEFORE: 0.125,
   TRIED: 40,
-  NEAR: 0.125,
-  LEAP: 0.25,
   MOST_PLACES: 12000000,
   FARTHEST: 200000,
-  STRETCH: 20,
 };
 
 export const PLAYER_SCENE = {

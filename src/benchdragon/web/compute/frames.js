@@ -1,14 +1,15 @@
-// A dance as evenly spaced frames, and how far they are off in between: twin of player/frames.py.
+// A dance as evenly spaced frames, and how far they are off in between: the host of kernels/frames.py, as
+// player/frames.py is.
 
 import { _ } from "../words.js";
-import { doubles, withArena } from "./arena.js";
-import { PLAYER_FRAMES, SPIRAL, MODEL_WALK, Status } from "./constants.js";
+import { doubles, withArena, withArenaAsync } from "./arena.js";
+import { spend } from "./budget.js";
+import { FRAMES, PLAYER_FRAMES } from "./constants.js";
 import { InputError } from "./errors.js";
 import { general } from "./number_format.js";
 import { linspace, rint } from "./numbers.js";
 import { tick } from "./tick.js";
 
-/** @typedef {import("./walk.js").Motion} Motion */
 /** @typedef {import("./walk.js").Walk} Walk */
 
 /**
@@ -23,34 +24,9 @@ import { tick } from "./tick.js";
  * @property {boolean} leap whether they end because a bench leaps, or finds no place, soon after
  */
 
-const { QUANTUM, NEAR, LEAP, TRIED, MOST_PLACES, FARTHEST, STEPS, SHARES } = PLAYER_FRAMES;
-
-/**
- * Slices of times that need bounded memory, as `Walk.motions` cuts them: first and last of each.
- * @param {Walk} walk
- * @param {number} count
- */
-function* slicesOf(walk, count) {
-  let size = Math.max(1, Math.floor(MODEL_WALK.SLICE_PLACES / (walk.dragon.benches + 1)));
-  if (size > SPIRAL.LANES) size -= size % SPIRAL.LANES;
-  for (let first = 0; first < count; first += size)
-    yield /** @type {[number, number]} */ ([first, Math.min(first + size, count)]);
-}
-
-/**
- * What all handles do at times, slice by slice: `use` sees it, and how many times come before it.
- * @param {Walk} walk
- * @param {Float64Array} times
- * @param {(motion: Motion, first: number) => void} use
- */
-export async function inSlices(walk, times, use) {
-  for (const [first, last] of slicesOf(walk, times.length)) {
-    withArena(walk.engine, (arena) => {
-      use(walk.motion(arena, times.subarray(first, last), { throws: false }), first);
-    });
-    await tick();
-  }
-}
+const { LEAP, CLOSE, BEFORE, TRIED, MOST_PLACES, FARTHEST, STEPS, SHARES } = PLAYER_FRAMES;
+// Places that are computed at a time: after each the page is heard.
+const PLACES = 60_000;
 
 /**
  * The fewest frames between two times, s, that are nowhere farther off than `most`, m.
@@ -60,33 +36,29 @@ export async function inSlices(walk, times, use) {
  * @param {number} end
  * @param {number} most
  * @param {readonly number[]} [shares] where between two frames that is looked at, as shares of the step; if
- *   nowhere, halfway between TRIED of them alone, and they may end up to a step before a leap
+ *   nowhere, halfway between TRIED of them alone
  * @returns {Promise<Frames>}
  */
 export async function frames(walk, start, end, most, shares = SHARES) {
   checkFarthest(walk, start, end);
+  const { link, benches } = walk.dragon;
   let [until, leap] = [end, false];
-  for (const step of STEPS) {
-    const count = Math.max(Math.ceil((until - start) / step - 1e-9), 1) + 1;
-    if (count * (walk.dragon.benches + 1) > MOST_PLACES) break;
-    const even = (until - start) / (count - 1);
-    const tried = (/** @type {number} */ among) => triedError(walk, start, even, among);
-    if (step > NEAR && (count > 4 * TRIED || !shares.length) && tried(count) > most) continue;
-    const { shot, errors } = await shotAt(walk, start, even, count, shares);
-    const far = errors.findIndex((error) => !(error <= LEAP));
-    if (far >= 0 && step > NEAR && (shares.length || !(await leaps(walk, shot, far)))) continue;
-    if (far >= 0) [leap, until] = [true, start + even * (far + 1)];
-    const sound = far >= 0 ? errors.subarray(0, far) : errors;
-    if (!sound.length) continue;
-    const seen = shares.length ? 0 : tried(sound.length + 1);
-    const error = sound.reduce((worst, one) => Math.max(worst, one), seen);
-    if (error <= most) return { ...firstFrames(shot, sound.length + 1), error, leap };
+  for (let tried = 0; tried < STEPS.length && until > start;) {
+    const times = evenTimes(start, until, STEPS[tried]);
+    if (times.length * (benches + 1) > MOST_PLACES) break;
+    const seen = shares.length ? 0 : await triedError(walk, times);
+    if (seen > most && ++tried) continue;
+    const { found, errors } = await shotAt(walk, link, times, shares, most);
+    if (found.error <= most) return { ...found, error: Math.max(found.error, seen), leap };
+    const before = await beforeLeap(walk, times, errors);
+    if (before < until) [until, leap] = [before, true];
+    else tried++;
   }
   throw new InputError(
     _(
       "frames of {benches} benches from {start} s to {end} s would be off by more than {error} m or fill more than {most} positions: choose a shorter time",
       {
-        benches: walk.dragon.benches,
+        benches,
         start: general(start),
         end: general(until),
         error: general(most),
@@ -96,12 +68,10 @@ export async function frames(walk, start, end, most, shares = SHARES) {
   );
 }
 
-/** Refuse a walk from start to end, s, that goes beyond FARTHEST. @param {Walk} walk @param {number} start @param {number} end */
+/** Refuse a walk from start to end, s, that goes beyond FARTHEST; where the tail's front handle starts, m. @param {Walk} walk @param {number} start @param {number} end */
 export function checkFarthest(walk, start, end) {
-  const tail = withArena(walk.engine, (arena) => {
-    const s = doubles(walk.motion(arena, [start]).s);
-    return s.reduce((least, one) => Math.min(least, one), Infinity);
-  });
+  const s = withArena(walk.engine, (arena) => doubles(walk.motion(arena, [start]).s).slice());
+  const tail = s.reduce((least, one) => Math.min(least, one), Infinity);
   const far = Math.max(-tail, walk.headPosition(end));
   if (far > FARTHEST)
     throw new InputError(
@@ -110,134 +80,73 @@ export function checkFarthest(walk, start, end) {
         far: general(far),
       }),
     );
+  return s[s.length - 2];
 }
 
-/** The largest error halfway between TRIED frames and the next, m: no more than that of all. @param {Walk} walk @param {number} start @param {number} step @param {number} count */
-function triedError(walk, start, step, count) {
-  const before = linspace(0, count - 2, TRIED).map((n) => start + step * rint(n));
-  const times = [...before].flatMap((t) => [t, t + step]);
-  return withArena(walk.engine, (arena) => {
-    const ends = walk.motion(arena, times, { throws: false });
-    const middles = walk.motion(arena, before.map((t) => t + 0.5 * step), { throws: false }); // prettier-ignore
-    const [s, v, exact] = [doubles(ends.s).slice(), ends.speed, doubles(middles.s)];
-    let worst = 0;
-    for (let k = 0; k < exact.length; k++) {
-      const middle = cubic(s[2 * k], s[2 * k + 1], v[2 * k] * step, v[2 * k + 1] * step, 0.5);
-      const error = Math.abs(middle - exact[k]);
-      if (error > worst) worst = error;
+/** Times from start to end, s, evenly spaced by so much, s, or a little less. @param {number} start @param {number} end @param {number} step */
+export function evenTimes(start, end, step) {
+  return linspace(start, end, Math.max(Math.ceil((end - start) / step - 1e-9), 1) + 1);
+}
+
+/**
+ * Frames of handles so linked at times, s; how far off each is, m, until the next. No more is looked at
+ * once one is off by more than `most`, m; if nothing is, it is looked for leaps alone.
+ * @param {Walk} walk
+ * @param {ArrayLike<number>} links
+ * @param {Float64Array} times
+ * @param {readonly number[]} shares
+ * @param {number} [most]
+ * @param {number[]} [few] the frames that are looked at with the next, if not all
+ */
+export function shotAt(walk, links, times, shares, most = Infinity, few = undefined) {
+  const [count, handles, start] = [times.length, links.length + 1, times[0]];
+  const step = (times[count - 1] - start) / (count - 1);
+  const per = Math.max(Math.floor(PLACES / handles), FRAMES.SLOTS);
+  const spans = few?.map((k) => [k, k + 2]) ?? Array.from({ length: Math.ceil(count / per) }, (_span, n) => [n * per, Math.min((n + 1) * per, count)]); // prettier-ignore
+  const leap = shares.length ? Infinity : LEAP;
+  return withArenaAsync(walk.engine, async (arena) => {
+    const [frames, errors] = [arena.array("q", handles, count), arena.full([count], 0)];
+    const [at, linked] = [arena.array("d", FRAMES.SLOTS), arena.vector(links)];
+    const shot = { frames, errors, at, places: arena.placements(handles, FRAMES.SLOTS) };
+    let error = 0;
+    for (let look = 0; look <= shares.length && error <= most; look++) {
+      const share = look ? shares[look - 1] : 0;
+      const looked = times.map((time) => time + share * step);
+      const heads = arena.vector(looked.map((time) => walk.headPosition(time)));
+      const speeds = arena.vector(looked.map((time) => walk.profile.speed(time)));
+      for (const [first, last] of spans) {
+        const until = look && (few || last === count) ? last - 1 : last;
+        spend(handles * (until - first));
+        walk.engine.call("bd_frames_look_at_frames", walk.route.rows, linked, heads, speeds, first, until, share, step, leap, shot); // prettier-ignore
+        if (!few) await tick();
+      }
+      arena.drop(heads, speeds);
+      error = doubles(errors).reduce((worst, one) => Math.max(worst, one), 0);
     }
-    return worst;
+    const { buffer, byteOffset } = frames.view;
+    const [halves, size] = [new Int32Array(buffer, byteOffset, 2 * frames.size), frames.size];
+    const [places, speeds] = [new Int32Array(size), new Int32Array(size)];
+    for (let k = 0; k < size; k++) [speeds[k], places[k]] = [halves[2 * k], halves[2 * k + 1]];
+    const found = { start, step, count, places, speeds, error, leap: false };
+    return { found, errors: doubles(errors).slice(0, -1) };
   });
 }
 
-/** A cubic's value at a share f of a step; slopes are those of a step. @param {number} a @param {number} b @param {number} riseA @param {number} riseB @param {number} f */
-export function cubic(a, b, riseA, riseB, f) {
-  return a + f * f * (3 - 2 * f) * (b - a) + f * (1 - f) * ((1 - f) * riseA - f * riseB);
+/** The largest error halfway between TRIED frames and the next, m, where the dragon stands. @param {Walk} walk @param {Float64Array} times */
+async function triedError(walk, times) {
+  const few = Array.from(linspace(0, times.length - 2, TRIED), rint);
+  const { errors } = await shotAt(walk, walk.dragon.link, times, [0.5], Infinity, few);
+  return errors.reduce((worst, one) => (Number.isFinite(one) ? Math.max(worst, one) : worst), 0);
 }
 
-/**
- * Frames at evenly spaced times; the error between each frame and the next, m, not a number where the
- * dragon does not stand all along.
- * @param {Walk} walk
- * @param {number} start
- * @param {number} step
- * @param {number} count
- * @param {readonly number[]} shares
- */
-async function shotAt(walk, start, step, count, shares) {
-  const times = linspace(start, start + step * (count - 1), count);
-  const size = (walk.dragon.benches + 1) * count;
-  const shot = { start, step, count, places: new Int32Array(size), speeds: new Int32Array(size) };
-  const fallen = new Uint8Array(count);
-  await inSlices(walk, times, (motion, first) => quantise(motion, first, shot, fallen));
-  const errors = new Float64Array(count - 1);
-  for (let k = 0; k < count - 1; k++) errors[k] = fallen[k] || fallen[k + 1] ? NaN : 0;
-  for (const share of shares) {
-    const between = times.subarray(0, count - 1).map((t) => t + share * step);
-    await inSlices(walk, between, (motion, first) => widenErrors(errors, shot, motion, first, share));
-  }
-  if (!shares.length) widenByLeaps(errors, shot);
-  return { shot, errors };
-}
-
-/** @typedef {Pick<Frames, "start" | "step" | "count" | "places" | "speeds">} Shot */
-
-/**
- * Put what a slice tells into frames, and mark the times at which some handle has no place.
- * @param {Motion} motion
- * @param {number} first number of its first frame
- * @param {Shot} shot
- * @param {Uint8Array} fallen
- */
-function quantise(motion, first, { count, places, speeds }, fallen) {
-  const [s, ratio, pace, width] = [
-    doubles(motion.s),
-    doubles(motion.ratio),
-    motion.headSpeed,
-    motion.count,
-  ];
-  motion.status.forEach((status, t) => (fallen[first + t] = Number(status !== Status.OK)));
-  for (let i = 0, k = 0; i < motion.handles; i++) {
-    for (let t = 0, at = i * count + first; t < width; t++, k++, at++) {
-      places[at] = rint(s[k] / QUANTUM); // not a number becomes 0
-      speeds[at] = rint((ratio[k] * pace[t]) / QUANTUM);
-    }
-  }
-}
-
-/**
- * Raise errors to the distance of frames from exact places at a share of each step.
- * @param {Float64Array} errors
- * @param {Shot} shot
- * @param {Motion} motion exact
- * @param {number} first number of the first of its steps
- * @param {number} f the share
- */
-function widenErrors(errors, { step, count, places, speeds }, motion, first, f) {
-  const [rest, blend, rise] = [1 - f, f * f * (3 - 2 * f), QUANTUM * step];
-  const reach = f * rest;
-  const [exact, width] = [doubles(motion.s), motion.count];
-  for (let i = 0, k = 0; i < motion.handles; i++) {
-    for (let t = first, at = i * count + first; t < first + width; t++, k++, at++) {
-      const a = places[at] * QUANTUM;
-      const b = places[at + 1] * QUANTUM;
-      const bend = rest * (speeds[at] * rise) - f * (speeds[at + 1] * rise);
-      const error = Math.abs(a + blend * (b - a) + reach * bend - exact[k]);
-      if (error > errors[t]) errors[t] = error;
-      else if (error !== error) errors[t] = NaN;
-    }
-  }
-}
-
-/** Whether a bench leaps or finds no place from a frame to the next, be they ever so near. @param {Walk} walk @param {Shot} shot @param {number} frame */
-async function leaps(walk, { start, step }, frame) {
-  const parts = Math.ceil(step / NEAR) * 8;
-  const { errors } = await shotAt(walk, start + step * frame, step / parts, parts + 1, []);
-  return errors.some((error) => !(error <= LEAP));
-}
-
-/** Raise errors to each leap of a handle from frame to frame, which its speeds do not explain. @param {Float64Array} errors @param {Shot} shot */
-function widenByLeaps(errors, { step, count, places, speeds }) {
-  const half = 0.5 * step;
-  for (let first = 0; first < places.length; first += count) {
-    for (let k = 0, at = first; k < count - 1; k++, at++) {
-      const walked = half * (speeds[at] + speeds[at + 1]);
-      const leap = Math.abs(places[at + 1] - places[at] - walked) * QUANTUM;
-      if (leap > LEAP) errors[k] = leap;
-    }
-  }
-}
-
-/** The first frames alone. @param {Shot} shot @param {number} count */
-function firstFrames(shot, count) {
-  if (count === shot.count) return shot;
-  const kept = (/** @type {Int32Array} */ table) => {
-    const found = new Int32Array((table.length / shot.count) * count);
-    for (let i = 0; i < found.length / count; i++)
-      found.set(table.subarray(i * shot.count, i * shot.count + count), i * count);
-    return found;
-  };
-  return { ...shot, count, places: kept(shot.places), speeds: kept(shot.speeds) };
+/** When frames at these times, s, are to end, as a bench leaps behind the first far off; infinite if none. @param {Walk} walk @param {Float64Array} times @param {Float64Array} errors */
+async function beforeLeap(walk, times, errors) {
+  const far = errors.findIndex((error) => error > LEAP);
+  if (far < 0) return Infinity;
+  const close = evenTimes(times[far], times[far + 1], CLOSE);
+  const looked = await shotAt(walk, walk.dragon.link, close, [0.5]);
+  const leap = looked.errors.findIndex((error) => error > LEAP);
+  return leap < 0 ? Infinity : close[leap] - BEFORE;
 }
 
 /**

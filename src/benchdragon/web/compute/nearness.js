@@ -2,7 +2,7 @@
 // player/scene.py is.
 
 import { copied, withArena } from "./arena.js";
-import { BENCH_NEARNESS, PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
+import { BENCH_NEARNESS, FRAMES, PLAYER_SCENE } from "./constants.js";
 import { linspace, rounded } from "./numbers.js";
 import { tick } from "./tick.js";
 
@@ -73,7 +73,7 @@ export async function nearness(walk, shot, most, heard = () => {}) {
 /** A look each 0.25 m, and each 0.25 s, but so many at most. @param {Frames} shot @param {number} benches @param {number} most */
 function timesOf({ start, step, count, places }, benches, most) {
   const end = start + step * (count - 1);
-  const walked = PLAYER_FRAMES.QUANTUM * (places[count - 1] - places[0]);
+  const walked = FRAMES.QUANTUM * (places[count - 1] - places[0]);
   const wanted = 4 * Math.max(walked, end - start, 0.5);
   const allowed = Math.max(2, Math.floor(PLAYER_SCENE.MOST_DISTANCES / benches));
   return linspace(start, end, Math.trunc(Math.min(most, allowed, wanted)));

@@ -9,7 +9,7 @@ import { village } from "../made/people.js";
 import { _, both } from "../words.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { question } from "./budget.js";
-import { PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
+import { FRAMES, PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
 import { course } from "./course.js";
 import { InputError, finite } from "./errors.js";
 import { CAREFUL, following } from "./follow.js";
@@ -78,7 +78,7 @@ async function plainDance(walk, shown, progress = silent) {
       start: shot.start,
       step: shot.step,
       count: shot.count,
-      quantum: PLAYER_FRAMES.QUANTUM,
+      quantum: FRAMES.QUANTUM,
       packed: "",
       largest_error: shot.error + way.error,
     },
@@ -203,7 +203,7 @@ function wayOf(walk, shot) {
   for (let k = 0; k < shot.places.length; k++) if (shot.places[k] > head) head = shot.places[k];
   const { AROUND } = PLAYER_SCENE;
   const low = Math.max(tail - AROUND, -route.extension);
-  return course(route, low, Math.min(head * PLAYER_FRAMES.QUANTUM + AROUND, route.length));
+  return course(route, low, Math.min(head * FRAMES.QUANTUM + AROUND, route.length));
 }
 
 /**
@@ -218,15 +218,13 @@ function joints(walk, { start, step, count, places }, behind) {
   if (inner.length > PLAYER_SCENE.MOST_JOINTS) return [];
   const times = behind?.times ?? Float64Array.from({ length: count }, (_time, k) => start + step * k);
   const framed = (/** @type {number} */ first) =>
-    Float64Array.from(places.subarray(first, first + count)).map(
-      (place) => place * PLAYER_FRAMES.QUANTUM,
-    );
+    Float64Array.from(places.subarray(first, first + count)).map((place) => place * FRAMES.QUANTUM);
   const ends = behind?.ends ?? [framed(0), framed(places.length - count)];
   /** @type {Occasion[]} */
   const found = [];
   for (const head of [true, false]) {
     const s = ends[head ? 0 : 1];
-    const [low, high] = [s[0] + PLAYER_FRAMES.QUANTUM, s[s.length - 1] - PLAYER_FRAMES.QUANTUM];
+    const [low, high] = [s[0] + FRAMES.QUANTUM, s[s.length - 1] - FRAMES.QUANTUM];
     inner.forEach((joint, n) => {
       const time = interpolated(joint, s, times);
       if (low < joint && joint < high)
