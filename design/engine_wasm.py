@@ -50,19 +50,22 @@ def build(folder: str) -> None:
 
 
 def questions() -> None:
-    """The contest's standard table, its first contact, and the least clearance of a random dance."""
+    """The contest's standard table, its first contact, and all pairs of a random dance."""
+    from tests.engine.questions import every_pair
+    from tests.solve.dances import laid
+
     from benchdragon.analysis.contact import first_contact
     from benchdragon.model.curves import Route, Spiral
     from benchdragon.model.dragon import Dragon
     from benchdragon.model.walk import Walk
     from benchdragon.plans.schema import read_plan
-    from benchdragon.solve.tolerance import CASES, Draw, random_dance
+    from benchdragon.solve.tolerance import CASES, Draw
 
     walk = Walk(Dragon.uniform(), Route((Spiral(0.55, 32.0 * math.pi, 0.0),)))
     walk.motion(np.arange(301.0))
     first_contact(walk, 400.0, 420.0)
     coiled = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20", "walk.start=225"])
-    random_dance(coiled, Draw(CASES["all"].deviations, 7, 1)).least()
+    every_pair(laid(coiled, Draw(CASES["all"].deviations, 7, 1)))
 
 
 class Watch:

@@ -1,6 +1,6 @@
 """How densely must random dances be evaluated, and what does it cost that no contact is missed?
 
-Run: python design/imprecision.py
+Run it from the project's folder, as `python -m design.imprecision`.
 
 1. Evaluations each metre of the head lose little on a spiral, less than a millimetre, because benches
    of neighbouring turns slide along one another. Round a turn a corner passes a bench within
@@ -12,7 +12,7 @@ Run: python design/imprecision.py
 3. The pitch needed is sought with evaluations here and there, which is cheap, and the search that
    misses nothing is asked once or twice, at the end. Without deviations it gives what `solve pitch`
    gives.
-4. On an inward spiral a bound in closed form (solve/dance_bound.py) leaves little to be searched near
+4. On an inward spiral a bound in closed form (kernels/dance_bound.py) leaves little to be searched near
    the pitch needed: a few benches near the centre where sizes vary, a third of the dance where all of
    its handles are off the route.
 """
@@ -20,12 +20,13 @@ Run: python design/imprecision.py
 import time
 
 import numpy as np
+from tests.solve.dances import Laid, brute, laid, open_parts
 
+from benchdragon.kernels import search
+from benchdragon.kernels.every_pair import search_all_pairs
 from benchdragon.plans.schema import read_plan
-from benchdragon.solve import random_dance as module
-from benchdragon.solve.random_dance import RandomDance
 from benchdragon.solve.size import limit
-from benchdragon.solve.tolerance import CASES, Deviations, Draw, needed_pitch, random_dance
+from benchdragon.solve.tolerance import CASES, Deviations, Draw, needed_pitch
 
 DRAWS = 5
 PLANS = {
@@ -34,42 +35,40 @@ PLANS = {
 }
 
 
-def evaluated(dance: RandomDance, step: float) -> float:
-    """The least distance at places of the head so far apart, m."""
-    grid = np.linspace(dance.start, dance.end, 2 + int((dance.end - dance.start) / step))
-    return min(dance.nearest(at)[0].distance for at in np.array_split(grid, 1 + len(grid) // 500))
-
-
 def losses() -> None:
     """How much evaluations miss."""
     print("1. how much nearer benches come than evaluations say, mm: median, greatest")
     for name, (kind, settings) in PLANS.items():
-        dances = [
-            random_dance(read_plan(kind, settings), Draw(CASES["aside"].deviations, 1, n))
-            for n in range(DRAWS)
-        ]
-        true = [dance.least() for dance in dances]
+        plan = read_plan(kind, settings)
+        dances = [laid(plan, Draw(CASES["aside"].deviations, 1, n)) for n in range(DRAWS)]
+        true = [brute(dance) for dance in dances]
         for step in (1.0, 0.2, 0.05):
-            lost = [
-                1e3 * (evaluated(dance, step) - least)
-                for dance, least in zip(dances, true, strict=True)
-            ]
+            pairs = zip(dances, true, strict=True)
+            lost = [1e3 * (brute(dance, step) - least) for dance, least in pairs]
             print(f"   {name:10} each {step:4g} m: {np.median(lost):9.4f} {max(lost):9.4f}")
+
+
+def searched(dance: Laid, share: float) -> int:
+    """Search a whole dance by steps of that share of the shortest link; how that ended."""
+    benches, links = len(dance.dragon), dance.dragon.links
+    first, second = np.empty((2, 24 * benches), dtype=np.int64)
+    steps = 2 + int((dance.end - dance.start) / (share * float(links.min())))
+    return search_all_pairs(
+        search.room(benches + 1, benches, first.size), search.FIRST_TOUCH, dance.rows, links,
+        dance.aside, dance.dragon.sizes, np.linspace(dance.start, dance.end, steps), first, second,
+        0.0, 1e-7, 1e-8, 20_000, np.zeros(search.NOTES),
+    )  # fmt: skip
 
 
 def steps() -> None:
     """What the search costs by the length of its steps."""
     print("2. seconds of a search that misses nothing, by steps as a share of the shortest link")
-    chosen = module.STEP
     for name, (kind, settings) in PLANS.items():
-        dance = random_dance(read_plan(kind, settings), Draw(CASES["aside"].deviations, 1, 0))
-        dance.touch()
+        dance = laid(read_plan(kind, settings), Draw(CASES["aside"].deviations, 1, 0))
         for share in (0.06, 0.09, 0.125, 0.18, 0.25):
-            module.STEP = share
             began = time.thread_time()
-            dance.touch()
+            searched(dance, share)
             print(f"   {name:10} {share:5g}: {time.thread_time() - began:.3f}")
-    module.STEP = chosen
 
 
 def pitches() -> None:
@@ -92,17 +91,15 @@ def pitches() -> None:
 
 def left() -> None:
     """How much of dances must be searched: head's way times benches, as a share of all."""
-    print("4. share of each dance that is left to be searched, for five dances, by pitch")
+    print("4. share of a dance that is left to be searched, by pitch")
     for name, case in CASES.items():
         for pitch in (0.46, 0.48, 0.5, 0.55):
             plan = read_plan("spiral-in", ["disc.radius=4.5", f"route.pitch={pitch}"])
-            shares = []
-            for n in range(DRAWS):
-                dance = random_dance(plan, Draw(case.deviations, 1, n))
-                parts = dance.open(1e-6) if dance.open else ()
-                work = sum((part.end - part.start) * part.count for part in parts)
-                shares.append(work / ((dance.end - dance.start) * len(dance.dragon)))
-            print(f"   {name:8} {pitch:4g} m: " + " ".join(f"{share:.3f}" for share in shares))
+            draw = Draw(case.deviations, 1, 0)
+            dance, (parts,) = laid(plan, draw), open_parts(plan, draw, (1e-6,))
+            work = float((parts[:, 1] - parts[:, 0]) @ parts[:, 2])
+            whole = (dance.end - dance.start) * len(dance.dragon)
+            print(f"   {name:8} {pitch:4g} m: {work / whole:.3f}")
 
 
 if __name__ == "__main__":

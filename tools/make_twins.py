@@ -88,6 +88,7 @@ TWINS = {
     "surveys.alignment": ("absorbed", "Absorbed"),
     "surveys.clothoids": ("unfit", "unfit"),
     "surveys.fitting": ("fits", "check_fewest", "checked_fit", "rounded"),
+    "solve.random_dance": ("random_dance", "refuse"),
     "rosters.names": ("roster_names", "like_two"),
     "rosters.words": (
         "roster_words", "NUMERALS", "numeral", "heading", "doubtful", "is_name", "is_other", "is_sum",

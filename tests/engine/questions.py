@@ -26,8 +26,10 @@ from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.analysis.swept import swept_area
 from benchdragon.analysis.tables import kinds_of
-from benchdragon.kernels import entries
+from benchdragon.kernels import entries, search
+from benchdragon.kernels.binomial import tails
 from benchdragon.kernels.chain import empty_placements
+from benchdragon.kernels.every_pair import search_all_pairs
 from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.connections import Step, connections, programme
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
@@ -38,11 +40,12 @@ from benchdragon.plans.schema import checked, read_plan
 from benchdragon.player.following import following
 from benchdragon.player.scene import Span, plain_dance
 from benchdragon.solve.head_speed import slowed
-from benchdragon.solve.tolerance import CASES, Draw, random_dance
+from benchdragon.solve.tolerance import CASES, Draw, Tolerance, needed_pitch, touches
 from benchdragon.surveys.clothoids import g1_clothoids
 from benchdragon.surveys.fitting import fitted
 from benchdragon.surveys.lines import DrawnLine, corners_of
 from tests.solve.asked_in_python import in_python
+from tests.solve.dances import Laid, brute, laid
 
 # Its plain functions call its entries, which no compiled function does.
 MIXED = tuple(f"benchdragon.kernels.{name}" for name in ("grid", "own_room", "contact_steps"))
@@ -56,7 +59,7 @@ def wrap(wrapper: Callable[[str, Any], Callable[..., Any]]) -> None:
         served = getattr(sys.modules[home], short)
         calls[id(served)] = wrapper(name, served)
     for name, module in list(sys.modules.items()):
-        inside = name == "__main__" or name.startswith("benchdragon.")
+        inside = name == "__main__" or name.startswith(("benchdragon.", "tests."))
         if name in MIXED or (inside and not name.startswith("benchdragon.kernels")):
             for key, value in list(vars(module).items()):
                 if id(value) in calls:
@@ -120,4 +123,25 @@ def questions() -> None:
         fitted(drawn, smooth, 9.0)
     g1_clothoids(np.array([(0.0, 0.0, 0.3), (5.0, 1.0, -0.2), (9.0, 1.0, 0.4)]))
     coiled = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20", "walk.start=225"])
-    random_dance(coiled, Draw(CASES["all"].deviations, 7, 1)).least()
+    draw = Draw(CASES["all"].deviations, 7, 1)
+    touches(coiled, draw)
+    needed_pitch(coiled, draw, 0.5)
+    draw.noise(0, 9)
+    found = Tolerance(draw.deviations, 7, 0.45, np.linspace(0.45, 0.55, 101), 9)
+    assert found.touching()[1] < found.touching(0.5)[1]
+    assert found.pitch_for(0.1) > found.pitch_from(0.1)
+    assert tails(9, 101, 0.1)[0] > 0.3
+    dance = laid(coiled, draw)
+    assert brute(dance, 0.5) > 0.0
+    every_pair(dance)
+
+
+def every_pair(dance: Laid) -> None:
+    """The search of all pairs alone, which the engine's question about a dance calls within."""
+    benches, links = len(dance.dragon), dance.dragon.links
+    first, second = np.empty((2, benches * benches), dtype=np.int64)
+    search_all_pairs(
+        search.room(benches + 1, benches, first.size), search.FIRST_TOUCH, dance.rows, links,
+        dance.aside, dance.dragon.sizes, np.linspace(dance.start, dance.end, 50), first, second, 0.0,
+        1e-7, 1e-8, 2000, np.zeros(search.NOTES),
+    )  # fmt: skip

@@ -40,6 +40,7 @@ WHOLE = tuple(
     for name in (
         "memory",
         "question",
+        "dance_question",
         "size_question",
         "contact_question",
         "peak_question",

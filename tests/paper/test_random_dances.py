@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from benchdragon.kernels.dance_look import TOLERANCE
 from benchdragon.paper.random_dances import DRAWS, OTHER_SEED, RISK, SEED, kept_run, plan, walked_again
 from benchdragon.solve.size import limit
-from benchdragon.solve.tolerance import CASES, TOLERANCE
+from benchdragon.solve.tolerance import CASES
 
 
 def test_a_thousand_dances_of_each_case_are_kept() -> None:

@@ -51,10 +51,9 @@ async function turned(plan, goal) {
 }
 
 /** What random dances need, in plain data. */
-async function drawn(plan, { deviations, ...options }) {
-  const found = await margins.tolerance(engine, plan, deviations, { ...options, progress });
-  const pitchFor = margins.RISKS.map((risk) => margins.pitchFor(found, risk));
-  return { ...found, touching: margins.touching(found), pitchFor };
+async function drawn(plan, options) {
+  const { needed, ...found } = await margins.tolerance(engine, plan, { ...options, progress });
+  return { ...found, needed: [...needed] };
 }
 
 /** An answer, or why there is none. */

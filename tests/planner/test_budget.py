@@ -13,7 +13,7 @@ from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.player.scene import Span, plain_dance
 from benchdragon.solve.head_speed import greatest_head_speed, slowed
 from benchdragon.solve.size import limit
-from benchdragon.solve.tolerance import Deviations, Draw, needed_pitch, touches
+from benchdragon.solve.tolerance import CASES, Draw, needed_pitch, touches
 from tests.engine.recording import node
 from tests.planner.test_solve import small
 from tests.planner.twins import asked
@@ -84,14 +84,13 @@ def test_the_page_refuses_in_the_words_of_python(monkeypatch: pytest.MonkeyPatch
 
 
 def test_each_random_dance_of_the_page_is_a_question_of_its_own() -> None:
-    deviations = {"aside": 0.02, "stray": 0.02}
-    one = {"data": COIL.data(), "name": "margins", "options": {"deviations": deviations, "draws": 2}}
+    one = {"data": COIL.data(), "name": "margins", "options": {"draws": 2}}
     (said,) = asked("solve_plans.mjs", {"asked": [one]})
     assert "error" not in said["found"]
     with budget.question():
         exact = limit(COIL, "pitch").value
         for number in range(2):
-            draw = Draw(Deviations(**deviations), 1, number)
+            draw = Draw(CASES["all"].deviations, 1, number)
             needed_pitch(COIL, draw, exact)
             touches(COIL, draw)
         spent = budget.WORK - budget.left()

@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from benchdragon.errors import InputError
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
 from benchdragon.solve.size import feasible_sizes, limit
-from benchdragon.solve.tolerance import RISKS, Deviations, tolerance
+from benchdragon.solve.tolerance import CASES, RISKS, Deviations, tolerance
 from benchdragon.solve.turn import best_turn
 from benchdragon.solve.turn_goal import TurnGoal
 from tests.engine.recording import node
@@ -162,25 +163,40 @@ def test_turns_are_as_good(sets: list[str], wish: dict[str, Any]) -> None:
     assert again.sha256 == twin["sha256"]
 
 
-@pytest.mark.parametrize(
-    "deviations", [{"aside": 0.02}, {"stray": 0.02}, {"play": 0.01, "height": 0.1, "length": 0.02}]
-)
-def test_random_dances_are_the_same(deviations: dict[str, float]) -> None:
-    whole = read_plan("spiral-in", [*FEW, "route.pitch=0.46"])
-    found = tolerance(whole, Deviations(**deviations), 4, seed=7, own=True)
-    twin = searched("margins", whole, deviations=deviations, draws=4, seed=7)
+def test_random_dances_are_the_same() -> None:
+    whole, deviations = read_plan("spiral-in", [*FEW, "route.pitch=0.46"]), CASES["all"].deviations
+    found = tolerance(whole, deviations, 4, seed=7, own=True)
+    twin = searched("margins", whole, draws=4, seed=7)
     assert near(found.exact, twin["exact"])
     assert np.abs(found.needed - twin["needed"]).max() <= PITCHES_APART
     assert found.hits == twin["hits"]
-    assert np.allclose(found.touching(), twin["touching"], atol=1e-12)
-    assert all(near(found.pitch_for(r), p, 1e-8) for r, p in zip(RISKS, twin["pitchFor"], strict=True))
+
+
+def test_what_random_dances_say_of_chances_is_the_same() -> None:
+    coil = ["dragon.benches=9", "route.start_turn=8", "route.pitch=0.59", "disc.radius=2"]
+    whole = read_plan("spiral-in", coil)
+    found = tolerance(whole, CASES["all"].deviations, 100, own=True)
+    twin = searched("page", whole, question="job/margins")
+    said = [twin[name] for name in ("chance", "chance_lower", "chance_upper")]
+    assert np.allclose(found.touching(), said, atol=1e-12)
+    assert [one["risk"] for one in twin["pitch_for"]] == list(RISKS)
+    for one in twin["pitch_for"]:
+        pitch = found.pitch_for(one["risk"])
+        assert one["pitch"] is None if math.isinf(pitch) else near(pitch, one["pitch"], 1e-8)
+
+
+def test_a_bench_that_cannot_be_is_told_by_the_page_as_by_python() -> None:
+    said = searched("margins", read_plan("spiral-in", FEW), draws=1, by=[0, 0, 0, 0, 1, 0])
+    with pytest.raises(InputError) as refused:
+        tolerance(read_plan("spiral-in", FEW), Deviations(length=1.0), 1)
+    assert said["error"] == str(refused.value)
 
 
 def test_a_search_is_given_up_where_its_progress_is_told() -> None:
     whole = read_plan("spiral-in", FEW).data()
     turn = read_plan("turn", ["dragon.benches=20"]).data()
     names = {"limit": whole, "speed": turn, "turn": turn, "margins": whole}
-    options = {"limit": {"size": "pitch"}, "margins": {"deviations": {"aside": 0.02}, "draws": 5}}
+    options = {"limit": {"size": "pitch"}, "margins": {"draws": 5}}
     questions = [{"data": d, "name": n, "options": options.get(n, {})} for n, d in names.items()]
     for said in asked("solve_plans.mjs", {"asked": questions, "cancel": True}):
         assert said["found"] == {"error": "given up", "kind": "Cancelled"}

@@ -4,6 +4,7 @@ import pytest
 
 from benchdragon.kernels import (
     contact_question,
+    dance_question,
     obstacle_question,
     peak_question,
     question,
@@ -23,6 +24,7 @@ ENTRIES = {
     contact_question: ["open_contact", "seek_contact", "read_contact", "step_contact"],
     peak_question: ["open_peak", "read_peak", "step_peak"],
     size_question: ["open_size", "seek_size", "read_size", "step_size"],
+    dance_question: ["open_dance", "read_dance", "step_dance"],
 }
 
 

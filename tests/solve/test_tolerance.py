@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.stats import binom, binomtest
 
 from benchdragon import budget, parallel
 from benchdragon.analysis.contact import first_contact
@@ -18,24 +17,16 @@ from benchdragon.errors import BenchDragonError, InputError, UnsureError
 from benchdragon.explain.text import number as shown
 from benchdragon.explain.tolerance import margin_lines
 from benchdragon.i18n import spoken_in
-from benchdragon.kernels import curve as kernel
 from benchdragon.model.dragon import Dragon
 from benchdragon.parallel import threads
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve import random_dance as rehearsal_module
-from benchdragon.solve.random_dance import Hint, Meeting, RandomDance
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import (
     CASES,
     Deviations,
     Draw,
     Tolerance,
-    Trials,
-    at_most,
-    least_clearance,
-    more_than,
     needed_pitch,
-    random_dance,
     tolerance,
     touches,
 )
@@ -63,8 +54,9 @@ def test_people_who_are_all_but_exact_need_the_exact_pitch(name: str, deviations
     assert found.exact == limit(plan, "pitch").value
     # The line of one who strays is made of arcs, which leave the route by 1e-5 m.
     assert found.needed[0] == pytest.approx(found.exact, abs=5e-5 if deviations.stray else 1.1e-5)
-    clear = plan.with_value("route.pitch", found.exact + 1e-5)
-    assert least_clearance(clear, Draw(deviations, 1, 0)) == pytest.approx(0.0, abs=1e-4)
+    for side, touch in ((-1e-4, True), (1e-4, False)):
+        near = plan.with_value("route.pitch", found.exact + side)
+        assert touches(near, Draw(deviations, 1, 0)) is touch
 
 
 def test_a_dance_touches_where_the_check_finds_a_contact() -> None:
@@ -79,28 +71,18 @@ def test_a_dance_touches_where_the_check_finds_a_contact() -> None:
         assert found.needed == pytest.approx(found.exact, abs=1.1e-5)
 
 
-def test_a_graze_between_evaluations_counts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Evaluations so far apart that they see nothing: the search decides alone."""
-    plan, draw = read_plan("turn", ["dragon.benches=30", "route.pitch=1.14"]), Draw(Deviations(), 1, 0)
-    exact = limit(plan, "pitch").value
-    monkeypatch.setattr(rehearsal_module, "HINT_STEP", 12.0)
-    monkeypatch.setattr(rehearsal_module, "SHRINKS", 0)
-    assert random_dance(plan, draw).low_meeting().distance > 1e-3
-    assert touches(plan, draw)
-    assert not touches(plan.with_value("route.pitch", exact + 1e-5), draw)
-    trials = Trials(plan, draw, [Hint(0.0, 0.0, 30)])
-    monkeypatch.setattr(
-        RandomDance, "low_meeting", lambda _self, _margin=None: Meeting(5e-6, 140.0, 0, 16)
-    )
-    monkeypatch.setattr(RandomDance, "meeting_near", lambda _self, _hint: Meeting(5e-6, 140.0, 0, 16))
-    assert trials.room(1.14) < 0.0
-    assert trials.room(exact + 1e-3) == 5e-6
-
-
 def test_a_pitch_at_which_distances_leap_is_found() -> None:
     """The line of this dance is drawn by one arc more on one side of it."""
     plan = read_plan("spiral-in", ["disc.radius=4.5"])
     draw = Draw(CASES["stray"].deviations, 1, 202)
+    pitch = needed_pitch(plan, draw, 0.4503373930272)
+    assert not touches(plan.with_value("route.pitch", pitch), draw)
+    assert touches(plan.with_value("route.pitch", pitch - 1.1e-5), draw)
+
+
+def test_a_pitch_is_found_though_benches_meet_elsewhere_with_a_larger_one() -> None:
+    """What is seen where they met before says nothing of where they meet now: it must be searched."""
+    plan, draw = disc(), Draw(CASES["height"].deviations, 1, 696)
     pitch = needed_pitch(plan, draw, 0.4503373930272)
     assert not touches(plan.with_value("route.pitch", pitch), draw)
     assert touches(plan.with_value("route.pitch", pitch - 1.1e-5), draw)
@@ -113,34 +95,12 @@ def test_a_margin_is_kept_by_the_pitch_needed() -> None:
     assert found.needed[0] == pytest.approx(found.exact, abs=1.1e-5)
 
 
-def test_a_dance_s_line_runs_as_it_was_drawn() -> None:
-    plan, draw = disc(0.5, 20), Draw(Deviations(aside=0.02, stray=0.05), 3, 1)
-    dance, route = random_dance(plan, draw), plan.build().route
-    offsets, step = draw.offsets(150.0)
-    starts = dance.rows[1::2]
-    assert np.abs(dance.aside).max() > 0.02
-    # Aside of the drawn spiral by what was drawn, to the left, and bent little more than it.
-    assert (np.abs(starts[:, kernel.P]) < 0.25).all()
-    s = np.linspace(route.length - 100.0, route.length - 1.0, 30_000)
-    back = step * np.arange(offsets.size)  # from the route's end
-    line, left = route.point(s) @ [1.0, 1j], 1j * np.exp(1j * route.heading(s))
-    for row in starts[-40:-2]:
-        place = complex(row[kernel.X], row[kernel.Y])
-        n = int(np.abs(line - place).argmin())
-        off = float(((place - line[n]) * left[n].conjugate()).real)
-        assert off == pytest.approx(np.interp(route.length - s[n], back, offsets), abs=2e-3)
-        # And with the heading that this gives it.
-        turned = math.remainder(row[kernel.ANGLE] - float(route.heading(s[n])), math.tau)
-        slope = -np.interp(route.length - s[n], back, np.gradient(offsets, step))
-        assert turned == pytest.approx(slope, abs=1e-3)
-
-
 def test_the_chance_at_the_plan_s_own_pitch_is_that_of_dances_walked_at_it() -> None:
-    plan, deviations = disc(0.5, 60), Deviations(aside=0.02)
+    plan, deviations = disc(0.48, 60), Deviations(aside=0.02)
     found = tolerance(plan, deviations, 10, seed=3, own=True, executor=threads(2))
     assert found.hits == sum(touches(plan, Draw(deviations, 3, n)) for n in range(10))
     assert 0 < found.hits < 10
-    assert found.touching() == found.touching(0.5)
+    assert found.touching() == found.touching(0.48)
     other = Tolerance(deviations, 3, found.exact, found.needed, 7)
     assert other.touching()[0] == 0.7
     with pytest.raises(InputError, match="own pitch"):
@@ -176,25 +136,6 @@ def test_each_slip_changes_what_it_says() -> None:
     assert np.mean(plain.links - level.links) == pytest.approx(0.5 * 0.1**2 / 1.65, rel=0.1)
 
 
-def test_the_trodden_line_strays_as_far_as_it_should_and_smoothly() -> None:
-    spread, steps = [], []
-    for number in range(40):
-        offsets, step = Draw(Deviations(stray=0.02), 1, number).offsets(400.0)
-        spread.append(offsets.std())
-        steps.append(np.abs(np.diff(offsets)).max() / step)
-    assert np.mean(spread) == pytest.approx(0.02, rel=0.1)
-    assert max(steps) < 0.02  # m per m: no kinks
-    long, short = (Draw(Deviations(stray=0.02), 1, 0).offsets(way)[0] for way in (400.0, 100.0))
-    assert long[: short.size] == pytest.approx(short)
-
-
-def test_the_streams_of_dances_are_spawned_from_one_seed() -> None:
-    draw = Draw(Deviations(), 7, 3)
-    child = np.random.SeedSequence(7).spawn(4)[3].spawn(3)[2]
-    np.testing.assert_array_equal(draw.noise(2, 5), np.random.default_rng(child).standard_normal(5))
-    assert not np.array_equal(draw.noise(2, 5), draw.noise(1, 5))
-
-
 def test_a_dance_that_a_bound_all_but_clears_is_sought_no_farther_than_it_may_be() -> None:
     """At the first pitch tried only benches far apart are open: their distance says nothing."""
     plan, draw = disc(), Draw(CASES["stray"].deviations, 1, 338)
@@ -224,15 +165,6 @@ def test_a_larger_pitch_than_needed_stays_clear_and_a_smaller_one_does_not() -> 
             clear = [not touches(at, Draw(deviations, 4, n)) for n in range(5)]
             # Sorted: the dances that need less stay clear, and with more pitch this one does too.
             assert sum(clear) >= number + 1 if more >= 0.0 else sum(clear) <= number
-
-
-def test_the_bounds_of_a_chance_are_those_of_clopper_and_pearson() -> None:
-    found = Tolerance(Deviations(), 1, 0.45, np.linspace(0.45, 0.55, 101))
-    for pitch in (0.44, 0.5, 0.545, 0.56):
-        share, low, high = found.touching(pitch)
-        hits = int((found.needed > pitch).sum())
-        interval = binomtest(hits, 101).proportion_ci(0.95, "exact")
-        assert (share, low, high) == pytest.approx((hits / 101, interval.low, interval.high))
 
 
 def test_a_pitch_for_a_risk_is_sure_as_often_as_is_said() -> None:
@@ -269,7 +201,7 @@ def test_wrong_slips_and_draws_are_refused() -> None:
     with pytest.raises(InputError, match="draws must be a whole number from 1"):
         tolerance(disc(), Deviations(), 0)
     with pytest.raises(
-        InputError, match=r"dance 1 has a bench that cannot be.*make the deviations smaller"
+        InputError, match="dance 1 has a bench that cannot be; make the deviations smaller"
     ):
         tolerance(disc(), Deviations(length=1.0), 1)
 
@@ -280,7 +212,6 @@ def test_wrong_slips_and_draws_are_refused() -> None:
         (["disc.radius=4.5", "limits.margin=60"], UnsureError, "no pitch was found"),
         (["disc.radius=4.5", "dragon.benches=2"], InputError, "no benches of this dragon can touch"),
         ([], InputError, "how far in the head comes"),
-        (["disc.radius=4.5", "walk.start=1000"], BenchDragonError, None),
         (["disc.radius=4.5", "dragon.benches=20000"], InputError, "too long"),
     ],
 )
@@ -371,12 +302,3 @@ def test_the_share_done_is_told_to_the_end(monkeypatch: pytest.MonkeyPatch) -> N
     words = ["margins", "spiral-in", "--set", "disc.radius=4.5", "--set", "dragon.benches=30"]
     assert run([*words, "--aside", "0.01", "--draws", "4"]) == 0
     assert told == [(0.25 * n, "as given") for n in range(5)]
-
-
-@pytest.mark.parametrize("count", [1, 3, 100, 100_000])
-def test_tails_are_those_of_the_binomial_distribution(count: int) -> None:
-    hits = np.arange(0, count, max(1, count // 100))
-    for risk in (0.05, 0.5):
-        for tail, wanted in ((at_most, binom.cdf), (more_than, binom.sf)):
-            expected = wanted(hits, count, risk)
-            np.testing.assert_allclose(tail(hits, count, risk), expected, rtol=1e-10, atol=1e-300)

@@ -5,16 +5,11 @@ from dataclasses import fields
 
 from benchdragon.explain.text import number, signed
 from benchdragon.i18n import _
+from benchdragon.kernels.binomial import tails
+from benchdragon.kernels.dance_look import TOLERANCE
+from benchdragon.kernels.random_numbers import ASIDE, HEIGHT, PLAY
 from benchdragon.plans.schema import Plan
-from benchdragon.solve.tolerance import (
-    CONFIDENCE,
-    TOLERANCE,
-    Draw,
-    Tolerance,
-    at_most,
-    more_than,
-    needed_pitch,
-)
+from benchdragon.solve.tolerance import CONFIDENCE, Draw, Tolerance, needed_pitch
 
 # The chance for which the choice of a pitch is shown.
 RISK = 0.05
@@ -46,8 +41,8 @@ def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
     )
     drawn = draw.dragon(plain)
     n = min(1, len(plain) - 1)
-    height = found.deviations.height * float(draw.noise(3, len(plain))[n])
-    play = found.deviations.play * float(draw.noise(2, len(plain))[n])
+    height = found.deviations.height * float(draw.noise(HEIGHT, len(plain))[n])
+    play = found.deviations.play * float(draw.noise(PLAY, len(plain))[n])
     length = float(drawn.length[n])
     front, rear = float(plain.front_inset[n]), float(plain.rear_inset[n])
     needed = needed_pitch(plan, draw, found.exact)
@@ -66,7 +61,7 @@ def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
         ),
         _("Its front, handle {handle}, stays {aside} m beside the route that is walked, from "
           "start to end.").format(
-            handle=n, aside=number(found.deviations.aside * float(draw.noise(4, len(plain) + 1)[n]))
+            handle=n, aside=number(found.deviations.aside * float(draw.noise(ASIDE, len(plain) + 1)[n]))
         ),
         _(
             "Walked with several pitches, dance 1 is free of contact with {pitch} m, and touches "
@@ -94,7 +89,7 @@ def _chance_lines(found: Tolerance, pitch: float) -> list[str]:
                 "{tail} of all cases; computed {seen}."
             ).format(
                 low=number(low), hits=hits, count=count, tail=number(tail),
-                seen=number(float(more_than(hits - 1, count, low))),
+                seen=number(tails(hits - 1, count, low)[1]),
             )
         )  # fmt: skip
     if hits < count:
@@ -104,7 +99,7 @@ def _chance_lines(found: Tolerance, pitch: float) -> list[str]:
                 "{tail} of all cases; computed {seen}."
             ).format(
                 high=number(high), hits=hits, count=count, tail=number(tail),
-                seen=number(float(at_most(hits, count, high))),
+                seen=number(tails(hits, count, high)[0]),
             )
         )  # fmt: skip
     return lines
@@ -130,6 +125,6 @@ def _risk_lines(found: Tolerance) -> list[str]:
             "chance larger, so few would happen in {seen} of all cases, at most {least} is allowed."
         ).format(
             risk=number(RISK), more=more, count=count, pitch=number(pitch),
-            seen=number(float(at_most(more, count, RISK))), least=number(1.0 - CONFIDENCE),
+            seen=number(tails(more, count, RISK)[0]), least=number(1.0 - CONFIDENCE),
         )
     ]  # fmt: skip

@@ -207,6 +207,32 @@ def centres(boxes: FloatArray, cx: FloatArray, cy: FloatArray) -> None:
         cx[i], cy[i] = boxes[i, CX], boxes[i, CY]
 
 
+@kernel
+def nearest_of(
+    boxes: FloatArray, radius: FloatArray, cx: FloatArray, cy: FloatArray, least: float
+) -> tuple[float, int, int]:
+    """The least distance of any two boxes but neighbours, m, where it is below `least`; and which two.
+
+    Of most pairs no more is looked at than the circles around them. `cx` and `cy` are scratch.
+    """
+    widest, first, second = 0.0, 0, 0
+    centres(boxes, cx, cy)
+    for i in range(radius.shape[0]):
+        widest = max(widest, radius[i])
+    for i in range(2, radius.shape[0]):
+        far = (radius[i] + widest + least) ** 2
+        for j in range(i - 1):
+            dx, dy = cx[j] - cx[i], cy[j] - cy[i]
+            apart = dx * dx + dy * dy
+            if apart < far:
+                near = radius[i] + radius[j] + least
+                if apart < near * near and near > 0.0 and box_gap(boxes, i, j) < least:
+                    distance = box_distance(boxes, i, j)
+                    if distance < least:
+                        least, first, second = distance, j, i
+    return least, first, second
+
+
 @entry
 @allocates
 def nearest_pair(sizes: Table, x: Table, y: Table) -> tuple[float, int, int, int]:
@@ -218,22 +244,13 @@ def nearest_pair(sizes: Table, x: Table, y: Table) -> tuple[float, int, int, int
     count = sizes.shape[1]
     boxes = np.empty((count, BOX_COLUMNS))
     cx, cy, radius = np.empty(count), np.empty(count), np.empty(count)
-    widest = radii(sizes, radius)
+    radii(sizes, radius)
     least, when, first, second = math.inf, 0, 0, 0
     for t in range(x.shape[1]):
         boxes_at(sizes, x, y, t, boxes)
-        centres(boxes, cx, cy)
-        for i in range(2, count):
-            far = (radius[i] + widest + least) ** 2
-            for j in range(i - 1):
-                dx, dy = cx[j] - cx[i], cy[j] - cy[i]
-                apart = dx * dx + dy * dy
-                if apart < far:  # of most pairs no more is looked at
-                    near = radius[i] + radius[j] + least
-                    if apart < near * near and near > 0.0 and box_gap(boxes, i, j) < least:
-                        distance = box_distance(boxes, i, j)
-                        if distance < least:
-                            least, when, first, second = distance, t, j, i
+        distance, i, j = nearest_of(boxes, radius, cx, cy, least)
+        if distance < least:
+            least, when, first, second = distance, t, i, j
     return least, when, first, second
 
 

@@ -38,6 +38,8 @@ from benchdragon.kernels.step_bounds import PATH, POINT_ACCELERATION, TRAVEL
 
 # How a search ended, besides the ways of kernels/search.py: room for more pairs is needed.
 CROWDED = 7
+# What two benches of a dragon placed cost, in handles placed.
+PAIR_WORK = 0.02
 
 
 class Circles(NamedTuple):
@@ -124,7 +126,8 @@ def search_steps(
     """As `search_all_pairs`, with scratch for the members and five rows for their circles."""
     for i in range(members.shape[0]):
         members[i] = i
-    circles = Circles(scratch[0], scratch[1], scratch[2], scratch[3], scratch[4])
+    n = members.shape[0]
+    circles = Circles(scratch[0][:n], scratch[1][:n], scratch[2][:n], scratch[3][:n], scratch[4][:n])
     radii(sizes, circles.radius)
     chain = Chain(rows, links, aside, sizes, members, search.boxes[:0], search.boxes[:0])
     pairs, worst = Pairs(first, second), CLEAR

@@ -9,9 +9,7 @@ import math
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from contextlib import closing
-from dataclasses import dataclass, field, fields
-from functools import cache
-from typing import Any
+from dataclasses import astuple, dataclass, fields
 
 import numpy as np
 import numpy.typing as npt
@@ -22,34 +20,23 @@ from benchdragon.errors import (
     MachineError,
     UnsureError,
     WalkError,
-    in_order,
     not_negative,
     of_kind,
     whole,
 )
 from benchdragon.i18n import N_, _
+from benchdragon.kernels import binomial
+from benchdragon.kernels import dance_memory as told
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.random_numbers import draw_benches, draw_normals
 from benchdragon.model.dragon import Dragon
 from benchdragon.parallel import Lost, Place, in_blocks, place_of, threads
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
-from benchdragon.solve.dance_bound import WAYS, Offset, Part, open_parts
-from benchdragon.solve.random_dance import GRAZE, NODE, CannotFollowError, Hint, RandomDance, strayed
+from benchdragon.solve.random_dance import answered
 from benchdragon.solve.size import limit
 
-# A trodden line strays smoothly: places d apart are correlated by exp(-d^2 / (2 STRAY_LENGTH^2)), m;
-# entries of its table in that length.
-STRAY_LENGTH, STRAY_ENTRIES = 10.0, 20
-# Pitches are sought to this, m, by at most so many trials, along secants whose slopes (m of distance
-# per m of pitch) are kept within bounds: near 1 on a spiral. A pitch with which a bench cannot follow
-# is multiplied by UNWALKABLE; no trial is farther from the last one than this share of it.
-TOLERANCE, MOST_TRIALS, LEAST_SLOPE, MOST_SLOPE, UNWALKABLE = 1e-5, 60, 0.5, 3.0, 1.01
-LONGEST_STEP = 0.1
-# What a pitch may come to be, times the one that exact people need.
-NARROWEST, WIDEST = 0.7, 4.0
-# Offsets from the route want about so many times their standard deviation more of a pitch.
-LIKELY = 2.0
-MOST_DRAWS = 100_000
+MOST_DRAWS, MOST_SEED = 100_000, 2**53 - 1
 CONFIDENCE = 0.95
 # Chances of touching for which a pitch is told.
 RISKS = (0.5, 0.1, 0.05, 0.02)
@@ -61,7 +48,8 @@ class Deviations:
 
     Attributes:
         aside: of each handle from the trodden line, to either side, all along the walk.
-        stray: of the trodden line from the drawn one, smooth over `STRAY_LENGTH`: a pitch that drifts.
+        stray: of the trodden line from the drawn one, smooth over 10 m: a pitch that drifts. Places d
+            apart are correlated by exp(-d^2 / (2 (10 m)^2)).
         play: of the distance of a bench's pins, which play and pull change.
         height: of the height of a handle over the one before, which shortens a bench seen from above.
         length: of the benches' lengths, holes and all.
@@ -90,13 +78,14 @@ class Case:
 
 
 # What a practised troupe may keep to. The last drops all at once.
+ALL = (0.02, 0.02, 0.01, 0.1, 0.02, 0.005)
 CASES = {
     "aside": Case(N_("1: each handle some centimetres off the route"), Deviations(aside=0.02)),
     "play": Case(N_("2: pin play, benches pulled or pushed"), Deviations(play=0.01)),
     "stray": Case(N_("3: the spiral that is walked drifts"), Deviations(stray=0.02)),
     "height": Case(N_("4: handles at different heights"), Deviations(height=0.1)),
     "benches": Case(N_("benches that vary"), Deviations(length=0.02, width=0.005)),
-    "all": Case(N_("all of these"), Deviations(0.02, 0.02, 0.01, 0.1, 0.02, 0.005)),
+    "all": Case(N_("all of these"), Deviations(*ALL)),
 }
 
 
@@ -108,99 +97,32 @@ class Draw:
     seed: int
     number: int
 
+    def __post_init__(self) -> None:
+        whole("seed", self.seed, 0, MOST_SEED)
+
     def noise(self, part: int, count: int) -> FloatArray:
         """Standard normal numbers, the same for the same draw and part, however many are asked for.
 
-        Their stream is that of a seed sequence's spawned child `number`, and of its child `part`.
+        Parts are those of kernels/random_numbers.py.
         """
-        stream = np.random.SeedSequence(self.seed, spawn_key=(self.number, part))
-        return np.random.default_rng(stream).standard_normal(count)
+        numbers = np.empty(count)
+        draw_normals(self.seed, self.number, part, numbers)
+        return numbers
 
     def dragon(self, plain: Dragon) -> Dragon:
         """The benches of this dance, seen from above."""
-        deviations, n = self.deviations, len(plain)
-        length = plain.length + deviations.length * self.noise(0, n)
-        width = plain.width + deviations.width * self.noise(1, n)
-        link = length - plain.front_inset - plain.rear_inset
-        height = deviations.height * self.noise(3, n)
-        level = np.sqrt(np.maximum(link * link - height * height, 0.0)) - link
-        # Pins with play move the benches, not their edges: the rear inset takes it up.
-        longer = deviations.play * self.noise(2, n) + level
-        try:
-            return Dragon.of_sizes(length, width, plain.front_inset, plain.rear_inset - longer)
-        except InputError as error:
-            raise InputError(
-                _(
-                    "dance {number} has a bench that cannot be: {why}; make the deviations smaller"
-                ).format(number=self.number + 1, why=error)
-            ) from None
+        sizes = np.empty((4, len(plain)))
+        draw_benches(self.seed, self.number, self._by, plain.sizes, sizes, np.empty(0))
+        return Dragon.of_sizes(*sizes)
 
-    def offsets(self, way: float) -> tuple[FloatArray, float]:
-        """How far aside the trodden line lies, m, from the end of `way` (m) back, and its step, m."""
-        from scipy.ndimage import gaussian_filter1d  # slow to import, as all of scipy below
+    @property
+    def _by(self) -> FloatArray:
+        return np.array(astuple(self.deviations))
 
-        step = STRAY_LENGTH / STRAY_ENTRIES
-        if not self.deviations.stray:
-            return np.zeros(2), step
-        budget.hold(NODE * way / step)
-        # A Gaussian filter of spread w leaves noise a deviation of (4 pi w^2)^(-1/4).
-        spread, edge = STRAY_ENTRIES / math.sqrt(2.0), 4 * STRAY_ENTRIES
-        rough = self.noise(5, math.ceil(way / step) + 2 * edge)
-        smooth = gaussian_filter1d(rough, spread)[edge : -edge + 2]
-        return self.deviations.stray * smooth * (4.0 * math.pi * spread**2) ** 0.25, step
-
-    def offset(self, low: float, end: float) -> Offset:
-        """The same as a smooth function of route position from `low` to `end`, m, with its slope."""
-        from scipy.interpolate import CubicSpline
-
-        offsets, step = self.offsets(end - low)
-        curve = CubicSpline(step * np.arange(offsets.size), offsets)
-        return lambda s: (curve(end - s), -curve(end - s, 1))
-
-
-def random_dance(plan: Plan, draw: Draw) -> RandomDance:
-    """One dance of a plan, drawn at random, from the start of its walk to the end.
-
-    Raises:
-        WalkError: where the exact dragon cannot stand at the start.
-    """
-    walk = plan.build()
-    dragon = draw.dragon(walk.dragon)
-    times = plan.span(walk)
-    in_order(*times)
-    start, end = walk.head_position(list(times)).tolist()
-    span = start, end
-    deviations, rows = draw.deviations, walk.route.rows
-    offset: Offset | None = None
-    beside = deviations.aside or deviations.stray
-    aside = deviations.aside * draw.noise(4, len(dragon) + 1) if beside else np.empty(0)
-    if deviations.stray:
-        low = start - WAYS * float(dragon.links.sum()) - STRAY_LENGTH
-        offset = draw.offset(low, end)
-    drawn = along = np.array(span)
-    if offset is not None:
-        rows, drawn, along = strayed(walk.route, offset, low, end)
-        start, end = np.interp(span, drawn, along).tolist()
-
-    @cache
-    def open_(wanted: float) -> tuple[Part, ...]:
-        parts = open_parts(walk.route, dragon, aside, offset, span, wanted)
-        return tuple(part.mapped(lambda s: float(np.interp(s, drawn, along))) for part in parts)
-
-    return RandomDance(dragon, rows, aside, start, end, open_)
-
-
-@budget.question()
-def least_clearance(plan: Plan, draw: Draw) -> float:
-    """The least distance of non-adjacent benches in one dance, m; minus the depth of an overlap.
-
-    See `RandomDance.least`.
-
-    Raises:
-        WalkError: where the exact dragon cannot stand at the start.
-        CannotFollowError: where the drawn one cannot walk.
-    """
-    return random_dance(plan, draw).least()
+    def ask(self, plan: Plan, what: int, guess: float = math.nan) -> float:
+        """What kernels/dance_question.py answers about this dance of a plan: see `answered`."""
+        limits = {told.WHAT: what, told.GUESS: guess, told.SEED: self.seed, told.DANCE: self.number}
+        return answered(plan, limits | dict(enumerate(self._by.tolist(), told.BY)))
 
 
 @budget.question()
@@ -210,11 +132,22 @@ def touches(plan: Plan, draw: Draw) -> bool:
     No contact is missed; a pair within 1e-7 m of the margin counts.
     """
     try:
-        dance = random_dance(plan, draw)
-        low = dance.low_meeting(plan.limits.margin).distance
-        return low <= plan.limits.margin or dance.touch(plan.limits.margin) is not None
-    except (WalkError, CannotFollowError):
+        return draw.ask(plan, told.TOUCHES) > 0.0
+    except WalkError:
         return True
+
+
+@budget.question()
+def needed_pitch(plan: Plan, draw: Draw, guess: float) -> float:
+    """The pitch, m, next to which a dance stops keeping the plan's margin, sought from a guess.
+
+    With that pitch no pair comes nearer than the margin; with one smaller by 1e-5 m some pair does,
+    or a bench cannot follow. Pitches beyond are not tried.
+
+    Raises:
+        UnsureError: where none is found near the guess.
+    """
+    return draw.ask(plan.with_value("route.pitch", guess), told.NEEDED, guess)
 
 
 def chance(hits: int, count: int, confidence: float = CONFIDENCE) -> tuple[float, float, float]:
@@ -222,32 +155,7 @@ def chance(hits: int, count: int, confidence: float = CONFIDENCE) -> tuple[float
 
     They hold with at least that confidence, whatever the probability and the number of trials.
     """
-    from scipy.special import betaincinv
-
-    tail = 0.5 * (1.0 - confidence)
-    low = float(betaincinv(hits, count - hits + 1, tail)) if hits else 0.0
-    high = float(betaincinv(hits + 1, count - hits, 1.0 - tail)) if hits < count else 1.0
-    return hits / count, low, high
-
-
-def at_most(hits: int | npt.NDArray[np.int64], count: int, risk: float) -> Any:
-    """Probability that so many of `count` trials hit or fewer, if each does with that one.
-
-    Args:
-        hits: fewer than `count`; of several, the probability of each.
-        count: of trials.
-        risk: that one of them hits.
-    """
-    from scipy.special import betaincc  # scipy.stats gives the same, and takes a second to import
-
-    return betaincc(hits + 1, count - hits, risk)
-
-
-def more_than(hits: int | npt.NDArray[np.int64], count: int, risk: float) -> Any:
-    """Probability that more than so many hit: what `at_most` leaves, without cancellation."""
-    from scipy.special import betainc
-
-    return betainc(hits + 1, count - hits, risk)
+    return hits / count, *binomial.chance_bounds(hits, count, confidence)
 
 
 @dataclass(frozen=True)
@@ -292,11 +200,8 @@ class Tolerance:
         Infinite where the draws are too few to say.
         """
         count = self.needed.size
-        chance = at_most(np.arange(count), count, risk)
-        allowed = int(np.searchsorted(chance, 1.0 - confidence, side="right")) - 1
-        if allowed < 0:
-            return math.inf
-        return float(self.needed[count - 1 - allowed])
+        allowed, _least = binomial.ranks(count, risk, confidence)
+        return float(self.needed[count - 1 - allowed]) if allowed >= 0 else math.inf
 
     def pitch_from(self, risk: float, confidence: float = CONFIDENCE) -> float:
         """A pitch, m, at which the dance touches with at least that probability, with that confidence.
@@ -304,9 +209,8 @@ class Tolerance:
         The other end of the bracket that `pitch_for` closes; 0 where the draws are too few to say.
         """
         count = self.needed.size
-        chance = more_than(np.arange(count), count, risk)  # of more than 0, 1, ... dances
-        more = int(np.searchsorted(-chance, confidence - 1.0)) + 1
-        return float(self.needed[count - more]) if more <= count else 0.0
+        _most, least = binomial.ranks(count, risk, confidence)
+        return float(self.needed[count - 1 - least]) if least < count else 0.0
 
 
 def tolerance(
@@ -409,92 +313,3 @@ def _exact_pitch(plan: Plan) -> float:
     if found.status in {"found", "unlimited"}:
         return found.value
     raise UnsureError(_("no pitch was found with which this dragon is free of contact"))
-
-
-@dataclass
-class Trials:
-    """One dance, tried with several pitches.
-
-    Attributes:
-        plan: its other sizes, and the margin that benches must keep.
-        draw: what is random in it.
-        hints: where benches came nearest, or touched where they were not looked for.
-    """
-
-    plan: Plan
-    draw: Draw
-    hints: list[Hint] = field(default_factory=list)
-
-    def room(self, pitch: float, *, sure: bool = False) -> float:
-        """A low distance of benches less the margin, m; NaN where a bench cannot follow.
-
-        Above TOLERANCE it is that of places evaluated here and there, unless it is to be `sure`. From 0
-        to TOLERANCE no pair anywhere comes nearer than the margin; below 0 some pair does.
-        """
-        margin = self.plan.limits.margin
-        try:
-            dance = random_dance(self.plan.with_value("route.pitch", pitch), self.draw)
-            known = [dance.meeting_near(hint) for hint in self.hints]
-            if not known or min(known).distance >= margin:
-                known.append(dance.low_meeting(margin))
-            low = min(known)
-            self.hints = [dance.hint(low), *self.hints[1:]]
-            if low.distance < margin or not (sure or low.distance - margin <= TOLERANCE):
-                return low.distance - margin
-            place = dance.touch(margin)
-            if place is None:
-                return low.distance - margin
-            self.hints.append(dance.hint(place))
-            return min(dance.meeting_near(self.hints[-1]).distance - margin, -GRAZE)
-        except (WalkError, CannotFollowError):
-            return math.nan
-
-
-@budget.question()
-def needed_pitch(plan: Plan, draw: Draw, guess: float) -> float:
-    """The pitch, m, next to which a dance stops keeping the plan's margin, sought from a guess.
-
-    With that pitch no pair comes nearer than the margin; with one smaller by TOLERANCE some pair does,
-    or a bench cannot follow. Pitches beyond are not tried.
-
-    Raises:
-        UnsureError: where none is found near the guess.
-    """
-    trials = Trials(plan, draw)
-    touching, clear = 0.0, math.inf
-    first = guess + LIKELY * math.hypot(draw.deviations.aside, draw.deviations.stray)
-    a, fa, b, slope = first, math.nan, first, 1.0
-    for _trial in range(MOST_TRIALS):
-        if not NARROWEST * guess < b < WIDEST * guess:
-            break
-        # Lines that stray are drawn by arcs, whose number leaps with the pitch, and distances with it.
-        sure = 0.0 < b - touching <= TOLERANCE
-        fb = trials.room(b, sure=sure)
-        if not fb >= 0.0:
-            touching, clear = max(touching, b), clear if clear > b else math.inf
-        elif (sure or fb <= TOLERANCE) and b > touching:
-            clear = min(clear, b)
-        if clear - touching <= TOLERANCE:
-            return clear
-        if math.isfinite(fb) and math.isfinite(fa) and b != a:
-            slope = min(max((fb - fa) / (b - a), LEAST_SLOPE), MOST_SLOPE)
-        a, fa, b = b, fb, _next(b, fb, slope, touching, clear)
-    raise UnsureError(
-        _("no pitch near {guess} m was found with which dance {number} is just free of contact").format(
-            guess=f"{guess:.4g}", number=draw.number + 1
-        )
-    )
-
-
-def _next(pitch: float, room: float, slope: float, touching: float, clear: float) -> float:
-    """The pitch to try next, m: where the room would be half of TOLERANCE, or just not any more."""
-    if math.isnan(room):
-        ahead = UNWALKABLE * pitch
-    elif clear < math.inf:
-        ahead = clear - max(0.9 * TOLERANCE, room / slope)
-    else:
-        ahead = pitch + (0.5 * TOLERANCE - room) / slope
-    # Where a bound clears most of a walk the distances seen are far from the least.
-    ahead = min(max(ahead, (1.0 - LONGEST_STEP) * pitch), (1.0 + LONGEST_STEP) * pitch)
-    between = touching < ahead < clear
-    return ahead if between else 0.5 * (touching + min(clear, max(pitch, touching)))

@@ -87,31 +87,13 @@ export const CONTACT_MEMORY = {
   FIGURES: 28,
 };
 
-export const CURVE = {
-  LINE: 0,
-  ARC: 1,
-  SPIRAL: 3,
-  KIND: 0,
-  S_START: 2,
-  LENGTH: 3,
-  U_START: 4,
-  U_END: 5,
-  U_BACK: 6,
-  X: 7,
-  Y: 8,
-  ANGLE: 9,
-  P: 10,
-  AXIS_X: 12,
-  AXIS_Y: 13,
-  COLUMNS: 14,
-  MOST_METRES: 100000000,
-};
+export const CURVE = { S_START: 2, LENGTH: 3, U_BACK: 6, COLUMNS: 14, MOST_METRES: 100000000 };
+
+export const DANCE_MEMORY = { NEEDED: 0, TOUCHES: 1, RESULT: 2, FIGURES: 25 };
 
 export const DRAWN_ROUTE = { STRETCH_ERROR: 2e-5, MOST_NODES: 4097 };
 
 export const DRIVE = { TURNING: 1, QUANTITIES: 5 };
-
-export const EVERY_PAIR = { CROWDED: 7 };
 
 export const FAMILY = {
   PITCH: 0,
@@ -217,18 +199,7 @@ export const ROUTE = { END_SLACK: 1e-9 };
 
 export const ROUTE_PARTS = { PART_COLUMNS: 8 };
 
-export const SEARCH = {
-  FIRST_TOUCH: 0,
-  LEAST: 2,
-  CLEAR: 0,
-  GRAZE: 2,
-  FALLEN: 4,
-  UPPER: 1,
-  PAIR: 2,
-  EVALUATIONS: 3,
-  NOTES: 8,
-  DEPTH: 60,
-};
+export const SEARCH = { FIRST_TOUCH: 0, LEAST: 2 };
 
 export const SIZE_BRACKET = {
   PASSES: 0,
@@ -296,8 +267,6 @@ export const Status = {
   LINK_OVER_DIAMETER: 5,
 };
 
-export const STEP_BOUNDS = { HANDLE_COLUMNS: 16, BENCH_COLUMNS: 5 };
-
 export const TURN_FAMILIES = { MOST_PIECES: 7, ARCS: 3 };
 
 export const TURN_QUESTION = {
@@ -335,7 +304,7 @@ export const TURN_TRIAL = {
   MORE: 40,
 };
 
-export const WALK_SEARCH = { CROWDED: 9, ASTRAY: 10, SEARCHED: 8 };
+export const WALK_SEARCH = { ASTRAY: 10, SEARCHED: 8 };
 
 export const ANALYSIS_BENCH_WALKS = { STILL: 0.05, STEP: 0.125, MOST_LOOKED: 20000000 };
 
@@ -452,49 +421,7 @@ export const ROSTERS_GRID = { MOST_BYTES: 20000000 };
 
 export const SHEETS_BRIEFING = { MOST_NAMED: 4 };
 
-export const SOLVE_DANCE_BOUND = {
-  STRETCH: 2.5,
-  MOST_ANGLE: 0.9,
-  MOST_ASIDE: 0.3,
-  MOST_WAY: 1.5,
-  WAYS: 1.1,
-  GRID: 0.25,
-  STEEPER: 1.02,
-  ACROSS: 1e-5,
-  ALONG: 0.1,
-  APART: 0.5,
-  ALIKE: 1.3,
-  SPARE: 1e-6,
-  SPARE_ANGLE: 0.001,
-};
-
 export const SOLVE_HEAD_SPEED = { PRUDENCE: 1e-9, MOST_KNOTS: 5000, FINER: 8, AT_ONCE: 1000000 };
-
-export const SOLVE_RANDOM_DANCE = {
-  HINT_STEP: 0.3,
-  SHRINKS: 4,
-  PARTS: 8,
-  AROUND: 1.5,
-  BEYOND: 12,
-  LAST: 20,
-  STEP: 0.125,
-  TOLERANCE: 0.0001,
-  GRAZE: 1e-7,
-  WIDTH: 1e-8,
-  MOST_EVALUATIONS: 20000,
-  PARTNERS: 24,
-  STEPS: 1000,
-  PAIR: 0.02,
-  PLACED: 64,
-  NODE: 100,
-  NODE_WORK: 10,
-  MOST_PLACES: 5000000,
-  MOST_PAIRS: 10000000000,
-  ARC_LENGTH: 2,
-  CHANGE: 0.003,
-  LEAST_PART: 0.001,
-  BEHIND: 1,
-};
 
 export const SOLVE_SIZE = { MOST_COUNT: 10000, QUICK_SIZE: 1e-5 };
 
@@ -503,20 +430,9 @@ export const SOLVE_SIZE_FAMILY = { TOLERANCE: 1e-12 };
 export const SOLVE_SIZE_QUESTION = { MOVED: 1.7763568394002505e-15, MOST_WIDENINGS: 30 };
 
 export const SOLVE_TOLERANCE = {
-  STRAY_LENGTH: 10,
-  STRAY_ENTRIES: 20,
-  TOLERANCE: 1e-5,
-  MOST_TRIALS: 60,
-  LEAST_SLOPE: 0.5,
-  MOST_SLOPE: 3,
-  UNWALKABLE: 1.01,
-  LONGEST_STEP: 0.1,
-  NARROWEST: 0.7,
-  WIDEST: 4,
-  LIKELY: 2,
-  MOST_DRAWS: 100000,
   CONFIDENCE: 0.95,
   RISKS: [0.5, 0.1, 0.05, 0.02],
+  ALL: [0.02, 0.02, 0.01, 0.1, 0.02, 0.005],
 };
 
 export const SOLVE_TURN = {

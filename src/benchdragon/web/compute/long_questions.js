@@ -1,29 +1,21 @@
 // Answers that are searched for, as records that pages take: the models of planner/messages.py.
 
-import { finiteOrNone } from "../made/number_format.js";
 import { answerOf, answerOrNone } from "../made/records.js";
-import { part } from "../made/stages.js";
-import { _ } from "../words.js";
 import { TurnRoute } from "../made/plan_routes.js";
 import { withArena } from "./arena.js";
 import { within } from "./arrays.js";
 import { SOLVE_SIZE } from "./constants.js";
 import { greatestHeadSpeed, slowed, withPace } from "./head_speed.js";
 import { limit } from "./size.js";
-import { ALL, RISKS, pitchFor, tolerance, touching } from "./tolerance.js";
 import { bestTurn } from "./turn.js";
 
 /** @typedef {import("../messages").Answer} Answer */
-/** @typedef {import("../messages").MarginsFound} MarginsFound */
 /** @typedef {import("../messages").PaceFound} PaceFound */
 /** @typedef {import("../messages").TurnFound} TurnFound */
 /** @typedef {import("../messages").TurnShape} TurnShape */
 /** @typedef {import("./questions.js").Asked} Asked */
 
 const { QUICK_SIZE } = SOLVE_SIZE;
-
-/** How many random dances are walked. */
-const DRAWS = 100;
 
 /** How small or large one size may be. @param {string} name @param {Asked} asked @returns {Promise<Answer>} */
 export async function limited(name, asked) {
@@ -73,22 +65,6 @@ export function shape({ engine, plan }) {
     const { length, least_radius } = plan.turn(arena);
     return { length, least_radius };
   });
-}
-
-/** How much room imprecise people need, with all deviations together. @param {Asked} asked @returns {Promise<MarginsFound>} */
-export async function margins({ engine, plan, progress }) {
-  const told = part(progress, 0, 1, _("random dances"));
-  const found = await tolerance(engine, plan, ALL, { draws: DRAWS, progress: told });
-  const [chance, lower, upper] = touching(found);
-  return {
-    draws: DRAWS,
-    exact: finiteOrNone(found.exact),
-    pitch: plan.value("route.pitch"),
-    chance,
-    chance_lower: lower,
-    chance_upper: upper,
-    pitch_for: RISKS.map((risk) => ({ risk, pitch: finiteOrNone(pitchFor(found, risk)) })),
-  };
 }
 
 /** The way inside the disc of the plan's own turn, m. @param {Asked} asked */

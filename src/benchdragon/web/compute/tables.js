@@ -3,7 +3,7 @@
 
 import { _ } from "../words.js";
 import { doubles, wholes } from "./arena.js";
-import { ANALYSIS_TABLES, BOX, OWN_ROOM, SEARCH, STEP_BOUNDS } from "./constants.js";
+import { ANALYSIS_TABLES, OWN_ROOM } from "./constants.js";
 import { InputError } from "./errors.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
@@ -79,25 +79,4 @@ export function walkTables(arena, { dragon, route }) {
   const lever = arena.vector([dragon.lever]);
   const benches = { links: dragon.links, sizes: dragon.sizes, kind, ahead, lever };
   return { rows: route.rows, benches, kinds };
-}
-
-/**
- * Room for searches of up to so many handles, members and pairs: `search.room`.
- * @param {Arena} arena
- * @param {number} handles @param {number} members @param {number} pairs
- */
-export function searchRoom(arena, handles, members, pairs) {
-  const { DEPTH } = SEARCH;
-  return {
-    at: arena.array("d", DEPTH),
-    places: arena.placements(handles, DEPTH),
-    handles: arena.array("d", handles, STEP_BOUNDS.HANDLE_COLUMNS),
-    sweeps: arena.array("d", members, STEP_BOUNDS.BENCH_COLUMNS),
-    boxes: arena.array("d", DEPTH * members, BOX.BOX_COLUMNS),
-    off: arena.array("d", DEPTH * members),
-    lanes: arena.array("d", handles),
-    errors: arena.array("d", handles),
-    alive: arena.array("q", DEPTH, pairs),
-    kept: arena.array("q", DEPTH),
-  };
 }
