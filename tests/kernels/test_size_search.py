@@ -125,6 +125,22 @@ def test_a_root_costs_few_walks_and_a_search_without_pairs_many() -> None:
     assert 30 < len(far.tried) < bracket.MOST_TRIALS
 
 
+@pytest.mark.parametrize("share", [0.0, 0.25, 0.5, 0.75])
+def test_a_root_that_rounding_hides_costs_as_few_walks(share: float) -> None:
+    """No step of the secant method comes nearer than distances are told."""
+    world = World([lambda size: 2e-14 * (math.floor((size - 0.7) / 4e-14 + share) + 0.5)])
+    assert world.sought(0.75)[0] == search.FOUND
+    assert len(world.tried) == 2
+
+
+@pytest.mark.parametrize("least", [1e-3, 1e-14])
+def test_distances_that_stay_the_same_lead_to_no_root(least: float) -> None:
+    world = World([lambda size: math.copysign(least, size - 0.7)])
+    assert world.sought(0.75)[0] == search.FOUND
+    assert world.state[VALUE] == pytest.approx(0.7, abs=1e-11)
+    assert len(world.tried) > 30
+
+
 def test_smaller_may_be_safer() -> None:
     for first in (0.9, 0.05, 0.71):
         world = World((lambda size: 0.7 - size,))
@@ -178,7 +194,7 @@ def test_a_root_found_too_far_on_the_safe_side_ends_no_search() -> None:
 
 
 def test_too_many_trials_end_a_search(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(search, "MOST_TRIALS", 5)
+    monkeypatch.setattr(bracket, "MOST_TRIALS", 5)
     ending, state = World((), walked=lambda size: size >= 0.7).sought(0.9)
     assert ending == search.EXHAUSTED
     assert state[GOOD] - state[BAD] > 1e-3

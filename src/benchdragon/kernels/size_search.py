@@ -96,8 +96,12 @@ def ask_for_root(state: FloatArray, doubts: FloatArray, meetings: FloatArray) ->
 def after_next(state: FloatArray, doubts: FloatArray, there: float) -> int:
     """Take a step of the secant method, the distance being `there` at NOW, m."""
     a, b, fa, fb = state[bracket.SECOND_LAST], state[bracket.NOW], state[bracket.VALUE_THERE], there
-    if not abs(fb) < math.inf or fb == fa or b <= 0.0 or state[bracket.SECANTS] >= MOST_SECANTS:
+    if not (abs(fb) < math.inf and b > 0.0):
         return ask_for_target(state, doubts, False)
+    if fb == fa or state[bracket.SECANTS] >= MOST_SECANTS:
+        state[bracket.ROOT] = b  # where there is no distance but for rounding
+        rooted = abs(fb) <= state[bracket.SLACK] and abs(state[bracket.SLOPE]) > 0.0
+        return ask_for_target(state, doubts, rooted)
     if abs(b - a) > SHARP * abs(a):
         state[bracket.SLOPE] = (fb - fa) / (b - a)
     size = min(max(b - fb / state[bracket.SLOPE], b / LONGEST_SECANT), b * LONGEST_SECANT)
