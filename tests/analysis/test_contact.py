@@ -30,7 +30,7 @@ from benchdragon import (
 from benchdragon.analysis.contact_search import TOLERANCES
 from benchdragon.analysis.distance import tightest_pairs
 from benchdragon.analysis.head_times import HeadTimes
-from benchdragon.kernels import contact_least, memory
+from benchdragon.kernels import contact_least, contact_steps, memory
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.contact_memory import BASE, Hunt
@@ -422,7 +422,7 @@ def test_a_floor_is_told_by_a_pass_that_came_to_its_end(
         return kernel.CLEAR if tolerance in closes else kernel.GRAZE
 
     in_python(monkeypatch)
-    monkeypatch.setattr(contact_least, "searched_on", ended)
+    monkeypatch.setattr(contact_steps, "searched_on", ended)
     walk = Walk(Dragon.uniform(4), Route((Line(30.0),)), start=15.0)
     found = least_clearance(walk, 0.0, 1.0)
     assert found.witness is not None

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from benchdragon.i18n import _
-from benchdragon.plans.cues import TIME_OF_DAY
+from benchdragon.plans.signs import TIME_OF_DAY
 
 # A day, s.
 DAY = 86_400.0

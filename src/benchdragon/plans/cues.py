@@ -13,7 +13,7 @@ from benchdragon.i18n import N_, _, language
 from benchdragon.kernels.holds import SAME_PLACE
 from benchdragon.model.holds import Hold, HoldError, Standing, Trouble
 from benchdragon.model.profile import SpeedProfile
-from benchdragon.plans.signs import narrow
+from benchdragon.plans.signs import TIME_OF_DAY, narrow
 from benchdragon.plans.source import Fault, KeyedError
 from benchdragon.plans.tables import (
     Acceleration,
@@ -57,7 +57,6 @@ TROUBLE: dict[Trouble, str] = {
     "over": N_("the dance is over by then: the head has stopped, and no start comes after"),
 }
 
-TIME_OF_DAY = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?", re.ASCII)
 MIDNIGHT = re.compile(r"24:00(?::00)?", re.ASCII)
 
 

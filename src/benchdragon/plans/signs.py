@@ -1,5 +1,6 @@
 """Signs of a Chinese input method where a plan file wants plain ones."""
 
+import re
 import unicodedata
 
 # What is typed, and what a plan file wants; full-width signs and digits are told by Unicode besides.
@@ -8,6 +9,8 @@ PLAIN = {
     "。": ".", "【": "[", "】": "]", "—": "-", "–": "-", "−": "-", "\u3000": " ",
 }  # fmt: skip
 QUOTES = "\"'"
+# A time of day in plain signs: hours, minutes, perhaps seconds.
+TIME_OF_DAY = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?", re.ASCII)
 
 
 def mistyped(line: str) -> tuple[int, str, str] | None:

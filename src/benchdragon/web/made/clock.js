@@ -3,7 +3,7 @@
 
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
-import { TIME_OF_DAY } from "./cues.js";
+import { TIME_OF_DAY } from "./signs.js";
 
 const DAY = 86400.0;
 export class Clock {

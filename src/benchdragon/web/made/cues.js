@@ -6,14 +6,13 @@ import { HoldError } from "../compute/holds.js";
 import { ValueError, py } from "../compute/python.js";
 import { N_, _, language } from "../words.js";
 import { Hold } from "./holds.js";
-import { narrow } from "./signs.js";
+import { TIME_OF_DAY, narrow } from "./signs.js";
 
 const SAME_PLACE = 1e-09;
 const PRUDENCE = 1e-09;
 const END_SLACK = 1e-06;
 const NAMES = py.dict([["beat", N_("drum")], ["hold", N_("hold")], ["stop", N_("stop")], ["start", N_("start")], ["tempo", N_("tempo")], ["note", N_("note")]]);
 const TROUBLE = py.dict([["overlap", N_("the head still stands for another cue then: set them farther apart")], ["room", N_("to stand there the head would have to brake harder than {rate} m/s^2: set it later")], ["unreachable", N_("the head never comes there")], ["outside", N_("that is before the dance starts, at {start} s")], ["over", N_("the dance is over by then: the head has stopped, and no start comes after")]]);
-export const TIME_OF_DAY = py.pattern("([01]?[0-9]|2[0-3]):([0-5][0-9])(?::([0-5][0-9]))?", "");
 const MIDNIGHT = py.pattern("24:00(?::00)?", "");
 export function timeOfDay(text) {
   text = narrow(text);
