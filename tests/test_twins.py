@@ -252,6 +252,7 @@ def test_what_translations_may_ask_of_python_is_there_and_asked_for() -> None:
     there = set(
         run(
             f'import {{ py }} from "{made("compute/python.js")}";'
+            f'import "{made("compute/arrays.js")}";'
             "console.log(JSON.stringify(Object.keys(py)));"
         )
     )

@@ -3,6 +3,7 @@
 
 import { doubles, flat } from "./arena.js";
 import { Numbers } from "../engine.js";
+import { py } from "./python.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
 
@@ -74,3 +75,6 @@ export function cell(table, at) {
   const columns = table.shape[1] ?? 1;
   return doubles(table)[(row < 0 ? row + table.shape[0] : row) * columns + column];
 }
+
+const concatenate = (/** @type {any[]} */ tables) => array(tables.flatMap(tolist));
+Object.assign(py, { isTable, entry, array, copy, tolist, zeros, empty: zeros, concatenate, cell });

@@ -3,7 +3,6 @@
 // is given to it may be anything.
 // @ts-nocheck
 
-import { array, cell, copy, entry, isTable, tolist, zeros } from "./arrays.js";
 import { decimals, general, powered } from "./number_format.js";
 import { rint, rounded } from "./numbers.js";
 import { isPrintable, pythonRepr, pythonText } from "./python_text.js";
@@ -192,14 +191,7 @@ export const py = {
     isTuple(a) || typeof a === "string" ? (a instanceof Map ? a.keys() : a) : Object.keys(a),
   list: (a) => (a == null ? [] : [...py.iter(a)]),
   tuple: (a) => py.list(a),
-  // Arrays, and entries of the engine.
-  entry,
-  array,
-  copy,
-  tolist,
-  zeros,
-  empty: zeros,
-  concatenate: (tables) => array(tables.flatMap(tolist)),
+  isTable: () => false, // what is known of arrays, arrays.js adds
   shape: (a) => a?.shape ?? (isTuple(a) ? [a.length, ...py.shape(a[0])] : []),
   // Objects.
   vars: (a) => a,
@@ -215,7 +207,7 @@ export const py = {
         : a.length
       : (a.shape?.[0] ?? a.size ?? py.list(a).length),
   at(a, n) {
-    if (isTable(a)) return cell(a, n);
+    if (py.isTable(a)) return py.cell(a, n);
     if (a instanceof Match) return a.group(n);
     if (a instanceof Map) return a.get(n);
     if (Array.isArray(a)) return a.at(n);
@@ -223,7 +215,7 @@ export const py = {
   },
   slice(a, start, end) {
     const [from, to] = [start ?? 0, end ?? undefined];
-    if (isTable(a)) return tolist(a).slice(from, to);
+    if (py.isTable(a)) return py.tolist(a).slice(from, to);
     return typeof a === "string" ? [...a].slice(from, to).join("") : py.list(a).slice(from, to);
   },
   set(a, n, value) {
