@@ -8,6 +8,7 @@ from benchdragon.kernels.chain import Placements, march
 from benchdragon.kernels.curve import S_START, FloatArray, length_at
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
+from benchdragon.kernels.memory import copy_row, copy_table
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import Search
 
@@ -46,6 +47,20 @@ class Walk(NamedTuple):
     rows: Table
     benches: Benches
     kinds: Kinds
+
+
+@kernel
+def copy_walk(own: Walk, walk: Walk) -> None:
+    """Copy all of a walk."""
+    benches, others = own.benches, walk.benches
+    copy_table(own.rows, walk.rows)
+    copy_row(benches.links, others.links)
+    copy_table(benches.sizes, others.sizes)
+    copy_row(benches.kind, others.kind)
+    copy_row(benches.ahead, others.ahead)
+    copy_row(benches.lever, others.lever)
+    copy_table(own.kinds.sizes, walk.kinds.sizes)
+    copy_row(own.kinds.group, walk.kinds.group)
 
 
 class Block(NamedTuple):

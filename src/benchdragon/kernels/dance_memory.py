@@ -4,33 +4,29 @@ from typing import NamedTuple
 
 from benchdragon.kernels import random_numbers
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.course import Walk
+from benchdragon.kernels.course import Walk, copy_walk
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.dance_bound import FACTS, Bound
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.family import Family
+from benchdragon.kernels.family import Family, copy_family, family_shapes
 from benchdragon.kernels.memory import (
-    ADDRESS,
     HEADER,
     OWNED,
+    ROW,
+    clear,
     copy_row,
-    copy_table,
     drop,
-    lay_from,
-    lay_row,
-    lay_table,
+    lay,
     slot_count,
     slot_of,
     take,
 )
-from benchdragon.kernels.own_room import lay_placements
+from benchdragon.kernels.own_room import placements, searches, walks
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.random_numbers import DEVIATIONS
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import DEPTH, NOTES, Search
-from benchdragon.kernels.step_bounds import BENCH_COLUMNS, HANDLE_COLUMNS
+from benchdragon.kernels.search import NOTES, Search
 
 # What hosts say of a question, a row of floats.
 WHAT = 0  # NEEDED: the pitch that the dance needs; TOUCHES: whether benches touch with the plan's own
@@ -60,9 +56,7 @@ LOW = TOLD + 10  # the lowest distance seen, m; where the head was then, and whi
 LOW_AT = TOLD + 11
 LOW_FRONT = TOLD + 12
 LOW_REAR = TOLD + 13
-SEEN = (
-    TOLD + 14
-)  # the lowest of the places looked at here and there, m, and in which part and place it was
+SEEN = TOLD + 14  # the lowest of the places looked at here and there, m; in which part, and place
 SEEN_PART = TOLD + 15
 SEEN_PLACE = TOLD + 16
 ROOM = TOLD + 17  # with the pitch at hand, m: NaN where a bench cannot follow
@@ -131,35 +125,14 @@ BASE = 8 * HEADER
 def lay_own(slots: IntArray, address: int, family: Family, walk: Walk, limits: Vector) -> int:
     """Lay from an address on all that keeps its size; the bytes that takes."""
     benches, (_four, kinds) = walk.benches.kind.shape[0], walk.kinds.sizes.shape
-    beside = limits[ASIDE] > 0.0 or limits[STRAY] > 0.0
-    lay_from(slots, HEADER + 3, address)
-    lay_row(slots, benches)
-    lay_table(slots, 4, benches)
-    lay_row(slots, benches)
-    lay_row(slots, benches)
-    lay_row(slots, 1)
-    lay_table(slots, 4, kinds)
-    lay_row(slots, kinds)
-    lay_row(slots, family.numbers.shape[0])
-    lay_table(slots, family.parts.shape[0], family.parts.shape[1])
-    lay_table(slots, family.arcs.shape[0], family.arcs.shape[1])
-    lay_table(slots, family.pieces.shape[0], family.pieces.shape[1])
-    lay_table(slots, 4, benches)
-    lay_row(slots, benches)
-    lay_row(slots, benches)
-    lay_table(slots, 4, benches)
-    lay_row(slots, benches + 1 if beside else 0)
-    lay_row(slots, 1)
-    lay_placements(slots, benches + 1, 1)
-    lay_row(slots, benches)
-    lay_table(slots, 5, benches)
-    lay_table(slots, MOST_TRIALS + 2, 3)
-    lay_row(slots, STEPS + 1)
-    lay_row(slots, NOTES)
-    lay_row(slots, LIMITS)
-    lay_row(slots, FIGURES)
-    lay_row(slots, SIZES)
-    return slots[ADDRESS] - address
+    aside = benches + 1 if limits[ASIDE] > 0.0 or limits[STRAY] > 0.0 else 0
+    row = (benches, ROW)
+    return lay(slots, HEADER + 3, address, (
+        *walks(benches, kinds), *family_shapes(family), row, (4, benches),
+        (aside, ROW), (1, ROW), *placements(benches + 1, 1), row, (5, benches),
+        (MOST_TRIALS + 2, 3), (STEPS + 1, ROW), (NOTES, ROW), (LIMITS, ROW), (FIGURES, ROW),
+        (SIZES, ROW),
+    ))  # fmt: skip
 
 
 @kernel
@@ -168,8 +141,7 @@ def make_rows(slots: IntArray, rows: int) -> bool:
     drop(slots, ROWS_MEMORY)
     if not take(slots, ROWS_MEMORY, 8 * rows * COLUMNS):
         return False
-    lay_from(slots, HEADER, slots[OWNED + ROWS_MEMORY])
-    lay_table(slots, rows, COLUMNS)
+    lay(slots, HEADER, slots[OWNED + ROWS_MEMORY], ((rows, COLUMNS),))
     return True
 
 
@@ -179,83 +151,61 @@ def lay_line(slots: IntArray, address: int, sizes: IntVector, benches: int) -> i
 
     The line is the route where there are no points.
     """
-    points = sizes[POINTS]
-    lay_from(slots, LINE_SLOT, address if points else slots[OWNED + ROWS_MEMORY])
-    lay_table(slots, 2 * points - 1 if points else sizes[ROUTE_ROWS], COLUMNS)
-    if points == 0:
-        slots[ADDRESS] = address
-    lay_row(slots, points)
-    lay_row(slots, points)
-    lay_row(slots, sizes[NUMBERS])
-    lay_table(slots, max(sizes[STRETCHES], 1), 3)
-    lay_row(slots, FACTS)
-    lay_row(slots, sizes[RADII])
-    lay_row(slots, sizes[GRIDS])
-    lay_row(slots, sizes[GRIDS])
-    bounded = benches if sizes[RADII] else 0
-    for longer in (1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1):
-        lay_row(slots, bounded + longer)
-    return slots[ADDRESS] - address
+    points, bounded = sizes[POINTS], benches if sizes[RADII] else 0
+    own, after = 0, address
+    if points:
+        own = lay(slots, LINE_SLOT, address, ((2 * points - 1, COLUMNS),))
+        after += own
+    else:
+        lay(slots, LINE_SLOT, slots[OWNED + ROWS_MEMORY], ((sizes[ROUTE_ROWS], COLUMNS),))
+    one, more = (bounded, ROW), (bounded + 1, ROW)
+    return own + lay(slots, LINE_SLOT + 3, after, (
+        (points, ROW), (points, ROW), (sizes[NUMBERS], ROW), (max(sizes[STRETCHES], 1), 3),
+        (FACTS, ROW), (sizes[RADII], ROW), (sizes[GRIDS], ROW), (sizes[GRIDS], ROW),
+        more, one, one, more, more, one, one, one, one, more, more,
+    ))  # fmt: skip
 
 
 @kernel
 def lay_step(slots: IntArray, address: int, pairs: int, benches: int) -> int:
-    """Lay from an address on what a step is searched in; the bytes that takes: see `search.room`."""
-    lay_from(slots, STEP_SLOT, address)
-    lay_row(slots, pairs)
-    lay_row(slots, pairs)
-    lay_row(slots, DEPTH)
-    lay_placements(slots, benches + 1, DEPTH)
-    lay_table(slots, benches + 1, HANDLE_COLUMNS)
-    lay_table(slots, benches, BENCH_COLUMNS)
-    lay_table(slots, DEPTH * benches, BOX_COLUMNS)
-    lay_row(slots, DEPTH * benches)
-    lay_row(slots, benches + 1)
-    lay_row(slots, benches + 1)
-    lay_table(slots, DEPTH, pairs)
-    lay_row(slots, DEPTH)
-    return slots[ADDRESS] - address
+    """Lay from an address on what a step is searched in; the bytes that takes."""
+    row = (pairs, ROW)
+    return lay(slots, STEP_SLOT, address, (row, row, *searches(benches + 1, benches, pairs)))
+
+
+@kernel
+def roomy(slots: IntArray, memory: int, size: int, most: float) -> int:
+    """Take so many bytes anew, at most so many: those that would be more, -1 for no memory, else 0."""
+    drop(slots, memory)
+    if size > most:
+        return size
+    return 0 if take(slots, memory, size) else -1
 
 
 @kernel
 def make_line(slots: IntArray, sizes: IntVector, benches: int, most: float) -> int:
-    """Make that room, of at most so many bytes: those that would be more, -1 for no memory, else 0."""
-    drop(slots, LINE_MEMORY)
-    size = lay_line(slots, 0, sizes, benches)
-    if size > most:
-        return size
-    if not take(slots, LINE_MEMORY, size):
-        return -1
-    lay_line(slots, slots[OWNED + LINE_MEMORY], sizes, benches)
-    return 0
+    """Make that room, as `roomy` does."""
+    ending = roomy(slots, LINE_MEMORY, lay_line(slots, 0, sizes, benches), most)
+    if ending == 0:
+        lay_line(slots, slots[OWNED + LINE_MEMORY], sizes, benches)
+    return ending
 
 
 @kernel
 def make_step(slots: IntArray, pairs: int, benches: int, most: float) -> int:
-    """Make room to search steps of so many pairs in, as `make_line` does."""
-    drop(slots, STEP_MEMORY)
-    size = lay_step(slots, 0, pairs, benches)
-    if size > most:
-        return size
-    if not take(slots, STEP_MEMORY, size):
-        return -1
-    lay_step(slots, slots[OWNED + STEP_MEMORY], pairs, benches)
-    return 0
+    """Make room to search steps of so many pairs in, as `roomy` does."""
+    ending = roomy(slots, STEP_MEMORY, lay_step(slots, 0, pairs, benches), most)
+    if ending == 0:
+        lay_step(slots, slots[OWNED + STEP_MEMORY], pairs, benches)
+    return ending
 
 
 @kernel
 def fill(dance: Dance, family: Family, walk: Walk, limits: Vector) -> None:
     """Copy what a host says."""
-    own, benches = dance.family, dance.walk.benches
-    copy_row(own.numbers, family.numbers)
-    copy_table(own.parts, family.parts)
-    copy_table(own.sizes, family.sizes)
-    copy_row(own.share, family.share)
-    copy_table(dance.walk.rows, walk.rows)
-    copy_row(benches.kind, walk.benches.kind)
-    copy_row(dance.walk.kinds.group, walk.kinds.group)
+    copy_family(dance.family, family)
+    copy_walk(dance.walk, walk)
     copy_row(dance.limits, limits)
-    for n in range(FIGURES):
-        dance.figures[n] = 0.0
+    clear(dance.figures)
     for i in range(dance.members.shape[0]):
         dance.members[i] = i

@@ -17,6 +17,7 @@ from benchdragon.kernels.curve import FloatArray, spiral_length
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.low_points import head_where_tail
+from benchdragon.kernels.memory import ROW, Shapes, copy_row, copy_table
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.route_parts import Pose, farthest, lay_rows, row_count
 from benchdragon.kernels.status import TurnStatus
@@ -68,6 +69,23 @@ class Family(NamedTuple):
     pieces: Table  # (MOST_PIECES, 3)
     sizes: Table  # of the plan's benches, (4, benches)
     share: Vector  # 1 for each bench whose size varies, else 0, (benches,)
+
+
+@kernel
+def family_shapes(family: Family) -> Shapes:
+    """The shapes of its arrays, to be laid."""
+    parts, arcs, pieces = family.parts.shape, family.arcs.shape, family.pieces.shape
+    benches = family.share.shape[0]
+    return (family.numbers.shape[0], ROW), parts, arcs, pieces, (4, benches), (benches, ROW)
+
+
+@kernel
+def copy_family(own: Family, family: Family) -> None:
+    """Copy all of a family but scratch."""
+    copy_row(own.numbers, family.numbers)
+    copy_table(own.parts, family.parts)
+    copy_table(own.sizes, family.sizes)
+    copy_row(own.share, family.share)
 
 
 class Way(NamedTuple):

@@ -54,14 +54,6 @@ class Aim(NamedTuple):
 
 
 @kernel
-def lay_placements(slots: IntArray, handles: int, count: int) -> None:
-    """Lay chains of so many handles at so many head positions."""
-    for _table in range(7):
-        memory.lay_table(slots, handles, count)
-    memory.lay_table(slots, 2, count)
-
-
-@kernel
 def placements(handles: int, count: int) -> Shapes:
     """The shapes of chains of so many handles at so many head positions."""
     one = (handles, count)

@@ -7,14 +7,14 @@ from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.beside import ASKED, Beside
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.course import TALLY, Room, Walk
+from benchdragon.kernels.course import TALLY, Room, Walk, copy_walk
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.family import FIXED, ROUTE, Family
+from benchdragon.kernels.family import FIXED, ROUTE, Family, copy_family, family_shapes
 from benchdragon.kernels.memory import (
-    ADDRESS,
     HEADER,
     OWNED,
+    ROW,
     clear,
     copy_row,
     copy_table,
@@ -22,9 +22,7 @@ from benchdragon.kernels.memory import (
     floats_at,
     group_at,
     integers_at,
-    lay_from,
-    lay_row,
-    lay_table,
+    lay,
     slot_count,
     slot_of,
     take,
@@ -36,10 +34,11 @@ from benchdragon.kernels.own_room import (
     ROUTE_ROWS,
     SIZES,
     lay_block,
-    lay_placements,
     make_step,
+    placements,
     size_room,
     square_side,
+    walks,
 )
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS
@@ -142,42 +141,18 @@ def lay_all(
     """Lay from an address on all that keeps its size; the bytes that takes."""
     benches, (_four, kinds) = walk.benches.kind.shape[0], walk.kinds.sizes.shape
     fixed = family.numbers[ROUTE] == FIXED and square.things.shape[0] > 0
+    repeats = 4 * walk.rows.shape[0] + REPEATS if fixed else 0
     count = max(FEWEST, min(LANES, places // (benches + 1)))
-    lay_from(slots, WALK_SLOT + 3, address)
-    lay_row(slots, benches)
-    lay_table(slots, 4, benches)
-    lay_row(slots, benches)
-    lay_row(slots, benches)
-    lay_row(slots, 1)
-    lay_table(slots, 4, kinds)
-    lay_row(slots, kinds)
-    lay_from(slots, FAMILY_SLOT, lay_block(slots, ROOM_SLOT, slots[ADDRESS], benches, places))
-    lay_row(slots, family.numbers.shape[0])
-    lay_table(slots, family.parts.shape[0], family.parts.shape[1])
-    lay_table(slots, family.arcs.shape[0], family.arcs.shape[1])
-    lay_table(slots, family.pieces.shape[0], family.pieces.shape[1])
-    lay_table(slots, 4, benches)
-    lay_row(slots, benches)
-    lay_row(slots, SIZES)
-    lay_row(slots, BEGINNINGS)
-    lay_row(slots, count)
-    lay_placements(slots, benches + 1, count)
-    lay_placements(slots, benches + 1, 1)
-    lay_table(slots, 2, BOX_COLUMNS)
-    lay_row(slots, benches)
-    lay_row(slots, benches + 1)
-    lay_row(slots, benches)
-    lay_row(slots, LIMITS)
-    lay_row(slots, FIGURES)
-    lay_row(slots, STATE)
-    lay_row(slots, MOST_TRIALS + MOST_GROWTHS)
-    lay_table(slots, MEETINGS, 4)
-    lay_row(slots, NOTES)
-    lay_table(slots, square.things.shape[0], THING)
-    lay_table(slots, square.outlines.shape[0], 2)
-    lay_table(slots, 4 * walk.rows.shape[0] + REPEATS if fixed else 0, REPEAT)
-    lay_row(slots, ASKED)
-    return slots[ADDRESS] - address
+    room = address + lay(slots, WALK_SLOT + 3, address, walks(benches, kinds))
+    end = lay_block(slots, ROOM_SLOT, room, benches, places)
+    return end - address + lay(slots, FAMILY_SLOT, end, (
+        *family_shapes(family), (SIZES, ROW), (BEGINNINGS, ROW), (count, ROW),
+        *placements(benches + 1, count), *placements(benches + 1, 1), (2, BOX_COLUMNS), (benches, ROW),
+        (benches + 1, ROW), (benches, ROW), (LIMITS, ROW), (FIGURES, ROW), (STATE, ROW),
+        (MOST_TRIALS + MOST_GROWTHS, ROW), (MEETINGS, 4), (NOTES, ROW), (square.things.shape[0], THING),
+        (square.outlines.shape[0], 2), (repeats, REPEAT),
+        (ASKED, ROW),
+    ))  # fmt: skip
 
 
 @kernel
@@ -187,10 +162,9 @@ def make_route(slots: IntArray, rows: int) -> bool:
     count = rows * (COLUMNS + SEAM_COLUMNS)
     if not take(slots, ROWS_MEMORY, 8 * count):
         return False
-    lay_from(slots, WALK_SLOT, slots[OWNED + ROWS_MEMORY])
-    lay_table(slots, rows, COLUMNS)
-    lay_from(slots, SEAMS_SLOT, slots[ADDRESS])
-    lay_table(slots, rows, SEAM_COLUMNS)
+    address = slots[OWNED + ROWS_MEMORY]
+    address += lay(slots, WALK_SLOT, address, ((rows, COLUMNS),))
+    lay(slots, SEAMS_SLOT, address, ((rows, SEAM_COLUMNS),))
     numbers = floats_at(slots[OWNED + ROWS_MEMORY], count)
     for n in range(count):
         numbers[n] = 0.0
@@ -221,19 +195,8 @@ def fill(
     for n in range(square.outlines.shape[0]):
         sought.square.outlines[n, 0] = square.outlines[n, 0] - limits[ORIGIN_X]
         sought.square.outlines[n, 1] = square.outlines[n, 1] - limits[ORIGIN_Y]
-    own, benches = sought.family, sought.walk.benches
-    copy_row(own.numbers, family.numbers)
-    copy_table(own.parts, family.parts)
-    copy_table(own.sizes, family.sizes)
-    copy_row(own.share, family.share)
-    copy_table(sought.walk.rows, walk.rows)
-    copy_row(benches.links, walk.benches.links)
-    copy_table(benches.sizes, walk.benches.sizes)
-    copy_row(benches.kind, walk.benches.kind)
-    copy_row(benches.ahead, walk.benches.ahead)
-    copy_row(benches.lever, walk.benches.lever)
-    copy_table(sought.walk.kinds.sizes, walk.kinds.sizes)
-    copy_row(sought.walk.kinds.group, walk.kinds.group)
+    copy_family(sought.family, family)
+    copy_walk(sought.walk, walk)
     copy_row(sought.limits, limits)
     copy_row(sought.beginnings, beginnings)
     clear(sought.figures)
