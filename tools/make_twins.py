@@ -1,8 +1,8 @@
 """Write modules that both hosts need, and that know texts and records alone, as JavaScript for pages.
 
-Each file of web/made, named in TWINS, holds what pages ask of a Python module, with all that this needs
-of it and of other such modules. Constants stand in it with the values that the module has. The same
-modules give the same bytes.
+Each file of web/made, named in TWINS of tools/translation/shares.py, holds what pages ask of a Python
+module, with all that this needs of it and of other such modules. Constants stand in it with the values
+that the module has. The same modules give the same bytes.
 
 Run it as `make types`.
 """
@@ -23,155 +23,23 @@ from typing import Any
 from pydantic import BaseModel, BeforeValidator
 from tools.translation.names import camel, number, text
 from tools.translation.patterns import javascript
+from tools.translation.shares import (
+    AROUND,
+    AS_FUNCTIONS,
+    FREED,
+    GIVEN,
+    LEFT_OUT,
+    OWN,
+    TWINS,
+    UNASKED,
+    WAITING,
+)
 from tools.translation.statements import Code
 
 import benchdragon
 from benchdragon.kernels.entries import ENTRIES
 
 FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
-# Of which modules pages are given what: the file, and the names that are asked for.
-TWINS = {
-    "analysis.beats": ("beats", "score_of"),
-    "analysis.check": ("check", "checked", "in_one_coil", "peak_text", "sentence"),
-    "analysis.clock": ("clock", "Clock"),
-    "analysis.contact": (
-        "contact", "contact_windows", "first_sure_contact", "least_clearance", "seen_clearance",
-    ),
-    "analysis.findings": (
-        "findings", "Finding", "all_findings", "named", "shown_name", "touch_text",
-    ),
-    "analysis.ground": ("ground", "Ground"),
-    "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),
-    "analysis.not_looked_at": ("not_looked_at", "not_looked_at"),
-    "analysis.records": ("records", "answer_of", "answer_or_none", "verdict_of"),
-    "analysis.room": ("room_levels", "ASKED", "Asked", "RoomLevel", "levels_asked", "shown_name"),
-    "analysis.speed": ("quantities", "QUANTITIES", "Quantity", "given_limits"),
-    "analysis.unfinished": ("unfinished", "Unfinished"),
-    "errors": ("advice", "advice"),
-    "explain.bench_text": (
-        "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
-    ),
-    "kernels.route_parts": ("poses", "Pose"),
-    "model.answer": ("answer", "keeps", "shown", "sure", "vanishing"),
-    "model.base_curve": ("base_curve", "checked_size", "laid_rows"),
-    "model.connections": ("connections", "programme"),
-    "model.curves": ("curves", "Route"),
-    "model.formations": ("formations", "FORMATIONS"),
-    "model.holds": ("holds", "Hold"),
-    "model.numbering": ("numbering", "handle_words"),
-    "model.obstacle": ("obstacle", "Obstacle", "rectangle_outline"),
-    "model.turns": ("turns", "Turn"),
-    "number_format": ("number_format", "at_most", "finite_or_none", "known", "seconds"),
-    "player.occasions": ("occasions", "occasion", "occasions_found", "tighten"),
-    "progress": ("stages", "part", "stages"),
-    "plans.cues": (
-        "cues", "Moment", "Paced", "check_cue", "cue_name", "outside", "paced", "time_of_day",
-    ),
-    "plans.digits": ("digits", "measured"),
-    "plans.formations": ("formation_tables", "FormationTable", "StepTable"),
-    "plans.idle": ("idle", "drop", "drop_replaced", "idle_keys"),
-    "plans.people": ("people", "called", "village", "web_address"),
-    "plans.routes": (
-        "plan_routes", "DrawnRoute", "FormationRoute", "PartsRoute", "ProgrammeRoute", "SpiralInRoute",
-        "TurnRoute",
-    ),
-    "plans.signs": ("signs", "narrow"),
-    "plans.square": (
-        "square", "CircleTable", "LineTable", "PolygonTable", "RectangleTable", "VenueTable",
-        "built_obstacles",
-    ),
-    "plans.tables": (
-        "tables", "ArcPart", "ClothoidPart", "LinePart", "LogSpiralPart", "SpiralPart", "TurnTable",
-        "one_line",
-    ),
-    "plans.toml": ("quantity", "quantity"),
-    "surveys.alignment": ("absorbed", "Absorbed"),
-    "surveys.clothoids": ("unfit", "unfit"),
-    "surveys.fitting": ("fits", "check_fewest", "checked_fit", "rounded"),
-    "solve.random_dance": ("random_dance", "refuse"),
-    "rosters.names": ("roster_names", "like_two"),
-    "rosters.words": (
-        "roster_words", "NUMERALS", "numeral", "heading", "doubtful", "is_name", "is_other", "is_sum",
-        "names_of", "places", "with_places", "without_phones",
-    ),
-    "rosters.columns": ("roster_columns", "layout"),
-    "rosters.entries": ("roster_entries", "entries"),
-    "rosters.extent": ("roster_limits", "too_large", "torn"),
-    "rosters.grid": ("roster_rows", "decoded", "is_text", "limited", "text_rows"),
-    "rosters.roster": ("roster_people", "Person"),
-    "rosters.reading": ("roster", "roster_of", "Numbering"),
-}  # fmt: skip
-# What hand-written modules of the page hold of other modules, by the same names.
-OWN = {
-    "i18n": "../words.js", "errors": "../compute/errors.js", "plans.source": "../compute/errors.js",
-}  # fmt: skip
-# What single functions of the page do otherwise.
-GIVEN = {
-    "analysis.contact_search.contact_search": "../compute/contact_search.js",
-    "analysis.left_open.speed_at_start": "../compute/left_open.js",
-    "analysis.left_open.told_if_open": "../compute/left_open.js",
-    "analysis.obstacles.obstacle_answers": "../compute/obstacles.js",
-    "analysis.records.bracketed": "../compute/answer.js",
-    "analysis.room.room_levels": "../compute/room.js",
-    "analysis.speed.greatest": "../compute/speed.js",
-    "analysis.speed.greatest_speed": "../compute/speed.js",
-    "analysis.stops.stops_of": "../compute/stops.js",
-    "analysis.unfinished.unfinished": "../compute/walk_facts.js",
-    "plans.toml._vast": "../compute/python_text.js",
-    "rosters.grid._cells": "../compute/roster_text.js",
-    "decoding.readings": "../compute/roster_text.js",
-    "analysis.findings.extent": "../compute/walk_facts.js",
-    "analysis.findings.steepest": "../compute/walk_facts.js",
-    "analysis.not_looked_at.given_from": "../compute/walk_facts.js",
-    "analysis.not_looked_at.places": "../compute/walk_facts.js",
-    "analysis.not_looked_at.runs_on": "../compute/walk_facts.js",
-    "kernels.chain.empty_placements": "../compute/arrays.js",
-    "model.base_curve.Curve": "../compute/curve.js",
-    "model.holds.HoldError": "../compute/holds.js",
-    "model.obstacle.Standing": "../compute/obstacle.js",
-    "model.obstacle._crossing": "../compute/obstacle.js",
-    "number_format.decimals": "../compute/number_format.js",
-    "number_format.figures": "../compute/number_format.js",
-    "plans.routes._fitted": "../compute/fitting.js",
-}
-# Functions that check what Python is called with, and what they give where pages call.
-UNASKED = {
-    "errors.of_kind": "() => null",
-    "model.arrays.as_numbers": "(_name, values) => values",
-    "model.arrays.as_table": "(rows) => rows",
-    "model.connections._check": "() => null",
-    "model.connections._check_steps": "() => null",
-    "model.curves._checked_curves": "(curves) => curves",
-}
-# Functions of pages that give way between their steps: they take what is said by name as one object.
-WAITING = {
-    "analysis.obstacles.obstacle_answers",
-    "analysis.room.room_levels", "analysis.speed.greatest", "analysis.speed.greatest_speed",
-}  # fmt: skip
-# Functions of pages in place of context managers: they give what takes errors.
-AROUND = {"analysis.left_open.told_if_open"}
-# Functions of pages whose results are freed where a context manager would end.
-FREED = {"analysis.contact_search.contact_search"}
-# Methods of records that pages have as plain data are functions there: their modules, what they take.
-AS_FUNCTIONS = {
-    "keeps": ("model.answer", ("limit",)),
-    "shown": ("model.answer", ("up", "limit")),
-    "sure": ("model.answer", ("up",)),
-    "vanishing": ("model.answer", ()),
-}
-# What only Python has of records, of one or of all of a module.
-LEFT_OUT = {
-    "analysis.beats.Run": ("beats", "time"),
-    "analysis.ground.Ground": ("of", "seen"),
-    "model.answer.Answer": ("as_json", *AS_FUNCTIONS),
-    "model.obstacle.Obstacle": ("__eq__", "__hash__"),
-    "model.curves.Route": ("__getitem__", "__iter__", "__len__"),
-    "model.curves.Spiral": ("angle",),
-    "model.formations": ("chinese", "english", "pinyin", "shape", "source"),
-    "plans.routes.Drawn": ("line",),
-    "plans.square": ("about", "keys"),
-    "plans.tables": ("about", "keys"),
-}
 HEADER = "// @ts-nocheck\n// Made from {name} by tools/make_twins.py; to make it again: make types\n"
 
 
