@@ -66,7 +66,7 @@ def test_beats_by_rule_are_those_of_the_sound_file(pages: Pages, tmp_path: Path)
     score = score_of(plan, *plan.span(plan.build()))
     known = [time for time, _name in sounds_of(score, 0.0) if 8.0 <= time < 24.0]
     heard = [5.0 * (when - first) + known[0] for when, _pitch, _taken in given]
-    assert heard[: len(known)] == pytest.approx(known, abs=0.6)
+    assert heard[: len(known)] == pytest.approx(known, abs=0.05)
     assert [round(pitch) for _when, pitch, _taken in given].count(2400) == 4
     assert not [time for time in heard if 11.3 < time < 14.2]  # silent while the head stands
 
