@@ -2,6 +2,7 @@
 
 import ast
 import json
+import random
 import re
 import subprocess
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from tools.translation.names import FUNCTIONS, METHODS, OF_MODULES, Untranslatab
 from tools.translation.patterns import javascript
 from tools.translation.statements import Code
 
+from benchdragon import SpeedProfile
 from tests.engine.recording import node
 
 # What a function gives in both languages, where they differ: what is true, equal, within; places from
@@ -245,6 +247,35 @@ def test_nothing_waits_where_it_cannot_and_no_record_lacks_a_key(code: str) -> N
 )  # fmt: skip
 def test_names_are_those_of_javascript(name: str, said: str) -> None:
     assert camel(name) == said
+
+
+@pytest.mark.skipif(node() is None, reason="no Node here")
+def test_profiles_of_pages_tell_the_same_numbers() -> None:
+    dice = random.Random(7)
+    asked: list[Any] = []
+    here: list[list[float]] = []
+    for _profile in range(200):
+        times = sorted({dice.choice([0.0, dice.uniform(-50.0, 90.0)]) for _knot in range(5)})
+        speeds = [dice.choice([0.0, dice.uniform(0.0, 3.0)]) for _knot in times]
+        profile = SpeedProfile(tuple(times), tuple(speeds))
+        t = dice.choice([*times, dice.uniform(-90.0, 120.0)])
+        way = dice.choice([float(profile.distance(t)), dice.uniform(-50.0, 50.0)])
+        asked.append((times, speeds, t, way))
+        past = profile.past(t, (way, 1e-20))
+        found: list[Any] = [
+            profile.speed(t), profile.acceleration(t), profile.distance(t), profile.time(way),
+        ]  # fmt: skip
+        here.append([*map(float, found), (past > 0) - (past < 0)])
+    there = run(
+        f'import {{ SpeedProfile }} from "{made("made/profile.js")}";\n'
+        f'import "{made("compute/arrays.js")}";\n'
+        f"const asked = {json.dumps(asked)};\nconst told = asked.map(([times, speeds, t, way]) => {{\n"
+        "const one = new SpeedProfile(times, speeds), past = one.past(t, [way, 1e-20]);\n"
+        "const found = [one.speed(t), one.acceleration(t), one.distance(t), one.time(way)];\n"
+        "return [...found.map(String), past > 0 ? 1 : past < 0 ? -1 : 0];\n});\n"
+        "console.log(JSON.stringify(told));"
+    )
+    assert [[*map(float, one)] for one in there] == here
 
 
 @pytest.mark.skipif(node() is None, reason="no Node here")

@@ -5,17 +5,17 @@ import { pathToFileURL } from "node:url";
 const [modules, wasm, file] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const { Engine } = await load("engine");
-const { withArenaAsync } = await load("compute/arena");
+const { withArena, withArenaAsync } = await load("compute/arena");
 const { CURVE } = await load("compute/constants");
 const { contactWindows, firstSureContact, leastClearance } = await load("made/contact");
 const { Dragon } = await load("compute/dragon");
 const { BenchDragonError } = await load("compute/errors");
-const { HeadTimes } = await load("compute/head_times");
+const { HeadTimes } = await load("made/head_times");
 const { Obstacle } = await load("made/obstacle");
 const { obstacleAnswers } = await load("compute/obstacles");
 const { QUANTITIES } = await load("made/quantities");
 const { greatest } = await load("compute/speed");
-const { Profile } = await load("compute/profile");
+const { SpeedProfile } = await load("made/profile");
 const { within } = await load("compute/arrays");
 const { Curve } = await load("compute/curve");
 const { py } = await load("compute/python");
@@ -43,7 +43,7 @@ function routeOf(arena, rows) {
 function walkOf(arena, { sizes, rows, times, speeds, start }) {
   const [length, width, front_inset, rear_inset] = sizes.map((column) => Float64Array.from(column));
   const dragon = new Dragon(arena, { length, width, front_inset, rear_inset });
-  return new Walk(dragon, routeOf(arena, rows), new Profile(times, speeds), start);
+  return new Walk(dragon, routeOf(arena, rows), new SpeedProfile(times, speeds), start);
 }
 
 const ASKED = {
@@ -60,7 +60,7 @@ const ASKED = {
   },
   times: (walk, start, _end, { at }) => {
     const times = new HeadTimes(walk, walk.headPosition(start), start);
-    return at.map((s) => times.bracketed(s, s));
+    return withArena(engine, (arena) => within(arena, () => at.map((s) => times.bracketed(s, s))));
   },
 };
 

@@ -112,7 +112,8 @@ class Calls(Expressions):
     def _known_method(self, node: ast.Call, value: ast.expr, attr: str) -> str:
         whole = ast.unparse(node.func)
         if whole in OF_MODULES:
-            return f"py.{OF_MODULES[whole]}({self._given(node)})"
+            name = OF_MODULES[whole]
+            return f"py.{name}({self._given(node, BUILTIN.get(name))})"
         if attr == "format":
             if node.args:
                 raise UntranslatableError(node, "by places")

@@ -18,14 +18,16 @@ FUNCTIONS_SPELT = """
 """
 FUNCTIONS = frozenset(FUNCTIONS_SPELT.split())
 METHODS_SPELT = """
-    add append copy count decode endswith extend get index isalpha isprintable isspace items join keys
-    lower partition pop replace setdefault split splitlines strip tolist translate upper values
+    add append as_integer_ratio copy count decode endswith extend get index isalpha isprintable isspace
+    items join keys lower partition pop replace setdefault split splitlines strip tolist translate upper
+    values
 """
 METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
-    answer called distance head_where_tail moment moments obstacle obstacles point time tried witness
+    answer called distance head_where_tail moment moments obstacle obstacles point time time_at tried
+    witness
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
 # Methods that give way between their steps.
@@ -35,7 +37,9 @@ OF_MODULES = {
     "unicodedata.normalize": "normalize", "unicodedata.category": "category",
     "math.floor": "floor", "math.ceil": "ceil", "math.isfinite": "isfinite", "math.dist": "dist",
     "math.hypot": "hypot", "math.atan2": "atan2", "math.cos": "cos", "math.sin": "sin",
-    "math.sqrt": "sqrt", "math.copysign": "copysign", "np.array": "array",
+    "math.sqrt": "sqrt", "math.ulp": "ulp", "math.lcm": "lcm", "np.interp": "interp",
+    "np.where": "where", "np.maximum": "maximum", "np.asarray": "asarray",
+    "np.searchsorted": "searchsorted", "math.copysign": "copysign", "np.array": "array",
     "np.concatenate": "concatenate", "np.empty": "empty", "np.shape": "shape", "np.zeros": "zeros",
     "math.degrees": "degrees", "math.remainder": "remainder", "itertools.islice": "islice",
     "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys", "math.radians": "radians",
@@ -50,7 +54,8 @@ TRUTHS_SPELT = """
 TRUTHS = frozenset(TRUTHS_SPELT.split())
 # What functions of `py` take by name.
 BUILTIN = {
-    "enumerate": ("iterable", "start"), "max": ("over", "key", "default"),
+    "enumerate": ("iterable", "start"), "searchsorted": ("a", "v", "side"),
+    "max": ("over", "key", "default"),
     "min": ("over", "key", "default"), "sorted": ("iterable", "key", "reverse"),
 }  # fmt: skip
 

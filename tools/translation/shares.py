@@ -12,6 +12,7 @@ TWINS = {
         "findings", "Finding", "all_findings", "named", "shown_name", "touch_text",
     ),
     "analysis.ground": ("ground", "Ground"),
+    "analysis.head_times": ("head_times", "HeadTimes"),
     "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),
     "analysis.not_looked_at": ("not_looked_at", "not_looked_at"),
     "analysis.records": ("records", "answer_of", "answer_or_none", "verdict_of"),
@@ -31,6 +32,7 @@ TWINS = {
     "model.holds": ("holds", "Hold"),
     "model.numbering": ("numbering", "handle_words"),
     "model.obstacle": ("obstacle", "Obstacle", "rectangle_outline"),
+    "model.profile": ("profile", "SpeedProfile"),
     "model.turns": ("turns", "Turn"),
     "number_format": ("number_format", "at_most", "finite_or_none", "known", "seconds"),
     "player.occasions": ("occasions", "occasion", "occasions_found", "tighten"),
@@ -107,7 +109,9 @@ GIVEN = {
 }
 # Functions that check what Python is called with, and what they give where pages call.
 UNASKED = {
+    "errors.as_number": "(_name, value) => value",
     "errors.of_kind": "() => null",
+    "model.arrays.as_list": "(_name, values) => values",
     "model.arrays.as_numbers": "(_name, values) => values",
     "model.arrays.as_table": "(rows) => rows",
     "model.connections._check": "() => null",
@@ -139,6 +143,7 @@ LEFT_OUT = {
     "model.curves.Route": ("__getitem__", "__iter__", "__len__"),
     "model.curves.Spiral": ("angle",),
     "model.formations": ("chinese", "english", "pinyin", "shape", "source"),
+    "model.profile.SpeedProfile": ("__getitem__", "__iter__", "__len__", "exact_distance", "stretches"),
     "plans.routes.Drawn": ("line",),
     "plans.square": ("about", "keys"),
     "plans.tables": ("about", "keys"),

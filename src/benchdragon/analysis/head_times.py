@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass
-from fractions import Fraction
 
 from benchdragon.kernels.drift import head_drift
 from benchdragon.model.answer import Status
@@ -74,8 +73,9 @@ class HeadTimes:
             t, step = t + step, 2.0 * step
         return t
 
-    def _lead(self, t: float, s: float, shift: float) -> float | Fraction:
-        """How far past s + shift the head stands at t, m; not rounded, so that brackets are sure."""
-        if math.isinf(t):
-            return self.walk.start + float(self.walk.profile.distance(t)) - s
-        return self.walk.exact_head_position(t) - Fraction(s) - Fraction(shift)
+    def _lead(self, t: float, s: float, shift: float) -> float:
+        """Above 0 where the head stands past s + shift at t, below where before; not rounded."""
+        walk = self.walk
+        if not math.isfinite(t):
+            return walk.start + float(walk.profile.distance(t)) - s
+        return walk.profile.past(t, (s, shift, -walk.start))

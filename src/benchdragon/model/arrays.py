@@ -26,6 +26,11 @@ def as_numbers(name: str, values: object) -> FloatArray:
     return array.astype(np.float64)
 
 
+def as_list(name: str, values: object) -> tuple[float, ...]:
+    """The same as plain numbers, one after another."""
+    return tuple(as_numbers(name, values).ravel().tolist())
+
+
 def as_table(rows: Sequence[Sequence[float]]) -> FloatArray:
     """Rows of numbers as an array, one row a row."""
     return np.array(rows, np.float64)

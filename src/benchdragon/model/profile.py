@@ -5,11 +5,11 @@ a distance into a place.
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import NamedTuple, Self
+from typing import NamedTuple, Self, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -17,10 +17,11 @@ import numpy.typing as npt
 from benchdragon.errors import InputError, as_number, finite, not_negative
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.arrays import as_numbers
+from benchdragon.model.arrays import as_list, as_numbers
 
 # m/s; no walker is faster, and it keeps distances within what doubles resolve.
 MOST_SPEED = 100.0
+Knot = TypeVar("Knot", int, float)
 
 
 class Stretches(NamedTuple):
@@ -65,8 +66,7 @@ class SpeedProfile:
 
     def __post_init__(self) -> None:
         for name in ("times", "speeds"):
-            knots = np.atleast_1d(as_numbers(name, getattr(self, name)))
-            object.__setattr__(self, name, tuple(knots.ravel().tolist()))
+            object.__setattr__(self, name, as_list(name, getattr(self, name)))
         if len(self.times) != len(self.speeds) or not self.times:
             raise InputError(
                 _(
@@ -108,15 +108,38 @@ class SpeedProfile:
 
     def distance(self, t: npt.ArrayLike) -> FloatArray:
         """Distance walked from time 0 to times t, m, exact; negative before 0."""
-        return self._from_first(as_numbers("times", t)) - self._from_first(np.zeros(()))
+        return self._from_first(as_numbers("times", t)) - self._from_first(np.asarray(0.0))
 
     def exact_distance(self, t: float, read: Callable[[float], Fraction] = Fraction) -> Fraction:
         """Distance walked from time 0 to a finite time t, m, without any rounding.
 
         `read` says which number each double stands for: itself, or the decimal that names it.
         """
-        times, speeds = ([read(number) for number in knots] for knots in (self.times, self.speeds))
-        return _walked(times, speeds, read(t)) - _walked(times, speeds, Fraction(0))
+        numbers = (t, *self.times, *self.speeds)
+        return Fraction(*self._excess([read(number).as_integer_ratio() for number in numbers]))
+
+    def past(self, t: float, ways: Sequence[float]) -> int:
+        """Above 0 if by a finite time t more is walked from time 0 on than `ways`, m, together.
+
+        Below 0 if less is, 0 if as much: without any rounding.
+        """
+        numbers = (t, *self.times, *self.speeds, *ways)
+        return self._excess([number.as_integer_ratio() for number in numbers])[0]
+
+    def _excess(self, ratios: list[tuple[int, int]]) -> tuple[int, int]:
+        """How much farther than some ways, m, the head walks from time 0 to a time, as a ratio.
+
+        `ratios`: that time, those of the knots, their speeds, and the ways.
+        """
+        unit = math.lcm(*(under for _over, under in ratios))
+        t, *numbers = (over * (unit // under) for over, under in ratios)
+        count = len(self.times)
+        times, speeds, ways = numbers[:count], numbers[count : 2 * count], numbers[2 * count :]
+        (there, p), (here, q) = (_walked(times, speeds, unit, at) for at in (t, t - t))
+        over, under = there * q - here * p, p * q
+        for way in ways:
+            over -= (way + way) * unit * under
+        return over, (unit + unit) * unit * under
 
     def stretches(self, start: float, end: float) -> Stretches:
         """The walk from start to end, s, in stretches of one acceleration: from knot to knot."""
@@ -133,7 +156,7 @@ class SpeedProfile:
 
         Infinite where the head stops for good before; minus infinite where it never started after.
         """
-        wanted = as_number("distance", distance) + float(self._from_first(np.zeros(())))
+        wanted = as_number("distance", distance) + float(self._from_first(np.asarray(0.0)))
         times, speeds = self.times, self.speeds
         n = int(np.searchsorted(self._sums, wanted, side="left"))
         if n == 0 or n == len(times):
@@ -150,15 +173,15 @@ class SpeedProfile:
 
     @cached_property
     def _slopes(self) -> FloatArray:
-        with np.errstate(over="ignore"):  # knots a hair apart: as good as a jump
-            inner = np.diff(self.speeds) / np.diff(self.times)
-        return np.concatenate([[0.0], inner, [0.0]])
+        inner = ((w - v) / (b - a) for a, b, v, w in _spans(self.times, self.speeds))
+        return np.array([0.0, *inner, 0.0])
 
     @cached_property
     def _sums(self) -> FloatArray:
-        speeds = np.asarray(self.speeds)
-        spans = 0.5 * (speeds[1:] + speeds[:-1]) * np.diff(self.times)
-        return np.concatenate([[0.0], np.cumsum(spans)])
+        sums = [0.0]
+        for a, b, v, w in _spans(self.times, self.speeds):
+            sums.append(sums[-1] + 0.5 * (w + v) * (b - a))
+        return np.array(sums)
 
     def _from_first(self, t: FloatArray) -> FloatArray:
         knot = np.maximum(np.searchsorted(self.times, t, side="right") - 1, 0)
@@ -171,12 +194,19 @@ class SpeedProfile:
             return np.asarray(self._sums[knot] + speed * np.where(speed == 0.0, 0.0, dt))
 
 
-def _walked(times: list[Fraction], speeds: list[Fraction], t: Fraction) -> Fraction:
-    """Distance walked from the first knot to time t, m, at these speeds between the knots."""
-    walked = min(t - times[0], Fraction(0)) * speeds[0] + max(t - times[-1], Fraction(0)) * speeds[-1]
-    for a, b, v, w in zip(times, times[1:], speeds, speeds[1:], strict=False):
+def _spans(times: Sequence[Knot], speeds: Sequence[Knot]) -> Iterator[tuple[Knot, Knot, Knot, Knot]]:
+    """Start and end of each span between knots, and the speeds there."""
+    return zip(times, times[1:], speeds, speeds[1:], strict=False)
+
+
+def _walked(times: list[int], speeds: list[int], unit: int, t: int) -> tuple[int, int]:
+    """Twice the distance walked from the first knot to time t, as a ratio: 1 is `unit` in all."""
+    before, after = min(t - times[0], t - t), max(t - times[-1], t - t)
+    twice = (speeds[0] + speeds[0]) * before + (speeds[-1] + speeds[-1]) * after
+    for a, b, v, w in _spans(times, speeds):
         if t >= b:
-            walked += (v + w) / 2 * (b - a)
+            twice += (v + w) * (b - a)
         elif t > a:
-            walked += (v + (w - v) * (t - a) / (b - a) / 2) * (t - a)
-    return walked
+            gone, span = t - a, b - a
+            return twice * span + ((v + v) * span + (w - v) * gone) * gone, span
+    return twice * unit, unit

@@ -76,5 +76,34 @@ export function cell(table, at) {
   return doubles(table)[(row < 0 ? row + table.shape[0] : row) * columns + column];
 }
 
+/** Where a value comes in increasing numbers: after equal ones, or before. @param {ArrayLike<number>} sorted @param {number} value @param {"left" | "right"} side */
+export function searchsorted(sorted, value, side = "left") {
+  let [low, high] = [0, sorted.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (side === "right" ? sorted[middle] <= value : sorted[middle] < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** A value between increasing places by straight lines, as at the last of them beyond. @param {number} x @param {ArrayLike<number>} xs @param {ArrayLike<number>} values */
+function interp(x, xs, values) {
+  const n = searchsorted(xs, x, "right");
+  if (n === 0 || n === xs.length) return values[n && n - 1];
+  return ((values[n] - values[n - 1]) / (xs[n] - xs[n - 1])) * (x - xs[n - 1]) + values[n - 1];
+}
+
+// Of NumPy's functions what they give for one number.
+const ofOne = {
+  asarray: (/** @type {any} */ value) => value,
+  maximum: Math.max,
+  where: (/** @type {boolean} */ test, /** @type {any} */ a, /** @type {any} */ b) => (test ? a : b),
+};
 const concatenate = (/** @type {any[]} */ tables) => array(tables.flatMap(tolist));
-Object.assign(py, { isTable, entry, array, copy, tolist, zeros, empty: zeros, concatenate, cell });
+Object.assign(
+  py,
+  { isTable, entry, array, copy, tolist, zeros, empty: zeros, concatenate, cell },
+  ofOne,
+  { searchsorted, interp },
+);

@@ -115,7 +115,7 @@ function gatesOf({ hurry_from: hurry, run_from }) {
 function timesOf(walk, start, end) {
   const most = Math.max(Math.floor(MOST_LOOKED / walk.dragon.benches), 2);
   const count = Math.min(Math.ceil((end - start) / STEP), most);
-  const knots = walk.profile.times.filter((time) => start < time && time < end);
+  const knots = walk.profile.times.filter((/** @type {number} */ time) => start < time && time < end);
   const even = end > start ? linspace(start, end, count + 1) : Float64Array.of(start);
   return Float64Array.from(new Set([...even, ...knots])).sort();
 }
@@ -213,7 +213,7 @@ async function tightestOf(arena, walk, line, times, known, heard) {
     if (!bench) return null;
     const place = /** @type {[number, number]} */ (at);
     // Where the head stops for good, rounding may put its place beyond all that it comes to.
-    const time = Math.min(Math.max(walk.timeAt(head), times[early]), times[late]);
+    const time = Math.min(Math.max(walk.time_at(head), times[early]), times[late]);
     return { time, bench, side: SIDES[side], lower, upper, place };
   });
 }

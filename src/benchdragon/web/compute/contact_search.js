@@ -18,7 +18,7 @@ import {
 import { boxes, nearness, nearnessOf } from "./distance.js";
 import { EngineQuestion } from "./engine_question.js";
 import { InputError, UnsureError, finite, notNegative } from "./errors.js";
-import { HeadTimes } from "./head_times.js";
+import { HeadTimes } from "../made/head_times.js";
 import { checkedOff, originOf, seenFrom } from "./nearby.js";
 import { general } from "./number_format.js";
 import { newSpans } from "./rounds.js";

@@ -9,8 +9,9 @@ import { expect, question, spend } from "./budget.js";
 import { ANALYSIS_SPEED, MODEL_PROFILE, PACING, PEAK_QUESTION, SOLVE_HEAD_SPEED } from "./constants.js";
 import { InputError, UnsureError } from "./errors.js";
 import { evenly, least } from "./lists.js";
+import { py } from "./python.js";
 import { general } from "./number_format.js";
-import { Profile } from "./profile.js";
+import { SpeedProfile } from "../made/profile.js";
 import { failureWithin, peakQuestion, sought, steadily, witnessOf } from "./speed.js";
 import { silent, tick } from "./tick.js";
 
@@ -23,7 +24,7 @@ import { silent, tick } from "./tick.js";
 /**
  * A head that slows down only where it must.
  * @typedef {object} Pace
- * @property {Profile} profile its speed over time; at time 0 the head stands where the plan says
+ * @property {SpeedProfile} profile its speed over time; at time 0 the head stands where the plan says
  * @property {Answer} steady the greatest constant speed that keeps the same limits, m/s
  * @property {number} seconds how long the walk takes
  * @property {number} saved by how much less than at the steady speed, s
@@ -131,10 +132,10 @@ async function slowedWhereItMust(engine, plan, progress) {
       times = [0, whole];
       speeds = [even, even];
     }
-    const plain = new Profile(times, speeds);
+    const plain = new SpeedProfile(times, speeds);
     const zero = plain.time(walk.start - first); // at time 0 the head stands at walk.start
-    const profile = new Profile(
-      plain.times.map((t) => t - zero),
+    const profile = new SpeedProfile(
+      plain.times.map((/** @type {number} */ t) => t - zero),
       plain.speeds,
     );
     const seconds = times[times.length - 1];
@@ -206,7 +207,7 @@ function allLimits(plan) {
 
 /** The same plan walked at a pace. @param {Plan} plan @param {Pace} pace */
 export function withPace(plan, { profile: { times, speeds }, seconds }) {
-  const knots = times.map((time, n) => [time, speeds[n]]);
+  const knots = py.zip(times, speeds);
   /** @type {Record<string, unknown>} */
   const values = { "walk.profile": knots, "walk.start": times[0] };
   if (plan.tables.walk.end !== null) values["walk.end"] = times[0] + seconds;

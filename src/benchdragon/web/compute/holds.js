@@ -3,7 +3,8 @@
 import { doubles, rowOf, wholes, withArena } from "./arena.js";
 import { HOLDS, MODEL_HOLDS } from "./constants.js";
 import { InputError } from "./errors.js";
-import { Profile } from "./profile.js";
+import { SpeedProfile } from "../made/profile.js";
+import { stretchesOf } from "./stretches.js";
 
 /** That the head stands still: where, m from where the walk begins, or from when on, s; for how long, s. */
 /** @typedef {{ way: number | null, at: number | null, seconds: number }} Hold */
@@ -24,10 +25,10 @@ export class HoldError extends InputError {
   }
 }
 
-/** A profile from a time on as squared speeds along the way: see kernels/holds.py. @param {Profile} profile @param {number} start */
+/** A profile from a time on as squared speeds along the way: see kernels/holds.py. @param {SpeedProfile} profile @param {number} start */
 function piecesOf(profile, start) {
   const end = Math.max(profile.times[profile.times.length - 1], start);
-  const cut = profile.stretches(start, end);
+  const cut = stretchesOf(profile, start, end);
   const found = cut.map(({ times, ways, speeds: [v, w] }) => {
     const [a, b] = ways.map((way) => way - cut[0].ways[0]);
     return [a, b, v * v, w * w, b > a ? 0 : times[1] - times[0]];
@@ -39,7 +40,7 @@ function piecesOf(profile, start) {
 /**
  * A profile with holds in it, and where and when each is, one after another.
  * @param {import("../engine.js").Engine} engine
- * @param {Profile} profile of the walk without holds, whose speeds stay those at its places
+ * @param {SpeedProfile} profile of the walk without holds, whose speeds stay those at its places
  * @param {number} start when the walk begins, s
  * @param {Hold[]} holds in any order
  * @param {number[]} starts times, s, at which a head starts that stands until then
@@ -71,7 +72,7 @@ export function withHolds(engine, profile, start, holds, starts, rate) {
         end,
       }));
       const [times, speeds] = [HOLDS.TIME, HOLDS.SPEED].map((n) => knots.map((knot) => knot[n]));
-      return /** @type {const} */ ([new Profile(times, speeds), stood]);
+      return /** @type {const} */ ([new SpeedProfile(times, speeds), stood]);
     });
     if (found) return found;
   }

@@ -7,7 +7,7 @@ import { ANALYSIS_MARKS, MARKS } from "./constants.js";
 import { InputError } from "./errors.js";
 import { decimals, general } from "./number_format.js";
 import { rint } from "./numbers.js";
-import { countUpTo } from "./profile.js";
+import { searchsorted } from "./arrays.js";
 
 /** @typedef {import("../made/curves.js").Route} Route */
 
@@ -45,7 +45,7 @@ export class Marks {
    */
   place(s) {
     const last = this.s.length - 1;
-    const n = Math.min(Math.max(countUpTo(this.s, s + MARKS.SAME_MARK) - 1, 0), last);
+    const n = Math.min(Math.max(searchsorted(this.s, s + MARKS.SAME_MARK, "right") - 1, 0), last);
     const past = rint((s - this.s[n]) / FINE) * FINE;
     if (Math.abs(past) < AT_MARK) return { n: n + 1, past: 0 };
     const gap = n < last ? this.s[n + 1] - this.s[n] : 0;

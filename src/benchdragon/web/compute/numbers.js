@@ -55,3 +55,25 @@ export function linkLength(length, front, rear) {
   const [link, more] = difference(whole, rear);
   return link + (lost + more);
 }
+
+const SHOWN = new Float64Array(1);
+const STORED = new BigInt64Array(SHOWN.buffer);
+
+/** The distance from a finite number to the next one away from zero, as Python's math.ulp. @param {number} value */
+export function ulp(value) {
+  SHOWN[0] = Math.abs(value);
+  STORED[0] += 1n;
+  return SHOWN[0] - Math.abs(value);
+}
+
+/** A finite number as a ratio of whole ones, exactly. @param {number} value @returns {[bigint, bigint]} */
+export function integerRatio(value) {
+  let [whole, halves] = [value, 0n];
+  for (; !Number.isInteger(whole); whole *= 2) halves++; // which loses nothing
+  return [BigInt(whole), 1n << halves];
+}
+
+/** The least number that all divide; for powers of two, which `integerRatio` gives. @param {bigint[]} all */
+export function lcm(...all) {
+  return all.reduce((a, b) => (a < b ? b : a));
+}

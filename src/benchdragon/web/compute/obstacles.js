@@ -6,6 +6,7 @@ import { Obstacle } from "../made/obstacle.js";
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { doubles, withArena } from "./arena.js";
+import { within } from "./arrays.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
   ANALYSIS_OBSTACLE_SEARCH,
@@ -19,7 +20,7 @@ import { TOLERANCES, assumedWithin, inOrder, refined } from "./contact_search.js
 import { FEATURES } from "./distance.js";
 import { EngineQuestion } from "./engine_question.js";
 import { UnsureError } from "./errors.js";
-import { HeadTimes } from "./head_times.js";
+import { HeadTimes } from "../made/head_times.js";
 import { evenly } from "./lists.js";
 import { checkedOff, originOf, seenFrom } from "./nearby.js";
 import { general } from "./number_format.js";
@@ -106,10 +107,8 @@ export class ObstacleSearch extends EngineQuestion {
     const row = await this.#found(SEARCH.FIRST_TOUCH, 0);
     if (row === null) return null;
     const sure = row[BESIDE.SURE] ? "found" : "undecided";
-    const [value, early, late, status] = this.times.told(
-      row[BESIDE.LOW_END],
-      row[BESIDE.HIGH_END],
-      sure,
+    const [value, early, late, status] = withArena(this.engine, (arena) =>
+      within(arena, () => this.times.told(row[BESIDE.LOW_END], row[BESIDE.HIGH_END], sure)),
     );
     const grazed = status === "found" && late - early > NARROW; // then it surely touches at the end
     return answered(grazed ? late : value, early, late, "s", { status, ...this.#told(row) });

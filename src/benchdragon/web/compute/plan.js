@@ -11,7 +11,7 @@ import { Fault, Faults, InputError, KeyedError, PlanError, keyed } from "./error
 import { withHolds } from "./holds.js";
 import { checkedTables, filledTable, jsonOfTable, withoutDefaults } from "./plan_check.js";
 import { setValue, withBase } from "./plan_tables.js";
-import { Profile } from "./profile.js";
+import { SpeedProfile } from "../made/profile.js";
 import { sha256 } from "./sha256.js";
 import { Walk } from "./walk.js";
 
@@ -170,7 +170,7 @@ export class Plan {
     const { profile, speed } = this.tables.walk;
     const knots = profile.length ? profile : [[0, speed]];
     try {
-      return new Profile(
+      return new SpeedProfile(
         knots.map((/** @type {number[]} */ [t]) => t),
         knots.map((/** @type {number[]} */ [, v]) => v),
       );
@@ -282,7 +282,7 @@ export class Plan {
     const { start } = this;
     let { end } = this.tables.walk;
     if (end === null) {
-      end = walk.timeAt(this.route.last_position(walk));
+      end = walk.time_at(this.route.last_position(walk));
       if (this.tables.cues.cue.length) end = Math.min(end, this.pace().end);
     }
     if (!Number.isFinite(end)) {

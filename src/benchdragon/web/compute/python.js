@@ -4,7 +4,7 @@
 // @ts-nocheck
 
 import { decimals, general, powered } from "./number_format.js";
-import { rint, rounded } from "./numbers.js";
+import { integerRatio, lcm, rint, rounded, ulp } from "./numbers.js";
 import { isPrintable, pythonRepr, pythonText } from "./python_text.js";
 
 const WHITE = "\\t-\\r\\x1c-\\x20\\x85\\xa0\\u1680\\u2000-\\u200a\\u2028\\u2029\\u202f\\u205f\\u3000";
@@ -210,7 +210,7 @@ export const py = {
     if (py.isTable(a)) return py.cell(a, n);
     if (a instanceof Match) return a.group(n);
     if (a instanceof Map) return a.get(n);
-    if (Array.isArray(a)) return a.at(n);
+    if (Array.isArray(a) || ArrayBuffer.isView(a)) return a.at(n);
     return isTuple(a) || typeof a === "string" ? [...a].at(n) : a[n];
   },
   slice(a, start, end) {
@@ -315,6 +315,9 @@ export const py = {
   floor: Math.floor,
   ceil: Math.ceil,
   isfinite: Number.isFinite,
+  ulp,
+  lcm,
+  as_integer_ratio: integerRatio,
   sqrt: Math.sqrt,
   copysign: (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a)),
   hypot: Math.hypot,
@@ -326,7 +329,7 @@ export const py = {
   radians: (a) => a * (Math.PI / 180),
   remainder: (a, b) => a - b * rint(a / b),
   mod: (a, b) => ((a % b) + b) % b,
-  div: (a, b) => Math.floor(a / b),
+  div: (a, b) => (typeof a === "bigint" ? a / b : Math.floor(a / b)),
   divmod: (a, b) => [Math.floor(a / b), py.mod(a, b)],
   round: (a, digits = 0) => (digits ? rounded(a, digits) : rint(a)),
   int: (a) => Math.trunc(Number(a)),

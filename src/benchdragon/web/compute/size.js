@@ -7,7 +7,7 @@ import { question as asOne } from "./budget.js";
 import { SIZE_BRACKET, SIZE_SEARCH, SOLVE_SIZE } from "./constants.js";
 import { standAlone } from "./contact_search.js";
 import { InputError, PlanError, notNegative } from "./errors.js";
-import { HeadTimes } from "./head_times.js";
+import { HeadTimes } from "../made/head_times.js";
 import { evenly } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
 import { touched } from "./obstacles.js";

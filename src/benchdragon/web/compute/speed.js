@@ -18,13 +18,13 @@ import { EngineQuestion } from "./engine_question.js";
 import { InputError, UnsureError } from "./errors.js";
 import { evenly, least } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
-import { timeOnStretch } from "./profile.js";
+import { stretchesOf, timeOnStretch } from "./stretches.js";
 import { newSpans } from "./rounds.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./answer.js").Witness} Witness */
-/** @typedef {import("./profile.js").PaceStretch} PaceStretch */
+/** @typedef {import("./stretches.js").PaceStretch} PaceStretch */
 /** @typedef {import("../made/quantities.js").Quantity} Quantity */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -57,7 +57,7 @@ const { STEP, DONE, FALLEN } = PEAK_QUESTION;
 export async function greatest(walk, quantity, start, end, options = {}) {
   const began = now();
   inOrder(start, end);
-  const stretches = walk.profile.stretches(start, end).map(({ ways: [a, b], ...rest }) => {
+  const stretches = stretchesOf(walk.profile, start, end).map(({ ways: [a, b], ...rest }) => {
     return /** @type {PaceStretch} */ ({ ...rest, ways: [a + walk.start, b + walk.start] });
   });
   const found = await peakOver(walk, quantity, stretches, options);
@@ -189,7 +189,7 @@ export async function sought(walk, stretches, asked, progress, head = 0) {
  * @returns {Witness}
  */
 export function witnessOf(walk, quantity, { s, row, point }) {
-  const time = walk.timeAt(s);
+  const time = walk.time_at(s);
   return {
     time: Number.isFinite(time) ? time : null,
     s,

@@ -313,7 +313,7 @@ function exactFigures(engine, plan, seen, sought) {
         exact[quantity.kind] = (
           await greatestOf(walk, quantity, first, last, { tolerance: RATE })
         ).upper;
-    const [start, end] = [walk.timeAt(first), walk.timeAt(last)];
+    const [start, end] = [walk.time_at(first), walk.time_at(last)];
     const clearance = await leastClearance(walk, start, end, within, [DISTANCE]);
     exact[APART] = -sure(clearance);
     const rooms = [];

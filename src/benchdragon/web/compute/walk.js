@@ -11,7 +11,7 @@ import { general } from "./number_format.js";
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {Omit<import("../made/curves.js").Route, "joints"> & { joints: Float64Array }} Route */
 /** @typedef {import("./dragon.js").Dragon} Dragon */
-/** @typedef {import("./profile.js").Profile} Profile */
+/** @typedef {import("../made/profile.js").SpeedProfile} SpeedProfile */
 /** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("../engine.js").Numbers} Numbers */
 
@@ -124,7 +124,7 @@ export class Walk {
   /**
    * @param {Dragon} dragon
    * @param {Route} route
-   * @param {Profile} profile
+   * @param {SpeedProfile} profile
    * @param {number} [start] route position of the head's handle at time 0, m
    */
   constructor(dragon, route, profile, start = 0) {
@@ -148,7 +148,7 @@ export class Walk {
   }
 
   /** When the head comes to route position s, m; infinite where it never does. @param {number} s */
-  timeAt(s) {
+  time_at(s) {
     return this.profile.time(s - this.start);
   }
 
@@ -166,7 +166,7 @@ export class Walk {
 
   /** The WalkError of position number i of a placement on this walk. @param {Placement} placed @param {number} i */
   failure(placed, i) {
-    return Placement.prototype.failure.call(placed, i).at(this.timeAt(placed.headS[i]));
+    return Placement.prototype.failure.call(placed, i).at(this.time_at(placed.headS[i]));
   }
 
   /**
@@ -179,7 +179,7 @@ export class Walk {
     const n = placed.firstFailed;
     if (n < 0) {
       const end = new WalkError(Status.AFTER_ROUTE, 0, length, length, metres(length));
-      return at[at.length - 1] > length + ROUTE.END_SLACK ? end.at(this.timeAt(length)) : null;
+      return at[at.length - 1] > length + ROUTE.END_SLACK ? end.at(this.time_at(length)) : null;
     }
     let stands = placed.headS[Math.max(n - 1, 0)];
     let fails = placed.headS[n];

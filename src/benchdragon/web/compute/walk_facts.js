@@ -4,6 +4,7 @@
 import { Unfinished } from "../made/unfinished.js";
 import { doubles, withArena } from "./arena.js";
 import { ANALYSIS_NOT_LOOKED_AT, ANALYSIS_UNFINISHED, CURVE, PLANS_ROUTES } from "./constants.js";
+import { stretchesOf } from "./stretches.js";
 
 /** @typedef {import("./plan.js").Plan} CheckedPlan */
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -12,7 +13,7 @@ const { RUN_UP } = PLANS_ROUTES;
 
 /** By how much the head changes its speed at most, m/s^2, and from when on, s. @param {Walk} walk @param {[number, number]} span */
 export function steepest(walk, [start, end]) {
-  const stretches = walk.profile.stretches(start, end);
+  const stretches = stretchesOf(walk.profile, start, end);
   const value = stretches.reduce((most, { rate }) => Math.max(most, Math.abs(rate)), 0);
   const found = stretches.find(({ rate }) => Math.abs(rate) === value);
   return [value, found ? found.times[0] : start];
@@ -49,7 +50,7 @@ export function unfinished({ tables }, walk, end) {
   const last = tables.route.last_position(walk);
   const way = last - walk.headPosition(end);
   if (way <= NEARLY) return null;
-  const time = walk.timeAt(last);
+  const time = walk.time_at(last);
   const enough = last < walk.route.length && Number.isFinite(time);
   return new Unfinished(way, enough ? Math.ceil(TENTHS * time - DUST) / TENTHS : null);
 }

@@ -1,0 +1,29 @@
+// A walk cut where the head's acceleration jumps: `Stretches` of model/profile.py, one by one.
+
+import { py } from "./python.js";
+
+/** @typedef {import("../made/profile.js").SpeedProfile} SpeedProfile */
+
+/**
+ * One of them: its start and end, s; the distance walked from time 0 on, m, and the head's speed, m/s, at
+ * both; its acceleration, m/s^2.
+ * @typedef {{ times: [number, number], ways: [number, number], speeds: [number, number], rate: number }} PaceStretch
+ */
+
+/** The walk from start to end, s, in stretches of one acceleration. @param {SpeedProfile} profile @param {number} start @param {number} end @returns {PaceStretch[]} */
+export function stretchesOf(profile, start, end) {
+  const inner = profile.times.filter((/** @type {number} */ t) => start < t && t < end);
+  return py.pairwise([start, ...inner, end]).map((/** @type {[number, number]} */ times) => {
+    const [ways, speeds] = [times.map((t) => profile.distance(t)), times.map((t) => profile.speed(t))];
+    return { times, ways, speeds, rate: profile.acceleration(times[0]) };
+  });
+}
+
+/** When the head comes to `way`, m, on a stretch, s: `Stretches.time`. @param {PaceStretch} stretch @param {number} way */
+export function timeOnStretch({ times, ways, speeds: [slow, fast] }, way) {
+  const ahead = way - ways[0];
+  if (ahead <= 0) return times[0];
+  const share = Math.min(ahead / (ways[1] - ways[0]), 1);
+  const speed = Math.sqrt(slow * slow + share * (fast * fast - slow * slow));
+  return Math.min(times[0] + (2 * ahead) / (slow + speed), times[1]);
+}
