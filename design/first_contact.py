@@ -99,7 +99,7 @@ def main() -> None:
         print(f"{slack:8.0e} {'-':>20s} {looks_for(walk, slack, True):17d}")
 
     search, steps, from_s = ContactSearch(walk, 0.0, 413.0, 1e-6, silent), 0, math.inf
-    while search.find(SEEK, 1e-6) == kernel.FOUND:
+    while search.find(SEEK, (1e-6,)) == kernel.FOUND:
         steps, from_s = steps + 1, min(from_s, float(search.figures[EARLY]))
     every = 413.0 / (beginning.CELL_SHARE * float(walk.dragon.links.min()) / cells.PARTS)
     print(f"\nsteps of the head: {every:.0f} in all")

@@ -37,6 +37,7 @@ from tools.translation.shares import (
 from tools.translation.statements import Code
 
 import benchdragon
+from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.kernels.entries import ENTRIES
 
 FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
@@ -117,7 +118,7 @@ class Twin:
         listed = vars(self.module).get("fields") is dataclasses.fields
         return Code(
             self.parameters, self.use, self.hoist, self.function_for, self.plain, self.waits,
-            self.entry, self.member, self.kind, listed,
+            self.entry, self.group, self.owned, self.member, self.kind, listed,
         )  # fmt: skip
 
     def use(self, name: str) -> None:
@@ -150,15 +151,10 @@ class Twin:
 
     def _take(self, name: str, module: str, there: str) -> None:
         value = getattr(self.module, name)
-        path = GIVEN.get(f"{module}.{there}", OWN.get(module))
         if isinstance(value, bool | int | float | str):
             self.wanted[name] = f"const {name} = {self.literal(value)};"
-        elif module in self.all and not path:
-            self.all[module].use(there)
-            self.all[module].shared.add(there)
-            self.imports.setdefault(f"./{TWINS[module][0]}.js", set()).add(_renamed(there, name))
-        elif path:
-            self.imports.setdefault(path, set()).add(_renamed(there, name))
+        elif module in self.all or module in OWN or f"{module}.{there}" in GIVEN:
+            self._bring(name, module, there)
         else:
             self.wanted[name] = f"const {name} = {self.literal(value)};"
 
@@ -191,6 +187,34 @@ class Twin:
         one = isinstance(kind, type) and not issubclass(kind, tuple)
         return f"bd_{module.rpartition('.')[2]}_{found.__name__}", one
 
+    def group(self, name: str) -> Sequence[str] | None:
+        """The fields of a group of arrays that entries take."""
+        found = self._told(name)
+        module = str(getattr(found, "__module__", "")).removeprefix("benchdragon.")
+        if not (isinstance(found, type) and module.startswith("kernels.")) or module in self.all:
+            return None
+        return getattr(found, "_fields", None)
+
+    def owned(self, name: str) -> tuple[str, Sequence[str]] | None:
+        """A function of a module that this one names, and what it takes."""
+        owner, _point, there = name.rpartition(".")
+        found, of = self._told(name), vars(self.module).get(owner)
+        module = str(getattr(of, "__name__", "")).removeprefix("benchdragon.")
+        if not owner or not callable(found) or not (module in self.all or module in OWN):
+            return None
+        here = f"{owner}_{there}"
+        self._bring(here, module, there)
+        return camel(here), list(inspect.signature(found).parameters)
+
+    def _bring(self, name: str, module: str, there: str) -> None:
+        """Have something of another module, by a name."""
+        if path := GIVEN.get(f"{module}.{there}", OWN.get(module)):
+            self.imports.setdefault(path, set()).add(_renamed(there, name))
+        else:
+            self.all[module].use(there)
+            self.all[module].shared.add(there)
+            self.imports.setdefault(f"./{TWINS[module][0]}.js", set()).add(_renamed(there, name))
+
     def member(self, name: str) -> str | None:
         """A number of a module that is named with it."""
         found = self._told(name)
@@ -221,11 +245,15 @@ class Twin:
         return parameters
 
     def waits(self, name: str) -> str:
-        """How a function gives way: "given" by hand, or "made"; "around" if it is around others."""
+        """How a function gives way: "given" by hand, "made"; or "around", "freed", "unasked"."""
         module, there = self.origins.get(name, (self.name, name))
+        if UNASKED.get(f"{module}.{there}", "").endswith("=> null"):
+            return "unasked"
         if f"{module}.{there}" in AROUND:
             return "around"
-        if f"{module}.{there}" in FREED:
+        kind = getattr(self.module, name, None)
+        asks = isinstance(kind, type) and issubclass(kind, EngineQuestion)
+        if asks or f"{module}.{there}" in FREED:
             return "freed"
         if f"{module}.{there}" in WAITING:
             return "given"

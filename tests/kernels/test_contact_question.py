@@ -63,14 +63,14 @@ def test_nothing_beyond_what_is_asked_for_is_looked_for() -> None:
     assert (found.value, found.upper, found.witness) == (math.inf, math.inf, None)
     assert 0.01 - 2e-12 < found.lower <= 0.01
     with ContactSearch(BENT, 12.0, 15.0, 0.0, silent, tolerances=TOLERANCES) as search:
-        assert search.find(LEAST, 0.01) == FARTHER
+        assert search.find(LEAST, (0.01,)) == FARTHER
         assert search.figures[FLOOR_AT] == found.lower
 
 
 def test_all_spans_are_searched_and_again(monkeypatch: pytest.MonkeyPatch) -> None:
     """The bend comes first, and of a long dragon it is first seen by a pass; or it comes last."""
     with ContactSearch(BENT, 11.0, 30.0, 0.0, silent, tolerances=TOLERANCES[:2]) as search:
-        search.find(LEAST, math.inf)
+        search.find(LEAST, (math.inf,))
         whole = float(search.figures[BEST])
     in_python(monkeypatch)
     monkeypatch.setattr(contact_least, "MOST_SAMPLED", 3)
@@ -78,7 +78,7 @@ def test_all_spans_are_searched_and_again(monkeypatch: pytest.MonkeyPatch) -> No
         with ContactSearch(
             BENT, 11.0, 30.0, 0.0, silent, spans=spans, tolerances=TOLERANCES[:2]
         ) as search:
-            assert search.find(LEAST, math.inf) == FOUND
+            assert search.find(LEAST, (math.inf,)) == FOUND
             assert search.figures[BEST] == pytest.approx(whole, abs=1e-11)
 
 

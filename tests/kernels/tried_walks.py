@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import pytest
 
 from benchdragon import Arc, Bench, Clothoid, Dragon, Line, LogSpiral, Route, Spiral, Walk
-from benchdragon.analysis.contact_search import ContactSearch
+from benchdragon.analysis.contact_search import SLACK, ContactSearch
 from benchdragon.kernels import contact_memory as told
 from benchdragon.kernels import contact_steps, course, memory, question
 from benchdragon.kernels.beginning import begin_walk
@@ -52,7 +52,7 @@ class Searched:
     """A search of a walk between two head positions, m, in Python: one may look into its room."""
 
     def __init__(
-        self, walk: Walk, start: float, end: float, margin: float = 0.0, slack: float | None = None
+        self, walk: Walk, start: float, end: float, margin: float = 0.0, slack: float = SLACK
     ) -> None:
         with pytest.MonkeyPatch.context() as patch:
             in_python(patch)

@@ -25,6 +25,12 @@ class Calls(Expressions):
         if entry and self._is_outside(getattr(node.func, "value", node.func)):
             said = f'py.entry("{entry[0]}", {self._given(node)})'
             return f"{said}[0]" if entry[1] else said
+        if self._is_outside(getattr(node.func, "value", node.func)):
+            name = ast.unparse(node.func)
+            if (fields := self.group(name)) is not None:
+                return self._grouped(node, fields)
+            if owned := self.owned(name):
+                return f"{owned[0]}({self._given(node, owned[1])})"
         match node.func:
             case ast.Attribute(value=ast.Call(func=ast.Name(id="super")), attr=attr):
                 return f"super{'' if attr == '__init__' else f'.{attr}'}({self._given(node)})"
@@ -35,6 +41,14 @@ class Calls(Expressions):
             case ast.Name(id=name) if not any(name in scope for scope in self.scopes):
                 return self._function_call(node, name)
         return f"{self.expr(node.func)}({self._given(node)})"
+
+    def _grouped(self, node: ast.Call, fields: Sequence[str]) -> str:
+        """A group of arrays for entries."""
+        given = [*zip(fields, map(self.expr, node.args), strict=False)]
+        given += [(str(one.arg), self.expr(one.value)) for one in node.keywords]
+        if sorted(name for name, _said in given) != sorted(fields):
+            raise UntranslatableError(node, "of other fields")
+        return f"({{ {', '.join(f'{name}: {said}' for name, said in given)} }})"
 
     def _function_call(self, node: ast.Call, name: str) -> str:
         if (keys := self.plain(name)) is not None:
@@ -60,7 +74,7 @@ class Calls(Expressions):
     def _own_call(self, node: ast.Call, name: str) -> str:
         """A call of a function, or a record, of this module or taken from another."""
         self.use(name)
-        if how := self.waits(name):
+        if (how := self.waits(name)) and how not in ("freed", "unasked"):
             return self._awaited(node, name, how)
         made = "new " if name.lstrip("_")[:1].isupper() else ""
         return f"{made}{camel(name)}({self._given(node, self.parameters(name))})"

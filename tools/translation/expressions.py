@@ -39,6 +39,8 @@ class Expressions:
             options for what is said by name, "made", or "".
         entry: what the kernels' entry of that name, with points, is called, and whether it gives one
             number; None if it is none.
+        group: the fields of a group of arrays of that name, with points; None if it is none.
+        owned: a function of a module, named with a point, and what it takes; None if it is none.
         member: a number of a module, named with a point; None if it is none.
         lists_fields: whether classes must tell their fields.
         kind: the class of that name, which the module defines; None if there is none.
@@ -51,6 +53,8 @@ class Expressions:
     plain: Callable[[str], dict[str, tuple[str | None, str]] | None] = lambda _name: None
     waits: Callable[[str], str] = lambda _name: ""
     entry: Callable[[str], tuple[str, bool] | None] = lambda _name: None
+    group: Callable[[str], Sequence[str] | None] = lambda _name: None
+    owned: Callable[[str], tuple[str, Sequence[str]] | None] = lambda _name: None
     member: Callable[[str], str | None] = lambda _name: None
     kind: Callable[[str], type | None] = lambda _name: None
     lists_fields: bool = False
@@ -127,14 +131,19 @@ class Expressions:
         if not any(node.id in scope for scope in self.scopes):
             if node.id in FUNCTIONS:
                 return f"py.{node.id}"
+            if entry := self.entry(node.id):
+                return f'py.entered("{entry[0]}")'
             self.use(node.id)
         return camel(node.id)
 
     def _of_attribute(self, node: ast.Attribute) -> str:
         if (known := NUMBERS.get(ast.unparse(node))) is not None:
             return known
-        if self._is_outside(node.value) and (known := self.member(ast.unparse(node))) is not None:
-            return known
+        if self._is_outside(node.value):
+            if (known := self.member(ast.unparse(node))) is not None:
+                return known
+            if entry := self.entry(ast.unparse(node)):
+                return f'py.entered("{entry[0]}")'
         if self.function_for(node.attr) is not None:
             return f"{node.attr}({self.expr(node.value)})"
         return f"{self.expr(node.value)}.{node.attr}"

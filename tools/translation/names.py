@@ -26,12 +26,15 @@ METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
-    answer called distance head_where_tail moment moments obstacle obstacles point time time_at tried
-    witness
+    answer at called distance first_failure head_position head_where_tail moment moments motion obstacle
+    obstacles point progress tell time time_at told tried witness
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
 # Methods that give way between their steps.
-WAITED = frozenset({"find"})
+WAITED_SPELT = """
+    _found find least_distance step touches
+"""
+WAITED = frozenset(WAITED_SPELT.split())
 # Functions of modules, by their own names.
 OF_MODULES = {
     "unicodedata.normalize": "normalize", "unicodedata.category": "category",
@@ -44,12 +47,19 @@ OF_MODULES = {
     "math.degrees": "degrees", "math.remainder": "remainder", "itertools.islice": "islice",
     "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys", "math.radians": "radians",
     "clock.perf_counter": "perf_counter",
+    "math.isnan": "isnan", "np.linspace": "linspace",
 }  # fmt: skip
 # Numbers of modules; and what kind of numbers arrays hold, which pages need not say.
-NUMBERS = {"math.inf": "Infinity", "math.pi": "Math.PI", "math.nan": "NaN", "np.float64": "null"}
+NUMBERS = {
+    "math.inf": "Infinity",
+    "math.pi": "Math.PI",
+    "math.nan": "NaN",
+    "np.float64": '"d"',
+    "np.int64": '"q"',
+}
 # Calls that answer with a truth.
 TRUTHS_SPELT = """
-    any all isinstance endswith isalpha isfinite isprintable isspace bool
+    any all isinstance endswith isalpha isfinite isnan isprintable isspace bool
 """
 TRUTHS = frozenset(TRUTHS_SPELT.split())
 # What functions of `py` take by name.
@@ -57,6 +67,8 @@ BUILTIN = {
     "enumerate": ("iterable", "start"), "searchsorted": ("a", "v", "side"),
     "max": ("over", "key", "default"),
     "min": ("over", "key", "default"), "sorted": ("iterable", "key", "reverse"),
+    "array": ("values", "dtype"), "empty": ("shape", "dtype"), "zeros": ("shape", "dtype"),
+    "full": ("shape", "value", "dtype"),
 }  # fmt: skip
 
 

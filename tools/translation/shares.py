@@ -8,13 +8,22 @@ TWINS = {
     "analysis.contact": (
         "contact", "contact_windows", "first_sure_contact", "least_clearance", "seen_clearance",
     ),
+    "analysis.contact_search": ("contact_search", "assumed_within", "stand_alone"),
+    "analysis.distance": ("distance", "FEATURES", "nearness"),
     "analysis.findings": (
         "findings", "Finding", "all_findings", "named", "shown_name", "touch_text",
     ),
     "analysis.ground": ("ground", "Ground"),
     "analysis.head_times": ("head_times", "HeadTimes"),
+    "analysis.nearby": ("nearby", "checked_off"),
+    "analysis.rounds": ("rounds", "Rounds", "repeats", "returns"),
+    "analysis.tables": ("bench_tables", "beginnings", "in_columns", "kinds_of", "walk_tables"),
     "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),
     "analysis.not_looked_at": ("not_looked_at", "not_looked_at"),
+    "analysis.obstacle_search": ("obstacle_search", "ObstacleSearch"),
+    "analysis.obstacles": (
+        "obstacles", "ObstacleAnswers", "least_distance", "obstacle_answers", "touching",
+    ),
     "analysis.records": ("records", "answer_of", "answer_or_none", "verdict_of"),
     "analysis.room": ("room_levels", "ASKED", "Asked", "RoomLevel", "levels_asked", "shown_name"),
     "analysis.speed": ("quantities", "QUANTITIES", "Quantity", "given_limits"),
@@ -76,14 +85,19 @@ TWINS = {
 }  # fmt: skip
 # What hand-written modules of the page hold of other modules, by the same names.
 OWN = {
+    "analysis.engine_question": "../compute/engine_question.js",
+    "budget": "../compute/budget.js",
     "i18n": "../words.js", "errors": "../compute/errors.js", "plans.source": "../compute/errors.js",
 }  # fmt: skip
 # What single functions of the page do otherwise.
 GIVEN = {
-    "analysis.contact_search.contact_search": "../compute/contact_search.js",
+    "analysis.contact.refined": "../compute/budget.js",
+    "analysis.distance.nearness_at": "../compute/distance.js",
+    "analysis.nearby.must_stand": "../compute/nearby.js",
+    "analysis.nearby.origin_at": "../compute/nearby.js",
+    "analysis.nearby.seen_from": "../compute/nearby.js",
     "analysis.left_open.speed_at_start": "../compute/left_open.js",
     "analysis.left_open.told_if_open": "../compute/left_open.js",
-    "analysis.obstacles.obstacle_answers": "../compute/obstacles.js",
     "analysis.records.bracketed": "../compute/answer.js",
     "analysis.room.room_levels": "../compute/room.js",
     "analysis.speed.greatest": "../compute/speed.js",
@@ -120,12 +134,11 @@ UNASKED = {
 }
 # Functions of pages that give way between their steps: they take what is said by name as one object.
 WAITING = {
-    "analysis.obstacles.obstacle_answers",
     "analysis.room.room_levels", "analysis.speed.greatest", "analysis.speed.greatest_speed",
 }  # fmt: skip
 # Functions of pages in place of context managers: they give what takes errors.
-AROUND = {"analysis.left_open.told_if_open"}
-# Functions of pages whose results are freed where a context manager would end.
+AROUND = {"analysis.contact.refined", "analysis.left_open.told_if_open"}
+# Functions whose results are freed where a context manager would end, as questions of the engine are.
 FREED = {"analysis.contact_search.contact_search"}
 # Methods of records that pages have as plain data are functions there: their modules, what they take.
 AS_FUNCTIONS = {
@@ -137,6 +150,7 @@ AS_FUNCTIONS = {
 # What only Python has of records, of one or of all of a module.
 LEFT_OUT = {
     "analysis.beats.Run": ("beats", "time"),
+    "analysis.obstacle_search.ObstacleSearch": ("ways",),
     "analysis.ground.Ground": ("of", "seen"),
     "model.answer.Answer": ("as_json", *AS_FUNCTIONS),
     "model.obstacle.Obstacle": ("__eq__", "__hash__"),

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 
 from tools.translation.calls import Calls
 from tools.translation.expressions import arguments_of
-from tools.translation.names import UntranslatableError, camel
+from tools.translation.names import WAITED, UntranslatableError, camel
 
 # What methods may be marked with.
 DECORATORS = {"cached_property", "classmethod", "property", "staticmethod"}
@@ -39,8 +39,13 @@ class Code(Calls):
         if isinstance(node.value, ast.Call) and ast.unparse(node.value.func) == "object.__setattr__":
             at, name, value = node.value.args
             yield f"{self.expr(at)}[{self.expr(name)}] = {self.expr(value)};"
-        elif not isinstance(node.value, ast.Constant):
+        elif not isinstance(node.value, ast.Constant) and not self._is_unasked(node.value):
             yield f"{self.expr(node.value)};"
+
+    def _is_unasked(self, node: ast.expr) -> bool:
+        """Whether something is but checked that Python is called with."""
+        named = isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+        return named and self.waits(node.func.id) == "unasked"  # type: ignore[attr-defined]
 
     def _pass(self, _node: ast.Pass) -> Iterator[str]:
         yield from ()
@@ -141,18 +146,19 @@ class Code(Calls):
         how = "freed" if isinstance(name, ast.Name) else "" if name else "around"
         if not how or self.waits(call.func.id) != how:
             raise UntranslatableError(node, "of a function that pages do not have")
-        self.use(call.func.id)
-        given = ", ".join(
-            [*map(self.expr, call.args), *([self._object(call.keywords)] * bool(call.keywords))]
-        )
-        made = f"{camel(call.func.id)}({given})"
+        if how == "freed":
+            made = self.expr(call)
+        else:
+            self.use(call.func.id)
+            made = f"{camel(call.func.id)}({self._given(call, self.parameters(call.func.id))})"
         body = self.block(node.body)
         if isinstance(name, ast.Name):
             kept = camel(name.id)
             yield f"{kept} = {made};\ntry {{\n{body}\n}} finally {{\n{kept}.free();\n}}"
         else:
             yield f"{{\nconst caught = {made};\ntry {{"
-            yield f"{body}\n}} catch (error) {{\ncaught(error);\n}}\n}}"
+            yield f"{body}\n}} catch (error) {{\ncaught(error);"
+            yield "} finally {\ncaught.ended?.();\n}\n}"
 
     def _functiondef(self, node: ast.FunctionDef) -> Iterator[str]:
         yield self.function(node)
@@ -175,6 +181,10 @@ class Code(Calls):
         self.waited.append(False)
         body = self.block(node.body)
         wait = "async " if self.waited.pop() else ""
+        if wait and me and node.name not in WAITED:
+            raise UntranslatableError(node, "a method that waits: see WAITED")
+        if wait and any(ast.unparse(one) == "budget.question()" for one in node.decorator_list):
+            told, body = "", f"return py.scoped(async () => {{\n{told}{body}\n}});"
         self.waiting |= {node.name} if wait else set()
         self.me.pop()
         self.scopes.pop()

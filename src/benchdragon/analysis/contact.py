@@ -197,7 +197,7 @@ def least_clearance(
     with contact_search(walk, start, end, 0.0, progress, tolerances=tolerances) as search:
         if len(walk.dragon) < 3:
             return NONE
-        if search.find(LEAST, within) == FARTHER:
+        if search.find(LEAST, (within,)) == FARTHER:
             bracket = math.inf, float(search.figures[FLOOR_AT]), math.inf
             return search.answer(bracket, "m", "found", False)
         return _clearance(search)
@@ -272,6 +272,6 @@ def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
         for i in inner.tolist():
             about = motion.head_s[[i - 1, i + 1]].tolist(), float(clearance[i]), float(motion.head_s[i])
             first, second = (number - 1 for number in tightest[i].benches)
-            search.find(BETWEEN, within, *about[0], *about[1:], first, second)
+            search.find(BETWEEN, (within, *about[0], *about[1:], first, second))
             minima.append(_clearance(search))
     return ClearanceCurve(at, clearance, np.array([near.benches for near in tightest]), minima)

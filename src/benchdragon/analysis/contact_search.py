@@ -13,10 +13,10 @@ import numpy as np
 
 from benchdragon import budget
 from benchdragon.analysis import tables
-from benchdragon.analysis.distance import Nearness, boxes, nearness, nearness_of
+from benchdragon.analysis.distance import Nearness, nearness_at, nearness_of
 from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.head_times import HeadTimes
-from benchdragon.analysis.nearby import checked_off, origin_of, seen_from
+from benchdragon.analysis.nearby import checked_off, must_stand, origin_at, seen_from
 from benchdragon.analysis.rounds import Rounds, Span, repeats
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
@@ -26,7 +26,6 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.family import UNKNOWN
 from benchdragon.kernels.nearness import NEARNESS
 from benchdragon.kernels.question import MORE
-from benchdragon.kernels.walk_search import SEARCHED
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
@@ -49,19 +48,14 @@ TOLERANCES = (1e-12, 1e-8, 1e-5, 1e-3)
 # What the first of these may take beside a question, as a share of its work, and each of the others:
 # those are for benches that keep one distance, and a bracket is refined while that is cheap.
 REFINING, REFINING_ON = 0.25, 0.05
-# Places looked at for why a walk could not be followed.
-SAMPLES_AHEAD = 65
+# Where it is looked for why a walk could not be followed, each place so many times as far ahead.
+FARTHER_AHEAD = 1.25
 
 
 def assumed_within(off: float) -> tuple[str, ...]:
     """What answers rest on whose distances may be off by so much, m."""
     text = _("computed distances are within {slack} m of the exact ones")
     return (text.format(slack=at_most(off)),)
-
-
-def most_evaluations(handles: int) -> int:
-    """Chains of so many handles that the question at hand may still march, in one step."""
-    return int(min(max(budget.left() / (SEARCHED * handles), 1.0), MOST_EVALUATIONS))
 
 
 def witness_of(near: Nearness, origin: Point, time: float, s: float) -> Witness:
@@ -95,68 +89,43 @@ class ContactSearch(EngineQuestion):
     def __init__(
         self, walk: Walk, start: float, end: float, margin: float, progress: Progress,
         since: float = -math.inf, spans: Sequence[Span] = (), until: float = math.inf,
-        tolerances: Sequence[float] = (), slack: float | None = None,
+        tolerances: Sequence[float] = (), slack: float = SLACK,
     ) -> None:  # fmt: skip
-        placed = walk.placement(start, throw=False)
-        self.origin = origin_of(placed.x, placed.y)
-        self.walk = seen_from(walk, self.origin)
-        self.start, self.end, self.progress = start, end, progress
-        self.spans = spans or [(start, end)]
-        self.slack = SLACK if slack is None else slack
-        self.times = HeadTimes(self.walk, start, since, until)
-        self._began = clock.perf_counter()
-        self._near = np.empty(NEARNESS)
-        dragon = walk.dragon
-        handle = kernel.open_contact(
-            told.Asked(
-                self.walk.route.rows, dragon.links, dragon.sizes, np.array([dragon.lever]),
-                np.array(self.spans), self._limits(margin), np.array(tolerances, dtype=float),
-                tables.beginnings(),
-            )
+        origin = origin_at(walk, start)
+        seen, ways = seen_from(walk, origin), spans or [(start, end)]
+        dragon, limits = walk.dragon, _limits(margin, slack, start, end)
+        asked = told.Asked(
+            seen.route.rows, dragon.links, dragon.sizes, np.array([dragon.lever]), np.array(ways),
+            limits, np.array(tolerances, dtype=np.float64), tables.beginnings(),
         )  # fmt: skip
+        handle = kernel.open_contact(asked)
         if handle < 0:
             raise tables.too_many_kinds(dragon.sizes)
-        figures = np.zeros(told.FIGURES)
-        super().__init__(handle, kernel.step_contact, kernel.read_contact, figures, self._near)
+        near, figures = np.empty(NEARNESS), np.zeros(told.FIGURES)
+        super().__init__(handle, kernel.step_contact, kernel.read_contact, figures, near)
+        self.walk, self.origin, self._near = seen, origin, near
+        self.start, self.end, self.progress, self.spans, self.slack = start, end, progress, ways, slack
+        self.times = HeadTimes(seen, start, since, until)
+        self._began = clock.perf_counter()
 
-    def _limits(self, margin: float) -> FloatArray:
-        """What the engine is told of the question."""
-        named = {
-            told.MARGIN: margin,
-            told.LEAST_OFF: self.slack,
-            told.WIDTH: WIDTH,
-            told.MOST: MOST_EVALUATIONS,
-            told.MOST_LEAST: MOST_LEAST_EVALUATIONS,
-            told.BYTES: budget.memory(),
-            told.BEGIN: self.start,
-            told.END: self.end,
-            told.MOST_KINDS: tables.MOST_SIZES,
-            told.REFINING: budget.aside_most(REFINING),
-            told.REFINING_ON: budget.aside_most(REFINING_ON),
-        }
-        return np.array([named[n] for n in range(told.LIMITS)], dtype=float)
-
-    def find(self, goal: int, *said: float) -> int:
+    def find(self, goal: int, said: Sequence[float] = (0.0,)) -> int:
         """Search on for a goal of kernels/contact_question.py; how that ended.
 
         Raises:
             WalkError: if the dragon cannot walk on.
             UnsureError: if it could not be shown that it can, or rounding hides too much.
         """
-        kernel.seek_contact(self._handle, goal, np.array(said or (0.0,), dtype=float))
+        kernel.seek_contact(self._handle, goal, np.array(said, dtype=np.float64))
         while (ending := self.step()) == MORE:
-            at = float(self.figures[told.WALKED])
+            (at,) = self.tell(told.WALKED)
             self.progress((at - self.start) / (self.end - self.start), "")
         if ending == told.STOPPED:
-            raise self.stopped(*self.figures[[told.SOUND_TO, told.UNTIL]].tolist())
+            raise self.stopped(*self.tell(told.SOUND_TO, told.UNTIL))
         if ending == told.UNSHOWN:
             raise UnsureError(_("it could not be shown that the dragon stands all along"))
         if ending == told.ENDLESS:
-            raise UnsureError(
-                _("the walk is too long to be searched: more than {most} cells of its route").format(
-                    most=tables.MOST_CELLS
-                )
-            )
+            text = _("the walk is too long to be searched: more than {most} cells of its route")
+            raise UnsureError(text.format(most=tables.MOST_CELLS))
         if ending == told.BLURRED:
             checked_off(self.off)
         return ending
@@ -164,15 +133,15 @@ class ContactSearch(EngineQuestion):
     def stopped(self, sound: float, until: float) -> Exception:
         """Why the walk could not be followed past head position `sound`, looked for up to `until`."""
         # A bench may stand square to the route for a tenth of a millimetre only, and then leap.
-        ahead = np.geomspace(UNKNOWN, max(min(until, self.end) - sound, UNKNOWN), SAMPLES_AHEAD)
-        error = self.walk.first_failure(np.concatenate([[sound], sound + ahead]))
+        reach, at, ahead = max(min(until, self.end) - sound, UNKNOWN), [sound], UNKNOWN
+        while ahead < reach:
+            at.append(sound + ahead)
+            ahead *= FARTHER_AHEAD
+        error = self.walk.first_failure(np.array([*at, sound + reach]))
         if error is not None and error.head <= sound + 2.0 * UNKNOWN:
             return error
-        return UnsureError(
-            _("past t = {t} s it could not be shown that every bench follows without a leap").format(
-                t=f"{self.times.at(sound):.6g}"
-            )
-        )
+        text = _("past t = {t} s it could not be shown that every bench follows without a leap")
+        return UnsureError(text.format(t=f"{self.times.at(sound):.6g}"))
 
     @property
     def off(self) -> float:
@@ -181,8 +150,8 @@ class ContactSearch(EngineQuestion):
 
     def witness(self) -> Witness:
         """How the benches stand that were found."""
-        s = float(self.figures[told.LATE])
-        return witness_of(nearness_of(self._near), self.origin, self.times.at(s), s)
+        (s,) = self.tell(told.LATE)
+        return witness_of(nearness_of(self._near.tolist()), self.origin, self.times.at(s), s)
 
     def answer(
         self, bracket: tuple[float, float, float], unit: str, status: Status, seen: bool = True
@@ -190,24 +159,37 @@ class ContactSearch(EngineQuestion):
         """An answer of a value, the ends of its bracket and a unit; with a witness if it was `seen`."""
         witness = self.witness() if seen else None
         marched, seconds = int(self.figures[told.MARCHED]), clock.perf_counter() - self._began
-        assumed = assumed_within(self.off)
-        return Answer(*bracket, unit, status, witness, assumed, marched, seconds)
+        return Answer(*bracket, unit, status, witness, assumed_within(self.off), marched, seconds)
 
     def moment(self, status: Status) -> Answer:
         """When the benches come to stand as was found."""
-        early, late, behind, ahead = self.figures[
-            [told.EARLY, told.LATE, told.EARLY_LEAD, told.LATE_LEAD]
-        ].tolist()
-        *bracket, known = self.times.told(early, late, status, (behind, ahead))
-        return self.answer((bracket[0], bracket[1], bracket[2]), "s", known)
+        early, late, behind, ahead = self.tell(told.EARLY, told.LATE, told.EARLY_LEAD, told.LATE_LEAD)
+        value, lower, upper, known = self.times.told(early, late, status, (behind, ahead))
+        return self.answer((value, lower, upper), "s", known)
+
+
+def _limits(margin: float, slack: float, start: float, end: float) -> FloatArray:
+    """What the engine is told of the question."""
+    named = {
+        told.MARGIN: margin,
+        told.LEAST_OFF: slack,
+        told.WIDTH: WIDTH,
+        told.MOST: MOST_EVALUATIONS,
+        told.MOST_LEAST: MOST_LEAST_EVALUATIONS,
+        told.BYTES: budget.memory(),
+        told.BEGIN: start,
+        told.END: end,
+        told.MOST_KINDS: tables.MOST_SIZES,
+        told.REFINING: budget.aside_most(REFINING),
+        told.REFINING_ON: budget.aside_most(REFINING_ON),
+    }
+    return tables.in_columns(named)
 
 
 def stand_alone(walk: Walk, times: HeadTimes, s: float, i: int, j: int) -> Witness:
     """How benches i and j (rows, from 0) of a walk stand with the head at s, m, without a search."""
-    placed = walk.placement(times.start, throw=False)
-    origin = origin_of(placed.x, placed.y)
-    near = nearness(boxes(seen_from(walk, origin).placement(s, throw=False), 0), i, j)
-    return witness_of(near, origin, times.at(s), s)
+    origin = origin_at(walk, times.start)
+    return witness_of(nearness_at(seen_from(walk, origin), s, i, j), origin, times.at(s), s)
 
 
 def contact_search(
@@ -227,5 +209,5 @@ def contact_search(
     in_order(start, end)
     a, b = walk.head_position([start, end]).tolist()
     spans = [(a, b)] if whole else Rounds(walk, repeats(walk.route.rows)).new(a, b)[0]
-    walk.motion([start])  # raises where the dragon cannot stand at the start
+    must_stand(walk, start)
     return ContactSearch(walk, a, b, margin, progress, start, spans, end, tolerances)

@@ -79,21 +79,22 @@ def nearness(table: FloatArray, i: int, j: int) -> Nearness:
     """How near the benches in rows i and j of `boxes` are."""
     row = np.empty(near.NEARNESS)
     near.nearness(table, i, j, row)
-    return nearness_of(row)
+    return nearness_of(row.tolist())
 
 
-def nearness_of(row: FloatArray) -> Nearness:
+def nearness_of(row: list[float]) -> Nearness:
     """What a row of kernels/nearness.py tells."""
-    first, second, distance, gap, *points = row[: near.OWNER].tolist()
-    owner, corner, other, feature = row[near.OWNER :].astype(int).tolist()
-    x, y, there_x, there_y = points
+    first, second, distance, gap, x, y, there_x, there_y, *meets = row
+    owner, corner, other, feature = (int(one) for one in meets)
     return Nearness(
-        (int(first) + 1, int(second) + 1),
-        distance,
-        gap,
-        ((x, y), (there_x, there_y)),
+        (int(first) + 1, int(second) + 1), distance, gap, ((x, y), (there_x, there_y)),
         ((owner + 1, CORNERS[corner]), (other + 1, FEATURES[feature])),
-    )
+    )  # fmt: skip
+
+
+def nearness_at(walk: Walk, s: float, i: int, j: int) -> Nearness:
+    """How near benches i and j (rows, from 0) of a walk are with the head at s, m."""
+    return nearness(boxes(walk.placement(s, throw=False), 0), i, j)
 
 
 def pairs_within(table: FloatArray, reach: float) -> tuple[IntArray, IntArray]:

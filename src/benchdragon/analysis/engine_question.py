@@ -56,6 +56,11 @@ class EngineQuestion:
         figures: FloatArray = self._told[0]
         return figures
 
+    def tell(self, *columns: int) -> list[float]:
+        """Some of these figures."""
+        told: list[float] = self.figures[list(columns)].tolist()
+        return told
+
     def step(self, *said: float) -> int:
         """Go on for some hundredths of a second; how that ended.
 

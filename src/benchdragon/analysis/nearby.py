@@ -33,6 +33,17 @@ def origin_of(x: FloatArray, y: FloatArray) -> Point:
     return float(np.rint(x.flat[0])), float(np.rint(y.flat[0]))
 
 
+def origin_at(walk: Walk, s: float) -> Point:
+    """From where a walk is searched that begins with its head at s, m."""
+    placed = walk.placement(s, throw=False)
+    return origin_of(placed.x, placed.y)
+
+
+def must_stand(walk: Walk, time: float) -> None:
+    """Raise a WalkError if the dragon cannot stand at a time, s."""
+    walk.motion([time])
+
+
 def seen_from(walk: Walk, origin: Point) -> Walk:
     """The same walk with its coordinates counted from an origin, m."""
     return walk if origin == NOWHERE else replace(walk, route=walk.route.seen_from(origin))

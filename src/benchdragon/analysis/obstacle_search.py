@@ -17,8 +17,9 @@ from benchdragon.analysis.contact_search import (
 from benchdragon.analysis.distance import FEATURES
 from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.head_times import HeadTimes
-from benchdragon.analysis.nearby import checked_off, origin_of, seen_from
+from benchdragon.analysis.nearby import checked_off, must_stand, origin_at, seen_from
 from benchdragon.analysis.rounds import returns
+from benchdragon.analysis.tables import in_columns
 from benchdragon.errors import UnsureError, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import beside
@@ -40,7 +41,9 @@ NARROW = 1e-6
 
 def repeats_of(walk: Walk) -> FloatArray:
     """The parts of a route that lead back to where it was, as the engine takes them."""
-    return returns(walk.route.rows, float(np.hypot(*walk.dragon.sizes[:2]).max()))
+    lengths, widths, *_insets = walk.dragon.sizes.tolist()
+    squares = (a * a + b * b for a, b in zip(lengths, widths, strict=True))
+    return returns(walk.route.rows, math.sqrt(max(squares)))
 
 
 class ObstacleSearch(EngineQuestion):
@@ -61,29 +64,29 @@ class ObstacleSearch(EngineQuestion):
         of_kind("walk", walk, Walk)
         of_kind("obstacle", obstacle, Obstacle)
         in_order(start, end)
-        self._began = clock.perf_counter()
-        self._obstacle, self._heads = obstacle, walk.head_position([start, end])
-        placed = walk.placement(self._heads)  # raises where the dragon cannot stand
-        self._origin = np.array(origin_of(placed.x[0], placed.y[0]))
-        near = seen_from(walk, (float(self._origin[0]), float(self._origin[1])))
-        self._walk, self._times = walk, HeadTimes(walk, float(self._heads[0]), start, end)
+        began, (first, last) = clock.perf_counter(), walk.head_position([start, end]).tolist()
+        must_stand(walk, start)
+        must_stand(walk, end)
+        origin, dragon = origin_at(walk, first), walk.dragon
+        near, (x, y) = seen_from(walk, origin), origin
         named = {
             beside.SORT: obstacle.sort,
             beside.RADIUS: obstacle.radius,
             beside.MARGIN: obstacle.margin,
-            beside.HEAD_FIRST: self._heads[0],
-            beside.HEAD_LAST: self._heads[1],
+            beside.HEAD_FIRST: first,
+            beside.HEAD_LAST: last,
             beside.LEAST_OFF: SLACK,
             beside.WIDTH: WIDTH,
             beside.MOST: MOST_EVALUATIONS,
             beside.MOST_LEAST: MOST_LEAST_EVALUATIONS,
         }
-        asked = np.array([named[n] for n in range(beside.ASKED)], dtype=float)
-        rows, dragon, outline = near.route.rows, walk.dragon, obstacle.outline - self._origin
+        outline = np.array([(at[0] - x, at[1] - y) for at in obstacle.outline.tolist()])
         handle = kernel.open_obstacle(
-            rows, dragon.links, dragon.sizes, outline, repeats_of(near), asked
+            near.route.rows, dragon.links, dragon.sizes, outline, repeats_of(near), in_columns(named)
         )
         super().__init__(handle, kernel.step_obstacle, kernel.read_obstacle, np.zeros(beside.FIGURES))
+        self._walk, self._obstacle, self._heads, self._origin = walk, obstacle, (first, last), origin
+        self._times, self._began = HeadTimes(walk, first, start, end), began
 
     @property
     def evaluations(self) -> int:
@@ -105,7 +108,8 @@ class ObstacleSearch(EngineQuestion):
             WalkError: if the dragon cannot walk on to the end.
             UnsureError: if it could not be shown that it can, or benches graze too often.
         """
-        return [self._touch(row) for row in self._found(FIRST_TOUCH, 0.0)]
+        found = self._found(FIRST_TOUCH, 0.0)
+        return [self._touch(row) for row in found]
 
     def least_distance(self, tolerances: Sequence[float]) -> Answer:
         """The least distance, m, in a bracket as wide as the first of `tolerances`, m, that can be.
@@ -119,9 +123,10 @@ class ObstacleSearch(EngineQuestion):
                 found = self._found(LEAST, tolerance)
                 if self.figures[beside.CLOSED_IN]:
                     return self._distance(found[0])
-        return self._distance(self._found(LEAST, math.inf)[0])
+        found = self._found(LEAST, math.inf)
+        return self._distance(found[0])
 
-    def _found(self, goal: int, narrow: float) -> FloatArray:
+    def _found(self, goal: int, narrow: float) -> list[list[float]]:
         """Rows of what is sought: see kernels/beside.py."""
         kernel.seek_obstacle(self._handle, goal, narrow)
         while (ending := self.step()) == MORE:
@@ -135,48 +140,43 @@ class ObstacleSearch(EngineQuestion):
             checked_off(float(self.figures[beside.ABOUT]))
         found = np.empty((int(self.figures[beside.COUNT]), beside.FOUND_COLUMNS))
         kernel.read_found(self._handle, 0, found)
-        return found
+        rows: list[list[float]] = found.tolist()
+        return rows
 
     def _stopped(self) -> Exception:
         """Why a bench could not be followed past the end of what its search had shown."""
-        first, last = self._heads.tolist()
-        error = self._walk.first_failure(np.linspace(first, last, SAMPLES))
+        error = self._walk.first_failure(np.linspace(*self._heads, SAMPLES))
         text = _("past s = {s} m it could not be shown that every bench follows without a leap")
         return error or UnsureError(text.format(s=f"{self.figures[beside.SOUND]:.6g}"))
 
-    def _touch(self, row: FloatArray) -> Answer:
+    def _touch(self, row: list[float]) -> Answer:
         """When the head is where a touch begins and surely is; how the bench then stands."""
-        status: Status = "found" if row[beside.SURE] else "undecided"
-        lower, upper = row[[beside.LOW_END, beside.HIGH_END]].tolist()
-        value, early, late, status = self._times.told(lower, upper, status)
+        sure: Status = "found" if row[beside.SURE] else "undecided"
+        value, early, late, status = self._times.told(row[beside.LOW_END], row[beside.HIGH_END], sure)
         if status == "found" and late - early > NARROW:
             value = late  # a graze came before: then it surely touches
-        return self._answer(value, early, late, "s", status, row)
+        return self._answer((value, early, late), "s", status, row)
 
-    def _distance(self, row: FloatArray) -> Answer:
-        value, lower, upper = row[[beside.VALUE, beside.LOW_END, beside.HIGH_END]].tolist()
-        return self._answer(value, lower, upper, "m", "found", row)
+    def _distance(self, row: list[float]) -> Answer:
+        bracket = row[beside.VALUE], row[beside.LOW_END], row[beside.HIGH_END]
+        return self._answer(bracket, "m", "found", row)
 
     def _answer(
-        self, value: float, lower: float, upper: float, unit: str, status: Status, row: FloatArray
+        self, bracket: tuple[float, float, float], unit: str, status: Status, row: list[float]
     ) -> Answer:
-        assumed, made = (
-            assumed_within(float(self.figures[beside.ABOUT])),
-            int(self.figures[beside.MADE]),
-        )
+        assumed, made = assumed_within(float(self.figures[beside.ABOUT])), self.evaluations
         seconds = clock.perf_counter() - self._began
-        return Answer(value, lower, upper, unit, status, self._witness(row), assumed, made, seconds)
+        return Answer(*bracket, unit, status, self._witness(row), assumed, made, seconds)
 
-    def _witness(self, row: FloatArray) -> Witness:
+    def _witness(self, row: list[float]) -> Witness:
         """How a bench stands to the obstacle.
 
         Where it stands wholly inside of one the gap is minus the distance. Of a bench outside of the
         venue the point is the corner that is farthest out, and the gap minus how far.
         """
-        s, gap, bench = float(row[beside.HEAD]), float(row[beside.GAP]), int(row[beside.WHO]) + 1
+        s, gap, bench = row[beside.HEAD], row[beside.GAP], int(row[beside.WHO]) + 1
         if math.isnan(gap):
             raise self._stopped()
-        x, y = (row[[beside.AT_X, beside.AT_Y]] + self._origin).tolist()
-        feature = FEATURES[int(row[beside.FEATURE])]
-        time, name = self._times.at(s), self._obstacle.name
-        return Witness(time, s, (bench,), (x, y), gap, ((bench, feature),), None, name)
+        point = row[beside.AT_X] + self._origin[0], row[beside.AT_Y] + self._origin[1]
+        feature, time = FEATURES[int(row[beside.FEATURE])], self._times.at(s)
+        return Witness(time, s, (bench,), point, gap, ((bench, feature),), None, self._obstacle.name)

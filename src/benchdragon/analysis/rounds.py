@@ -41,10 +41,9 @@ class Rounds:
 
         And what places may be off by from those some rounds before, m.
         """
-        rows, links = self._walk.route.rows, self._walk.dragon.links
-        spans, scratch = (
-            np.empty((len(self._known) + 1, 2)),
-            (np.empty(1), empty_placements(len(links) + 1, 1)),
-        )
-        count, missed = kernel.spans_left(rows, links, self._known, first, last, *scratch, spans)
-        return [(float(start), float(end)) for start, end in spans[:count]], missed
+        rows, links, spans = (
+            self._walk.route.rows, self._walk.dragon.links, np.empty((len(self._known) + 1, 2)),
+        )  # fmt: skip
+        at, places = np.empty(1), empty_placements(len(links) + 1, 1)
+        count, missed = kernel.spans_left(rows, links, self._known, first, last, at, places, spans)
+        return [(start, end) for start, end in spans[:count].tolist()], missed

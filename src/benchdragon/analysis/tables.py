@@ -24,6 +24,11 @@ A_CELL, AT_FIRST = 64, 1_000_000
 PAIRS, MEMBERS, DOUBTS = 1_000, 256, 64
 
 
+def in_columns(told: dict[int, float]) -> FloatArray:
+    """Numbers in the order of the columns that they are told for."""
+    return np.array([told[n] for n in range(len(told))], dtype=np.float64)
+
+
 def beginnings() -> IntArray:
     """The room that searches begin with, as the engine takes it: see kernels/own_room.py."""
     named = {
@@ -42,7 +47,7 @@ def too_many_kinds(sizes: FloatArray) -> InputError:
     """That benches of these sizes, (4, benches), are of too many different ones."""
     return InputError(
         _("contacts can be searched for at most {most} different sizes, not {count}").format(
-            most=MOST_SIZES, count=np.unique(sizes, axis=1).shape[1]
+            most=MOST_SIZES, count=len({*zip(*sizes.tolist(), strict=True)})
         )
     )
 
@@ -60,7 +65,7 @@ def kinds_of(sizes: FloatArray) -> tuple[IntArray, Kinds]:
     count = find_kinds(sizes, found, kind, group)
     if count > most:
         raise too_many_kinds(sizes)
-    return kind, Kinds(np.ascontiguousarray(found[:, :count]), group[:count])
+    return kind, Kinds(np.array([row[:count] for row in found.tolist()]), group[:count])
 
 
 def walk_tables(walk: Walk) -> course.Walk:
@@ -71,6 +76,8 @@ def walk_tables(walk: Walk) -> course.Walk:
     """
     dragon = walk.dragon
     kind, kinds = kinds_of(dragon.sizes)
-    ahead = np.concatenate([[0.0], np.cumsum(dragon.links[:-1])])
-    benches = Benches(dragon.links, dragon.sizes, kind, ahead, np.array([dragon.lever]))
+    ahead = [0.0]
+    for link in dragon.links.tolist()[:-1]:
+        ahead.append(ahead[-1] + link)
+    benches = Benches(dragon.links, dragon.sizes, kind, np.array(ahead), np.array([dragon.lever]))
     return course.Walk(walk.route.rows, benches, kinds)

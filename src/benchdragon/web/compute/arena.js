@@ -11,6 +11,26 @@ import { Numbers } from "../engine.js";
  *   failed: Numbers }} Placements
  */
 
+/** The arena in which something is built. @type {Arena | null} */
+let here = null;
+
+/** What `make` makes, its arrays in an arena. @template T @param {Arena} arena @param {() => T} make not async @returns {T} */
+export function within(arena, make) {
+  const before = here;
+  here = arena;
+  try {
+    return make();
+  } finally {
+    here = before;
+  }
+}
+
+/** The arena in which something is built. */
+export function arena() {
+  if (!here) throw new TypeError("nowhere to put arrays: see `within`");
+  return here;
+}
+
 /** Arrays in the engine's memory, until the arena is freed. */
 export class Arena {
   /** @param {Engine} engine */
@@ -104,18 +124,21 @@ export function withArena(engine, use) {
 }
 
 /**
- * The same for what lets go on its way.
+ * The same for what lets go on its way; until it ends all that is built lies in that arena. A Worker answers
+ * one question at a time: of two at once the second would end the first one's arena.
  * @template T
  * @param {Engine} engine
  * @param {(arena: Arena) => Promise<T>} use
  * @returns {Promise<T>}
  */
 export async function withArenaAsync(engine, use) {
-  const arena = new Arena(engine);
+  const before = here;
+  const own = (here = new Arena(engine));
   try {
-    return await use(arena);
+    return await use(own);
   } finally {
-    arena.free();
+    own.free();
+    here = before;
   }
 }
 

@@ -2,13 +2,14 @@
 // answers one question at a time, so that one budget at a time is kept.
 
 import { _ } from "../words.js";
-import { BUDGET } from "./constants.js";
+import { ANALYSIS_CONTACT_SEARCH, BUDGET } from "./constants.js";
 import { BenchDragonError } from "./errors.js";
 import { general } from "./number_format.js";
 
 /** What a question may take, `one` that shares with no other, and what it has taken. @typedef {{ work: number, one: number, memory: number, spent: number }} Budget */
 
 const { WORK, MEMORY } = BUDGET;
+const { REFINING, REFINING_ON } = ANALYSIS_CONTACT_SEARCH;
 const VARIABLE = "BENCHDRAGON_BUDGET";
 
 /** A question that takes more work or memory than it may: not wrong, but not answered. */
@@ -37,22 +38,17 @@ export async function question(ask, count = 1, { work = WORK, memory = MEMORY } 
 }
 
 /**
- * What `ask` answers that can be done without: it takes so large a share of a question's work at most,
- * counted apart.
- * @template T
- * @param {number} share
- * @param {() => Promise<T>} ask
- * @returns {Promise<T>}
+ * Refine a bracket to the tolerance of number n with a share of a question's work, counted apart, until
+ * `ended` is called of what it gives: what takes an error, and lets none pass but that it is too dear.
+ * @param {number} n
  */
-export async function aside(share, ask) {
+export function refined(n) {
   const whole = asked;
-  if (!whole) return ask();
-  asked = { ...whole, work: share * whole.one, spent: 0 };
-  try {
-    return await ask();
-  } finally {
-    asked = whole;
-  }
+  if (whole) asked = { ...whole, work: (n ? REFINING_ON : REFINING) * whole.one, spent: 0 };
+  const caught = (/** @type {unknown} */ error) => {
+    if (!(error instanceof OverBudgetError)) throw error;
+  };
+  return Object.assign(caught, { ended: () => void (asked = whole) });
 }
 
 /** How many handles may be placed for what an answer can do without: see `aside`. @param {number} share */

@@ -15,38 +15,6 @@ export const BENCH_WALKS = { PIECE_COLUMNS: 9, BENCH_COLUMNS: 7, STRETCH_COLUMNS
 
 export const BENDS = { STRAIGHT: 1e-6, LEFT: 1, RIGHT: -1 };
 
-export const BESIDE = {
-  SORT: 0,
-  RADIUS: 1,
-  MARGIN: 2,
-  HEAD_FIRST: 3,
-  HEAD_LAST: 4,
-  LEAST_OFF: 5,
-  WIDTH: 6,
-  MOST: 7,
-  MOST_LEAST: 8,
-  MADE: 2,
-  ABOUT: 3,
-  SOUND: 4,
-  CLOSED_IN: 5,
-  COUNT: 6,
-  NARROW: 8,
-  FIGURES: 28,
-  VALUE: 0,
-  LOW_END: 1,
-  HIGH_END: 2,
-  WHO: 3,
-  HEAD: 4,
-  SURE: 5,
-  AT_X: 6,
-  AT_Y: 7,
-  GAP: 8,
-  FEATURE: 9,
-  FOUND_COLUMNS: 10,
-};
-
-export const BESIDE_SEARCH = { TOO_OFTEN: 30, TOO_FAR_OFF: 31, BESIDE: 16 };
-
 export const BOX = {
   CX: 0,
   CY: 1,
@@ -57,34 +25,6 @@ export const BOX = {
   BOX_COLUMNS: 6,
   LONGEST_BENCH: 10000,
   SHORTEST_LINK: 0.001,
-};
-
-export const CONTACT_MEMORY = {
-  STOPPED: 30,
-  UNSHOWN: 31,
-  ENDLESS: 32,
-  BLURRED: 33,
-  MARGIN: 0,
-  LEAST_OFF: 1,
-  WIDTH: 2,
-  MOST: 3,
-  MOST_LEAST: 4,
-  BYTES: 5,
-  BEGIN: 6,
-  END: 7,
-  MOST_KINDS: 8,
-  REFINING: 9,
-  REFINING_ON: 10,
-  WALKED: 2,
-  EARLY: 3,
-  LATE: 4,
-  OFF_BY: 7,
-  MARCHED: 8,
-  SOUND_TO: 11,
-  UNTIL: 12,
-  EARLY_LEAD: 26,
-  LATE_LEAD: 27,
-  FIGURES: 28,
 };
 
 export const CURVE = { S_START: 2, LENGTH: 3, U_BACK: 6, COLUMNS: 14, MOST_METRES: 100000000 };
@@ -128,7 +68,6 @@ export const FAMILY = {
   ROOMY: 20,
   FITS: 21,
   NUMBERS: 22,
-  UNKNOWN: 1e-6,
 };
 
 export const FOLLOWING = { FINE: 1e-9, LONGEST: 20, MOST_NODES: 4096, STRETCH_COLUMNS: 4 };
@@ -150,8 +89,6 @@ export const HOLDS = {
 };
 
 export const MARKS = { SAME_MARK: 1e-6 };
-
-export const NEARNESS = { NEARNESS: 12, CORNERS: 4 };
 
 export const OBSTACLE = { CIRCLE: 0, BODY: 1, LINE: 2, VENUE: 3 };
 
@@ -189,17 +126,9 @@ export const QUESTION = {
   CLOSED: 22,
 };
 
-export const REGIONS = { MOST_OFF: 2.5e-8 };
-
-export const ROUNDING = { SEAM_COLUMNS: 2 };
-
-export const ROUNDS = { ROOM: 64 };
-
 export const ROUTE = { END_SLACK: 1e-9 };
 
 export const ROUTE_PARTS = { PART_COLUMNS: 8 };
-
-export const SEARCH = { FIRST_TOUCH: 0, LEAST: 2 };
 
 export const SIZE_BRACKET = {
   PASSES: 0,
@@ -254,8 +183,6 @@ export const SIZE_SEARCH = {
   MEETINGS: 4,
 };
 
-export const SPANS = { REPEAT: 4 };
-
 export const SPIRAL = { LANES: 64 };
 
 export const Status = {
@@ -304,19 +231,14 @@ export const TURN_TRIAL = {
   MORE: 40,
 };
 
-export const WALK_SEARCH = { ASTRAY: 10, SEARCHED: 8 };
-
 export const ANALYSIS_BENCH_WALKS = { STILL: 0.05, STEP: 0.125, MOST_LOOKED: 20000000 };
 
 export const ANALYSIS_CONTACT_SEARCH = {
   SLACK: 1e-13,
   WIDTH: 1e-13,
   MOST_EVALUATIONS: 200000,
-  MOST_LEAST_EVALUATIONS: 2000,
-  TOLERANCES: [1e-12, 1e-8, 1e-5, 0.001],
   REFINING: 0.25,
   REFINING_ON: 0.05,
-  SAMPLES_AHEAD: 65,
 };
 
 export const ANALYSIS_LEFT_OPEN = { REST: 0.25 };
@@ -326,8 +248,6 @@ export const ANALYSIS_MARKS = { MOST_MARKS: 5000, FARTHEST: 1.5, AT_MARK: 0.01 }
 export const ANALYSIS_NEARBY = { FAR: 100, SPREADS: 4, NOWHERE: [0, 0] };
 
 export const ANALYSIS_NOT_LOOKED_AT = { DUST: 1e-6 };
-
-export const ANALYSIS_OBSTACLE_SEARCH = { SAMPLES: 65, NARROW: 1e-6 };
 
 export const ANALYSIS_ROOM = { TOLERANCES: [0.001] };
 

@@ -1,11 +1,10 @@
 // How near benches come to one another: clearance at an instant, over all pairs that count. Twin of
 // analysis/distance.py.
 
-import { doubles, withArena } from "./arena.js";
-import { BOX, NEARNESS } from "./constants.js";
+import { nearness } from "../made/distance.js";
+import { withArena, within } from "./arena.js";
+import { BOX } from "./constants.js";
 
-/** @typedef {import("../engine.js").Engine} Engine */
-/** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./walk.js").Placement} Placement */
 /** @typedef {[number, number]} Point */
@@ -20,19 +19,6 @@ import { BOX, NEARNESS } from "./constants.js";
  * @property {[[number, string], [number, string]]} features what meets
  */
 
-export const CORNERS = ["front left", "rear left", "rear right", "front right"];
-// What of a bench may meet: see kernels/nearness.py.
-export const FEATURES = [
-  "front",
-  "rear",
-  "left",
-  "right",
-  CORNERS[0],
-  CORNERS[3],
-  CORNERS[1],
-  CORNERS[2],
-];
-
 /**
  * The rectangles of all benches of placement number `index`, (N, BOX_COLUMNS) of kernels/box.py.
  * @param {Arena} arena which holds them
@@ -46,23 +32,10 @@ export function boxes(arena, placed, index = 0) {
   return out;
 }
 
-/** How near the benches in rows i and j of `boxes` are. @param {Engine} engine @param {Numbers} table @param {number} i @param {number} j */
-export function nearness(engine, table, i, j) {
-  return withArena(engine, (arena) => {
-    const row = arena.array("d", NEARNESS.NEARNESS);
-    engine.call("bd_nearness_nearness", table, i, j, row);
-    return nearnessOf(doubles(row));
+/** How near benches i and j (rows, from 0) of a walk are with the head at s, m. @param {import("./walk.js").Walk} walk @param {number} s @param {number} i @param {number} j @returns {Nearness} */
+export function nearnessAt(walk, s, i, j) {
+  return withArena(walk.engine, (arena) => {
+    const table = boxes(arena, walk.placement(arena, [s], { throws: false }));
+    return within(arena, () => nearness(table, i, j));
   });
-}
-
-/** What a row of kernels/nearness.py tells. @param {Float64Array} row @returns {Nearness} */
-export function nearnessOf(row) {
-  const [first, second, distance, gap, x, y, thereX, thereY, owner, corner, other, feature] = row;
-  return {
-    benches: [first + 1, second + 1],
-    distance,
-    gap,
-    points: [[x, y], [thereX, thereY]],
-    features: [[owner + 1, CORNERS[corner]], [other + 1, FEATURES[feature]]],
-  }; // prettier-ignore
 }

@@ -3,7 +3,7 @@
 import { advice } from "../made/advice.js";
 import { _ } from "../words.js";
 import { ERRORS, PLANS_SOURCE } from "./constants.js";
-import { pythonFloat } from "./number_format.js";
+import { general, pythonFloat } from "./number_format.js";
 import { pythonRepr } from "./python_text.js";
 
 export class BenchDragonError extends Error {}
@@ -124,6 +124,13 @@ export function finite(name, value, unit = "") {
       _("{name} must be finite, not {value}", { name, value: withUnit(value, unit) }),
     );
   return value;
+}
+
+/** Check two times, s. @param {number} start @param {number} end */
+export function inOrder(start, end) {
+  if (finite("end", end, "s") >= finite("start", start, "s")) return;
+  const values = { end: general(end), start: general(start) };
+  throw new InputError(_("the end ({end} s) must not come before the start ({start} s)", values));
 }
 
 /** `value`, if it is finite and above 0. @param {string} name @param {number} value @param {string} [unit] */

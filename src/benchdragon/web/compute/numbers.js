@@ -9,7 +9,7 @@ export function rint(value) {
 
 /** So many numbers evenly from one to another: `numpy.linspace`. @param {number} start @param {number} end @param {number} count */
 export function linspace(start, end, count) {
-  const step = (end - start) / (count - 1);
+  const step = count > 1 ? (end - start) / (count - 1) : 0;
   const found = Float64Array.from({ length: count }, (_value, i) => i * step + start);
   if (count > 1) found[count - 1] = end;
   return found;

@@ -4,7 +4,7 @@
 // @ts-nocheck
 
 import { decimals, general, powered } from "./number_format.js";
-import { integerRatio, lcm, rint, rounded, ulp } from "./numbers.js";
+import { integerRatio, lcm, linspace, rint, rounded, ulp } from "./numbers.js";
 import { isPrintable, pythonRepr, pythonText } from "./python_text.js";
 
 const WHITE = "\\t-\\r\\x1c-\\x20\\x85\\xa0\\u1680\\u2000-\\u200a\\u2028\\u2029\\u202f\\u205f\\u3000";
@@ -187,8 +187,10 @@ export const py = {
       dict: typeof a === "object" && a !== null && !Array.isArray(a),
     })[kind],
   // Lists and texts by places.
-  iter: (a) =>
-    isTuple(a) || typeof a === "string" ? (a instanceof Map ? a.keys() : a) : Object.keys(a),
+  iter(a) {
+    if (py.isTable(a)) return py.tolist(a);
+    return isTuple(a) || typeof a === "string" ? (a instanceof Map ? a.keys() : a) : Object.keys(a);
+  },
   list: (a) => (a == null ? [] : [...py.iter(a)]),
   tuple: (a) => py.list(a),
   isTable: () => false, // what is known of arrays, arrays.js adds
@@ -215,11 +217,12 @@ export const py = {
   },
   slice(a, start, end) {
     const [from, to] = [start ?? 0, end ?? undefined];
-    if (py.isTable(a)) return py.tolist(a).slice(from, to);
+    if (py.isTable(a)) return py.rows(a, from, to);
     return typeof a === "string" ? [...a].slice(from, to).join("") : py.list(a).slice(from, to);
   },
   set(a, n, value) {
-    if (a instanceof Map) a.set(n, value);
+    if (py.isTable(a)) py.put(a, n, value);
+    else if (a instanceof Map) a.set(n, value);
     else a[Array.isArray(a) && n < 0 ? a.length + n : n] = value;
   },
   pop(a, n = -1, otherwise = null) {
@@ -318,6 +321,8 @@ export const py = {
   ulp,
   lcm,
   as_integer_ratio: integerRatio,
+  isnan: Number.isNaN,
+  linspace,
   sqrt: Math.sqrt,
   copysign: (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a)),
   hypot: Math.hypot,

@@ -4,11 +4,12 @@
 // Level upon level, each by the search that finds contacts of benches, with its own margin and sizes.
 
 import { firstSureContact } from "../made/contact.js";
+import { obstacleAnswers } from "../made/obstacles.js";
 import { ASKED, RoomLevel, levelsAsked, shownName } from "../made/room_levels.js";
 import { withArenaAsync } from "./arena.js";
 import { ANALYSIS_ROOM } from "./constants.js";
 import { Dragon } from "./dragon.js";
-import { obstacleAnswers, withMargin } from "./obstacles.js";
+import { py } from "./python.js";
 import { shortage } from "./shortage.js";
 import { Walk } from "./walk.js";
 
@@ -16,7 +17,7 @@ import { Walk } from "./walk.js";
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./plan.js").Plan} CheckedPlan */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
-/** @typedef {import("./obstacles.js").ObstacleAnswers} ObstacleAnswers */
+/** @typedef {import("../made/obstacles.js").ObstacleAnswers} ObstacleAnswers */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {"benches" | "sway" | "imprecision" | "people"} LevelName */
 /** @typedef {"sway" | "imprecision" | "beside" | "ahead"} Need */
@@ -53,10 +54,10 @@ export function roomLevels(plan, walk, span, bare, levels, { progress }) {
       const until = untilBroken(levels[levels.length - 1], span);
       const margin = plan.tables.limits.margin + 2 * each;
       const contact = await firstSureContact(line, ...until, margin);
-      const stands = plan.obstacles().map((one) => withMargin(one, one.margin + each));
-      const options = { tolerances: ANALYSIS_ROOM.TOLERANCES };
+      const stands = plan.obstacles().map((one) => py.replaced(one, { margin: one.margin + each }));
+      const tolerances = ANALYSIS_ROOM.TOLERANCES;
       const obstacles = [];
-      for (const one of stands) obstacles.push(await obstacleAnswers(line, one, ...until, options));
+      for (const one of stands) obstacles.push(await obstacleAnswers(line, one, ...until, tolerances));
       const level = new RoomLevel(name, asked, margin, contact, obstacles);
       const { first } = level;
       if (first !== null && level.kept !== null) {

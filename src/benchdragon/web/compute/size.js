@@ -1,16 +1,17 @@
 // Inverse answers: how small or large one size of a plan may be for the walk to stay clear. Twin of
 // solve/size.py; what is proved, the command line proves.
 
+import { standAlone } from "../made/contact_search.js";
+import { touching } from "../made/obstacles.js";
 import { _ } from "../words.js";
+import { withArenaAsync } from "./arena.js";
 import { answered, now } from "./answer.js";
 import { question as asOne } from "./budget.js";
 import { SIZE_BRACKET, SIZE_SEARCH, SOLVE_SIZE } from "./constants.js";
-import { standAlone } from "./contact_search.js";
 import { InputError, PlanError, notNegative } from "./errors.js";
 import { HeadTimes } from "../made/head_times.js";
 import { evenly } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
-import { touched } from "./obstacles.js";
 import { PlanFamily, TOLERANCE, question } from "./size_family.js";
 import { FAR, SizeQuestion } from "./size_question.js";
 import { silent } from "./tick.js";
@@ -52,7 +53,9 @@ export async function limit(engine, plan, name, options = {}) {
   const began = now();
   return asOne(async () => {
     const family = familyOf(engine, plan, name, margin, tolerance);
-    return searched(family, progress, (search) => sought(family, search, began));
+    return withArenaAsync(engine, () =>
+      searched(family, progress, (search) => sought(family, search, began)),
+    );
   });
 }
 
@@ -121,7 +124,7 @@ async function witnessOf(family, found, size) {
   const spanned = meeting || thing ? walkOrNull(family, size) : null;
   if (!spanned) return null;
   const { walk, start, end } = spanned;
-  if (thing) return (await touched(walk, thing, start, end, silent))?.witness ?? null;
+  if (thing) return (await touching(walk, thing, start, end)).at(-1)?.witness ?? null;
   if (!meeting) return null;
   const [first, last] = [walk.headPosition(start), walk.headPosition(end)];
   const times = new HeadTimes(walk, first, start);

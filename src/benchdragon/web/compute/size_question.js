@@ -2,7 +2,7 @@
 // solve/size_question.py.
 
 import { _ } from "../words.js";
-import { doubles, withArena } from "./arena.js";
+import { doubles } from "./arena.js";
 import { memory } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
@@ -14,9 +14,9 @@ import {
   SIZE_SEARCH,
   SOLVE_SIZE_QUESTION,
 } from "./constants.js";
-import { EngineQuestion } from "./engine_question.js";
+import { OwnQuestion } from "./engine_question.js";
 import { UnsureError } from "./errors.js";
-import { originOf } from "./nearby.js";
+import { originAt } from "./nearby.js";
 import { general } from "./number_format.js";
 import { TOLERANCE, kernelFamily } from "./size_family.js";
 import { beginnings, inColumns } from "./tables.js";
@@ -36,10 +36,8 @@ const MEETING = 4; // numbers of one
 export const { FAR } = SIZE_QUESTION;
 
 /** What the engine is told of a question about a family, whose plan's own walk goes so far, m. @param {PlanFamily} family @param {Walk} walk @param {number} first @param {number} last */
-function limitsOf({ engine, margin, question, tolerance, first: planSize }, walk, first, last) {
-  const [x, y] = withArena(engine, (arena) =>
-    originOf(walk.placement(arena, [first], { throws: false })),
-  );
+function limitsOf({ margin, question, tolerance, first: planSize }, walk, first, last) {
+  const [x, y] = originAt(walk, first);
   return inColumns([
     [SIZE_MEMORY.MARGIN, margin],
     [SIZE_MEMORY.LEAST_OFF, SLACK],
@@ -82,7 +80,7 @@ function squareOf(arena, { plan }, fixed) {
 }
 
 /** A question about a size of a plan, open until it is freed. */
-export class SizeQuestion extends EngineQuestion {
+export class SizeQuestion extends OwnQuestion {
   /**
    * @param {PlanFamily} family the walks among which a size is sought
    * @param {Progress} progress is told what is being tried

@@ -2,6 +2,7 @@
 // the page. Twin of analysis/speed.py.
 
 import { QUANTITIES } from "../made/quantities.js";
+import { Rounds, repeats } from "../made/rounds.js";
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { OverBudgetError, allow } from "./budget.js";
@@ -13,13 +14,11 @@ import {
   PEAK_QUESTION,
   QUESTION,
 } from "./constants.js";
-import { inOrder } from "./contact_search.js";
-import { EngineQuestion } from "./engine_question.js";
-import { InputError, UnsureError } from "./errors.js";
+import { OwnQuestion } from "./engine_question.js";
+import { InputError, UnsureError, inOrder } from "./errors.js";
 import { evenly, least } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
 import { stretchesOf, timeOnStretch } from "./stretches.js";
-import { newSpans } from "./rounds.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
@@ -112,7 +111,7 @@ export function peakQuestion({ engine, dragon, route }, drives, asked = [], head
     [tolerances[kind], limits[kind]] = [tolerance, limit];
   }
   const kinds = Array.from(new Set(dragon.link)).sort((a, b) => a - b);
-  return new EngineQuestion(
+  return new OwnQuestion(
     engine,
     "bd_peak_question_*_peak",
     (arena, open) => {
@@ -146,8 +145,9 @@ export async function sought(walk, stretches, asked, progress, head = 0) {
   const quantities = [...QUANTITIES.values()];
   // Who keeps one speed does what was done one round before.
   const parts = stretches.flatMap((of) => {
-    const spans = of.rate === 0 ? newSpans(walk, of.ways[0], of.ways[1]) : [of.ways];
-    return spans.map((ways) => ({ of, part: { ...of, ways } }));
+    const spans =
+      of.rate === 0 ? new Rounds(walk, repeats(walk.route.rows)).new(...of.ways)[0] : [of.ways];
+    return spans.map((/** @type {[number, number]} */ ways) => ({ of, part: { ...of, ways } }));
   });
   const drives = parts.map(({ part }) => part);
   const question = peakQuestion(walk, drives, asked, head);
@@ -214,7 +214,7 @@ export function failureWithin(walk, low, high) {
   const at = evenly(low, high, count + 1);
   const per = Math.max(2, Math.floor(PLACES / (walk.dragon.benches + 1)));
   for (let n = 0; n < count; n += per - 1) {
-    const error = walk.firstFailure(at.slice(n, n + per));
+    const error = walk.first_failure(at.slice(n, n + per));
     if (error !== null) return error;
   }
   return new UnsureError(_("it could not be shown that the dragon stands all along"));

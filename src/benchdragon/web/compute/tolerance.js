@@ -8,7 +8,7 @@ import { _ } from "../words.js";
 import { withArena } from "./arena.js";
 import { memory, question } from "./budget.js";
 import { DANCE_MEMORY, QUESTION, SOLVE_TOLERANCE } from "./constants.js";
-import { EngineQuestion } from "./engine_question.js";
+import { OwnQuestion } from "./engine_question.js";
 import { InputError, UnsureError, WalkError } from "./errors.js";
 import { builtDragon } from "./plan.js";
 import { limit } from "./size.js";
@@ -25,7 +25,7 @@ const DRAWS = 100;
 
 /** What is answered about a dance of that number: its pitch, m, or if it touches. @param {Engine} engine @param {Plan} plan @param {number} guess m; NaN: if it touches @param {number} number @param {Drawn} drawn @param {() => void} tell */
 async function answered(engine, plan, guess, number, { by = ALL, seed = 1 }, tell) {
-  /** @type {ConstructorParameters<typeof EngineQuestion>[2]} */
+  /** @type {ConstructorParameters<typeof OwnQuestion>[2]} */
   const opened = (arena, open) => {
     const [what, sought] = guess > 0 ? [NEEDED, QUESTIONS.pitch] : [TOUCHES, QUESTIONS.width];
     const walk = plan.build(arena);
@@ -34,9 +34,7 @@ async function answered(engine, plan, guess, number, { by = ALL, seed = 1 }, tel
     const limits = [what, plan.tables.limits.margin, first, last, guess, seed, number, memory(), ...by];
     return open(made.family, made.walk, arena.vector(limits));
   };
-  const asked = new EngineQuestion(engine, "bd_dance_question_*_dance", opened, [
-    [DANCE_MEMORY.FIGURES],
-  ]);
+  const asked = new OwnQuestion(engine, "bd_dance_question_*_dance", opened, [[DANCE_MEMORY.FIGURES]]);
   try {
     let ending = QUESTION.MORE;
     while (ending === QUESTION.MORE) {

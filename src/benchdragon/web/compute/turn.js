@@ -2,6 +2,7 @@
 // turn_goal.py and turn_question.py, but for fronts of turns, which the command line finds.
 
 import { leastClearance } from "../made/contact.js";
+import { leastDistance } from "../made/obstacles.js";
 import { QUANTITIES, givenLimits } from "../made/quantities.js";
 import { part } from "../made/stages.js";
 import { _ } from "../words.js";
@@ -11,10 +12,9 @@ import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { within } from "./arrays.js";
 import { question } from "./budget.js";
 import { BOX, QUESTION, SOLVE_TURN, SOLVE_TURN_GOAL, TURN_QUESTION, TURN_TRIAL } from "./constants.js";
-import { EngineQuestion } from "./engine_question.js";
+import { OwnQuestion } from "./engine_question.js";
 import { InputError, NoSolutionError, finite, positive } from "./errors.js";
 import { greatestHeadSpeed } from "./head_speed.js";
-import { leastDistance } from "./obstacles.js";
 import { builtDragon } from "./plan.js";
 import { greatestOf } from "./speed.js";
 import { silent } from "./tick.js";
@@ -90,7 +90,7 @@ function wholeGoal(goal) {
 }
 
 /** The engine's question about the best turn of a plan's family: kernels/turn_question.py. */
-class TurnQuestion extends EngineQuestion {
+class TurnQuestion extends OwnQuestion {
   /** @param {Engine} engine @param {Plan} plan @param {Required<TurnGoal>} goal */
   constructor(engine, plan, goal) {
     const { route, dragon, turn } = plan.tables;
@@ -318,8 +318,7 @@ function exactFigures(engine, plan, seen, sought) {
     exact[APART] = -sure(clearance);
     const rooms = [];
     for (const obstacle of plan.obstacles()) {
-      const told = { tolerances: [DISTANCE], progress: silent };
-      rooms.push(obstacle.margin - sure(await leastDistance(walk, obstacle, start, end, told)));
+      rooms.push(obstacle.margin - sure(await leastDistance(walk, obstacle, start, end, [DISTANCE])));
     }
     exact[BESIDE] = rooms.length ? Math.max(...rooms) : NaN;
     return { exact, clearance };

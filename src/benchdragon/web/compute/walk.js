@@ -142,6 +142,11 @@ export class Walk {
     return new Walk(this.dragon, route, this.profile, this.start);
   }
 
+  /** The same for several times. @param {number[]} times */
+  head_position(times) {
+    return Float64Array.from(times, (t) => this.headPosition(t));
+  }
+
   /** Route position of the head's handle at a time, m. @param {number} t */
   headPosition(t) {
     return this.start + this.profile.distance(t);
@@ -173,7 +178,7 @@ export class Walk {
    * Where the dragon first cannot stand, its head at or between increasing positions, m; null if it can.
    * @param {ArrayLike<number>} at
    */
-  firstFailure(at) {
+  first_failure(at) {
     const { length } = this.route;
     const placed = this.#tried(Array.from(at, (s) => Math.min(s, length)));
     const n = placed.firstFailed;

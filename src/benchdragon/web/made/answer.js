@@ -28,6 +28,18 @@ export function sure(self, up) {
   return ((py.truth(near) || !py.isfinite(end)) ? self.value : end);
 }
 const ROUNDING = 1e-11;
+export class Witness {
+  constructor(time, s, benches, point, gap, features = [], handle = /** @type {any} */ (null), obstacle = /** @type {any} */ (null)) {
+    this.time = time;
+    this.s = s;
+    this.benches = benches;
+    this.point = point;
+    this.gap = gap;
+    this.features = features;
+    this.handle = handle;
+    this.obstacle = obstacle;
+  }
+}
 export class Answer {
   constructor(value, lower, upper, unit, status, witness = /** @type {any} */ (null), assumptions = [], evaluations = 0, seconds = 0.0) {
     this.value = value;

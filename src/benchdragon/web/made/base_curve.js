@@ -21,7 +21,7 @@ export class OneCurve extends Curve {
     return this.constructor.kind;
   }
   get parts() {
-    return py.array([this._part()], null);
+    return py.array([this._part()], "d");
   }
   moved(point, heading) {
     let parts;

@@ -2,7 +2,6 @@
 // Made from analysis/check.py by tools/make_twins.py; to make it again: make types
 
 import { speedAtStart, toldIfOpen } from "../compute/left_open.js";
-import { obstacleAnswers } from "../compute/obstacles.js";
 import { py } from "../compute/python.js";
 import { roomLevels } from "../compute/room.js";
 import { greatest, greatestSpeed } from "../compute/speed.js";
@@ -15,6 +14,7 @@ import { allFindings, named } from "./findings.js";
 import { PROOFS } from "./left_open.js";
 import { notLookedAt } from "./not_looked_at.js";
 import { seconds } from "./number_format.js";
+import { obstacleAnswers } from "./obstacles.js";
 import { called } from "./people.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 import { ASKED, levelsAsked, shownName } from "./room_levels.js";
@@ -75,6 +75,8 @@ export async function checked(plan, walk, span, progress = silent, prover = /** 
         (await roomLevels(plan, walk, span, [contact, obstacles], room, { progress: told, prove: py.bool(prover) }));
       } catch (error) {
         caught(error);
+      } finally {
+        caught.ended?.();
       }
     }
   }
@@ -102,6 +104,8 @@ async function _nearness(plan, walk, span, stage, prover) {
       return [contact, (await leastClearance(walk, start, last, undefined, undefined, told))];
     } catch (error) {
       caught(error);
+    } finally {
+      caught.ended?.();
     }
   }
   return [contact, (await seenClearance(walk, start, last, ((contact == null) ? margin : 0.0)))];
@@ -130,6 +134,8 @@ async function _obstacles(plan, walk, span, prover, left, progress) {
         py.append(found, answers);
       } catch (error) {
         caught(error);
+      } finally {
+        caught.ended?.();
       }
     }
   }
@@ -149,6 +155,8 @@ async function _greatestSpeed(plan, walk, span, progress) {
       return speed;
     } catch (error) {
       caught(error);
+    } finally {
+      caught.ended?.();
     }
   }
   return speedAtStart(walk, py.at(span, 0));
@@ -164,6 +172,8 @@ async function _limitedPeaks(plan, walk, span, left, progress) {
         py.set(peaks, name, (await greatest(walk, py.at(QUANTITIES, name), ...py.iter(span), { tolerance: RATE_TOLERANCE, limit: (limit * (1.0 + ROUNDING)) })));
       } catch (error) {
         caught(error);
+      } finally {
+        caught.ended?.();
       }
     }
     progress(((n + 1) / py.len(limits)), "");

@@ -5,10 +5,7 @@ import { InputError, positive } from "../compute/errors.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Route, curvesOf } from "./curves.js";
-import { Formation } from "./formations.js";
 
-const ofKind = () => null;
-const _check = () => null;
 export class Step {
   constructor(formation, at = /** @type {any} */ (null), turned = 0.0) {
     this.formation = formation;
@@ -17,8 +14,6 @@ export class Step {
     this.__post_init__();
   }
   __post_init__() {
-    ofKind("formation", this.formation, Formation);
-    _check([((this.at == null) ? [0.0, 0.0] : this.at), this.turned]);
     if (((this.at == null) && (this.turned !== 0.0))) {
       throw new InputError(_("turned has no effect without at: this formation begins as the one before it ends"));
     }
@@ -26,7 +21,6 @@ export class Step {
 }
 export function programme(steps, radius) {
   let given, out, parts, table;
-  _checkSteps(steps);
   positive("radius", radius, "m");
   if (!py.truth(steps)) {
     throw new InputError(_("a programme needs at least one formation"));
@@ -37,4 +31,3 @@ export function programme(steps, radius) {
   out = py.empty([py.add(py.len(given), (3 * py.len(steps))), 8]);
   return new Route(curvesOf(py.slice(out, null, py.entry("bd_connections_programme", given, table, radius, out)[0])));
 }
-const _checkSteps = () => null;

@@ -1,16 +1,15 @@
 // @ts-nocheck
 // Made from analysis/contact.py by tools/make_twins.py; to make it again: make types
 
-import { contactSearch } from "../compute/contact_search.js";
 import { py } from "../compute/python.js";
 import { Answer } from "./answer.js";
+import { TOLERANCES, contactSearch } from "./contact_search.js";
 import { silent } from "./stages.js";
 
 const TOUCH_END = 1;
 const FIRST_TOUCH = 0;
 const CLEAR = 0;
 const FOUND = 1;
-const TOLERANCES = [1e-12, 1e-08, 1e-05, 0.001];
 const LEAST = 2;
 const FARTHER = 34;
 const FLOOR_AT = 10;
@@ -26,13 +25,15 @@ class Window {
   }
 }
 export async function contactWindows(walk, start, end, margin = 0.0, most = 1000, progress = silent) {
-  let search;
-  search = contactSearch(walk, start, end, margin, progress, { whole: true });
-  try {
-    return (await _windows(search, most));
-  } finally {
-    search.free();
-  }
+  return py.scoped(async () => {
+    let search;
+    search = contactSearch(walk, start, end, margin, progress, true);
+    try {
+      return (await _windows(search, most));
+    } finally {
+      search.free();
+    }
+  });
 }
 async function _windows(search, most, sure = false) {
   let ending, found, touching, windows;
@@ -80,62 +81,70 @@ function _widened(window, graze) {
   return new Window(window.opens, ((window.closes == null) ? null : py.replaced(window.closes, { upper: graze.upper })));
 }
 async function firstContact(walk, start, end, margin = 0.0, progress = silent) {
-  let search, windows;
-  search = contactSearch(walk, start, end, margin, progress);
-  try {
-    windows = (await _windows(search, 1));
-  } finally {
-    search.free();
-  }
-  return (py.truth(windows) ? py.at(windows, 0).opens : null);
+  return py.scoped(async () => {
+    let search, windows;
+    search = contactSearch(walk, start, end, margin, progress);
+    try {
+      windows = (await _windows(search, 1));
+    } finally {
+      search.free();
+    }
+    return (py.truth(windows) ? py.at(windows, 0).opens : null);
+  });
 }
 export async function firstSureContact(walk, start, end, margin, search = /** @type {any} */ (null), progress = silent) {
-  let again, first, windows;
-  if ((search == null)) {
-    first = (await firstContact(walk, start, end, margin, progress));
-  }
-  else {
-    first = search(walk, start, end, margin, progress);
-  }
-  if (((first == null) || (first.status !== "undecided"))) {
-    return first;
-  }
-  again = contactSearch(walk, start, end, margin, silent);
-  try {
-    windows = (await _windows(again, MOST_GRAZES, true));
-  } finally {
-    again.free();
-  }
-  return py.next(py.list(windows).flatMap((window) => (((window.opens.status === "found")) ? [window.opens] : [])), first);
+  return py.scoped(async () => {
+    let again, first, windows;
+    if ((search == null)) {
+      first = (await firstContact(walk, start, end, margin, progress));
+    }
+    else {
+      first = search(walk, start, end, margin, progress);
+    }
+    if (((first == null) || (first.status !== "undecided"))) {
+      return first;
+    }
+    again = contactSearch(walk, start, end, margin, silent);
+    try {
+      windows = (await _windows(again, MOST_GRAZES, true));
+    } finally {
+      again.free();
+    }
+    return py.next(py.list(windows).flatMap((window) => (((window.opens.status === "found")) ? [window.opens] : [])), first);
+  });
 }
 export async function leastClearance(walk, start, end, within = Infinity, tolerances = TOLERANCES, progress = silent) {
-  let bracket, search;
-  search = contactSearch(walk, start, end, 0.0, progress, { tolerances: tolerances });
-  try {
-    if ((py.len(walk.dragon) < 3)) {
-      return NONE;
+  return py.scoped(async () => {
+    let bracket, search;
+    search = contactSearch(walk, start, end, 0.0, progress, undefined, tolerances);
+    try {
+      if ((py.len(walk.dragon) < 3)) {
+        return NONE;
+      }
+      if (py.eq((await search.find(LEAST, [within])), FARTHER)) {
+        bracket = [Infinity, py.float(py.at(search.figures, FLOOR_AT)), Infinity];
+        return search.answer(bracket, "m", "found", false);
+      }
+      return _clearance(search);
+    } finally {
+      search.free();
     }
-    if (py.eq((await search.find(LEAST, within)), FARTHER)) {
-      bracket = [Infinity, py.float(py.at(search.figures, FLOOR_AT)), Infinity];
-      return search.answer(bracket, "m", "found", false);
-    }
-    return _clearance(search);
-  } finally {
-    search.free();
-  }
+  });
 }
 export async function seenClearance(walk, start, end, floor) {
-  let search;
-  search = contactSearch(walk, start, end, 0.0, silent);
-  try {
-    if ((py.len(walk.dragon) < 3)) {
-      return NONE;
+  return py.scoped(async () => {
+    let search;
+    search = contactSearch(walk, start, end, 0.0, silent);
+    try {
+      if ((py.len(walk.dragon) < 3)) {
+        return NONE;
+      }
+      (await search.find(SEEN));
+      return _clearance(search, floor);
+    } finally {
+      search.free();
     }
-    (await search.find(SEEN));
-    return _clearance(search, floor);
-  } finally {
-    search.free();
-  }
+  });
 }
 function _clearance(search, floor = /** @type {any} */ (null)) {
   let best, least, upper;

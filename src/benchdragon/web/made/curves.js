@@ -211,7 +211,7 @@ export function curvesOf(parts) {
 const _checkedCurves = (curves) => curves;
 export function joinedCurves(curves, first, stop) {
   let parts;
-  parts = py.array(py.list(curves).map((curve) => curve._part()), null);
+  parts = py.array(py.list(curves).map((curve) => curve._part()), "d");
   laidRows(parts, undefined, [first, stop]);
   return [...py.iter(py.slice(curves, null, first)), ...py.iter(curvesOf(py.slice(parts, first, stop))), ...py.iter(py.slice(curves, stop, null))];
 }
@@ -246,7 +246,7 @@ export class Route extends Curve {
     return near;
   }
   get parts() {
-    return py.array(py.list(this.curves).map((curve) => curve._part()), null);
+    return py.array(py.list(this.curves).map((curve) => curve._part()), "d");
   }
   _joints_() {
     let others, rows, starts;

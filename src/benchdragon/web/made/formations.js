@@ -41,7 +41,7 @@ export class SizeError extends InputError {
     this.size = size;
   }
 }
-export class Formation {
+class Formation {
   get name() {
     return this.constructor.name;
   }
@@ -88,7 +88,7 @@ export class Formation {
   build() {
     let count, parts, sizes;
     parts = py.empty([MOST_PARTS, PART_COLUMNS]);
-    sizes = py.array(py.list(this.sizes).map((name) => this[name]), null);
+    sizes = py.array(py.list(this.sizes).map((name) => this[name]), "d");
     count = py.entry("bd_formations_formation_parts", py.type(this).kind(), sizes, py.get(this, "clockwise", false), parts)[0];
     return new Route(curvesOf(py.slice(parts, null, count)));
   }

@@ -40,7 +40,7 @@ export class Turn {
   _parts(lead, trail) {
     let parts, pieces;
     parts = py.empty([(py.len(this.pieces) + 2), PART_COLUMNS]);
-    pieces = py.array(this.pieces, null);
+    pieces = py.array(this.pieces, "d");
     py.entry("bd_turn_families_turn_parts", this.pitch, this.entry_radius, this.exit_radius, lead, trail, pieces, parts);
     return parts;
   }

@@ -1,0 +1,22 @@
+// @ts-nocheck
+// Made from analysis/nearby.py by tools/make_twins.py; to make it again: make types
+
+import { UnsureError } from "../compute/errors.js";
+import { py } from "../compute/python.js";
+import { _ } from "../words.js";
+import { atMost } from "./number_format.js";
+
+const MOST_OFF = 2.5e-08;
+const SEAM_COLUMNS = 2;
+export function seamsOf(rows) {
+  let seams;
+  seams = py.empty([py.len(rows), SEAM_COLUMNS]);
+  py.entry("bd_rounding_find_seams", rows, seams);
+  return seams;
+}
+export function checkedOff(off) {
+  if ((off > MOST_OFF)) {
+    throw new UnsureError(py.filled(_("rounding may hide {off} m of distances; a search allows for {most} m"), { off: atMost(off), most: atMost(MOST_OFF) }));
+  }
+  return off;
+}
