@@ -7,18 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import (
-    BESIDE,
-    WITHOUT,
-    force_option,
-    json_option,
-    output_option,
-    plan_options,
-    plan_to_walk,
-    refuse_strays,
-    shared_options,
-    span_options,
-)
+from benchdragon.cli.options import BESIDE, WITHOUT, output_option, plan_to_walk, refuse_strays, take
 from benchdragon.cli.parsing import PICTURE_FORMATS, check_ending, parse_sides, parse_span, parse_times
 from benchdragon.i18n import N_
 from benchdragon.version import __version__
@@ -39,9 +28,9 @@ if TYPE_CHECKING:
         "--end 20"
     )
 )
-@plan_options
+@take("plan")
 @output_option(N_("File to write: .mp4, .gif, .png, .svg or .pdf."))
-@span_options
+@take("span")
 @click.option(
     "--speed-up",
     type=click.FloatRange(1e-3, 1e4),
@@ -75,7 +64,6 @@ if TYPE_CHECKING:
     "--theme",
     type=click.Choice(["light", "dark"]),
     default="light",
-    show_default=True,
     help=N_("Dark on light, or light on dark."),
 )
 @click.option(
@@ -90,9 +78,7 @@ if TYPE_CHECKING:
     metavar="METRES",
     help=N_("With --follow: metres from the left edge to the right. Default: 12."),
 )
-@force_option
-@json_option
-@shared_options
+@take("force", "json", "shared")
 def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Write the files and name them, as text or JSON."""
     path: Path = options["output"]

@@ -11,16 +11,10 @@ from benchdragon.cli.answers import about, print_answer, print_title
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
-    brackets_option,
-    force_option,
-    json_option,
     output_option,
-    plan_options,
     plan_to_walk,
     refuse_strays,
-    scale_option,
-    shared_options,
-    span_options,
+    take,
 )
 from benchdragon.cli.parsing import PAPERS, check_ending, parse_length, parse_scale, parse_span
 from benchdragon.errors import InputError
@@ -41,7 +35,7 @@ DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
         "example: benchdragon area turn -o turn.pdf --margin 2 --scale 1:200 --paper A3"
     )
 )
-@plan_options
+@take("plan")
 @output_option(
     N_("File to write: .svg or .pdf, to scale; .dxf for CAD; .geojson. Default: numbers alone."),
     required=False,
@@ -52,33 +46,31 @@ DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
     metavar="LIST",
     help=N_("Write these beside one another, for example svg,dxf. Default: as FILE ends."),
 )
-@span_options
+@take("span")
 @click.option(
     "--margin",
     default="0",
-    show_default=True,
     metavar="LENGTH",
     help=N_("How far spectators keep from the ground covered: metres (2) or with a unit (50 cm)."),
 )
 @click.option(
     "--error",
     default="1cm",
-    show_default=True,
     metavar="LENGTH",
     help=N_("No point of the area is farther than this from what is covered; 0.1 mm to 1 m."),
 )
-@scale_option(N_("Scale of svg and pdf, 1:50 to 1:1000. Default: the largest usual one that fits."))
+@click.option(
+    "--scale",
+    metavar="1:NUMBER",
+    help=N_("Scale of svg and pdf, 1:50 to 1:1000. Default: the largest usual one that fits."),
+)
 @click.option(
     "--paper",
     type=click.Choice(PAPERS),
     default="A3",
-    show_default=True,
     help=N_("Paper of svg and pdf."),
 )
-@force_option
-@json_option
-@brackets_option
-@shared_options
+@take("force", "json", "brackets", "shared")
 def area(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the numbers, as text or JSON, and write the files."""
     files = _files(options["output"], options["formats"])

@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import force_option, output_option, shared_options
+from benchdragon.cli.options import output_option, take
 from benchdragon.cli.parsing import check_ending
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
@@ -20,8 +20,7 @@ from benchdragon.i18n import N_, _
 )
 @click.argument("folders", metavar="FOLDERS", nargs=-1, required=True)
 @output_option(N_("The file to write, for example atlas.html."))
-@force_option
-@shared_options
+@take("force", "shared")
 def atlas(folders: tuple[str, ...], output: Path, force: bool, quiet: bool) -> int:
     """Write the page."""
     from benchdragon.export.atlas import write_atlas

@@ -20,16 +20,10 @@ from benchdragon.cli.answers import (
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
-    brackets_option,
-    explain_option,
-    folder_option,
-    formats_option,
-    json_option,
-    plan_options,
+    files_option,
     plan_to_walk,
-    prove_option,
     refuse_strays,
-    shared_options,
+    take,
     tell_names,
 )
 from benchdragon.errors import UnsureError
@@ -51,25 +45,20 @@ if TYPE_CHECKING:
         "it means and what to do. Exit code 0: safe; 1: not; 4: it cannot be walked; 5: undecided."
     )
 )
-@plan_options
-@prove_option
+@take("plan", "prove")
 @click.option(
     "--prove-all",
     is_flag=True,
     help=N_("Prove the least clearance and the greatest speed as well; this takes longer."),
 )
-@folder_option
-@formats_option("xlsx,png", N_("What to write: xlsx, png, svg, pdf."))
+@files_option("xlsx,png", N_("What to write: xlsx, png, svg, pdf."))
 @click.option("--show-plan", is_flag=True, help=N_("Print the plan in effect too, as a plan file."))
 @click.option(
     "--record",
     is_flag=True,
     help=N_("Record beside the plan file that it was checked and is safe, as `sheets` wants it."),
 )
-@json_option
-@brackets_option
-@explain_option
-@shared_options
+@take("json", "brackets", "explain", "shared")
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print a report, as text or JSON, and write tables and pictures of it."""
     from benchdragon.analysis.check import check as checked

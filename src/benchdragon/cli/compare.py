@@ -8,7 +8,7 @@ import click
 
 from benchdragon.cli.answers import UNSAFE
 from benchdragon.cli.console import print_rows
-from benchdragon.cli.options import json_option, shared_options
+from benchdragon.cli.options import take
 from benchdragon.i18n import N_, _
 from benchdragon.model.numbering import handle_names
 from benchdragon.number_format import decimals
@@ -36,11 +36,9 @@ if TYPE_CHECKING:
     "--tolerance",
     type=click.FloatRange(0.0, 1.0, min_open=True),
     default=1e-6,
-    show_default=True,
     help=N_("How far off a cell may be, in metres, and in metres per second."),
 )
-@json_option
-@shared_options
+@take("json", "shared")
 def compare(file: str, result: "Result | None", tolerance: float, as_json: bool, quiet: bool) -> int:
     """Print a comparison, as text or JSON."""
     del quiet

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.console import print_rows
-from benchdragon.cli.options import json_option, shared_options
+from benchdragon.cli.options import take
 from benchdragon.i18n import N_, _, language
 from benchdragon.version import __version__
 
@@ -20,8 +20,7 @@ if TYPE_CHECKING:
         "With --json also the shape of each, and what each size means and may be."
     )
 )
-@json_option
-@shared_options
+@take("json", "shared")
 def formations(as_json: bool, quiet: bool) -> int:
     """Print them, as a table or as JSON."""
     del quiet

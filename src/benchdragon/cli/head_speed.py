@@ -6,19 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
-from benchdragon.cli.options import (
-    BESIDE,
-    FILE,
-    WITHOUT,
-    brackets_option,
-    explain_option,
-    json_option,
-    plan_options,
-    plan_to_walk,
-    prove_option,
-    refuse_strays,
-    shared_options,
-)
+from benchdragon.cli.options import BESIDE, WITHOUT, file_option, plan_to_walk, refuse_strays, take
 from benchdragon.cli.solved import (
     certificate_option,
     check_certificate,
@@ -46,23 +34,17 @@ if TYPE_CHECKING:
         "undecided."
     )
 )
-@plan_options
-@click.option(
+@take("plan")
+@file_option(
     "--pace",
-    "pace_file",
-    type=FILE,
-    metavar="FILE",
-    help=N_("Write the plan walked at its own head speed, slowed down only where a limit requires it."),
+    N_("Write the plan walked at its own head speed, slowed down only where a limit requires it."),
 )
-@prove_option
+@take("prove")
 @certificate_option
-@json_option
-@brackets_option
-@explain_option
-@shared_options
+@take("json", "brackets", "explain", "shared")
 def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the greatest head speed; with --pace also write a pace, as a plan of its own."""
-    path: Path | None = options["pace_file"]
+    path: Path | None = options["pace"]
     refuse_strays(
         ("prove", path is None, BESIDE, "--pace"), ("output", options["prove"], WITHOUT, "--prove")
     )

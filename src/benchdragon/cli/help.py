@@ -75,7 +75,11 @@ def translated(command: click.Command) -> click.Command:
         spoken.help = _(spoken.help)
         spoken.short_help = spoken.help.split("\n\n")[0]  # click would cut it short
     spoken.context_class = WideContext
-    spoken.context_settings = {**spoken.context_settings, "max_content_width": 100}
+    spoken.context_settings = {
+        **spoken.context_settings,
+        "max_content_width": 100,
+        "show_default": True,
+    }
     spoken.params = [copy.copy(parameter) for parameter in spoken.params]
     for parameter in spoken.params:
         parameter.type = copy.copy(parameter.type)

@@ -9,7 +9,6 @@ import sys
 import warnings
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -34,16 +33,11 @@ from benchdragon.cli.help import HelpfulGroup, translated
 from benchdragon.cli.new import new
 from benchdragon.cli.options import (
     WITHOUT,
-    explain_option,
+    files_option,
     folder_option,
-    formats_option,
-    json_option,
-    lang_option,
-    plan_options,
     plan_to_walk,
     refuse_strays,
-    shared_options,
-    workers_option,
+    take,
 )
 from benchdragon.cli.parsing import (
     PICTURE_FORMATS,
@@ -102,7 +96,7 @@ PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
     help=N_("Where every handle of a bench dragon is, and how fast, on any route."),
 )
 @click.version_option(__version__, prog_name="benchdragon", help=N_("Show the version and exit."))
-@lang_option
+@take("lang")
 def program() -> None:
     """Hold the verbs."""
 
@@ -113,15 +107,13 @@ def program() -> None:
         "pictures, an error analysis, and the tolerance that imprecise people need."
     )
 )
-@partial(folder_option, default=Path("out"))
+@folder_option(Path("out"))
 @click.option(
     "--docs",
     metavar="PLACE",
     help=N_("Folder or address of the documentation's pages, for links in the report."),
 )
-@json_option
-@explain_option
-@shared_options
+@take("json", "explain", "shared")
 def reproduce(
     output: Path, force: bool, docs: str | None, as_json: bool, explain: bool, quiet: bool
 ) -> int:
@@ -150,7 +142,7 @@ def reproduce(
         "the name of a built-in plan; benchdragon plan lists them."
     )
 )
-@plan_options
+@take("plan")
 @click.option(
     "--at",
     metavar="TIMES",
@@ -165,14 +157,12 @@ def reproduce(
     metavar="HANDLES",
     help=N_("Handles to give, for example 1,51,101; handle 0 is the head's front."),
 )
-@folder_option
-@formats_option("xlsx,csv,png", N_("What to write: xlsx, csv, npz, parquet, nc, png, svg, pdf."))
-@json_option
+@files_option("xlsx,csv,png", N_("What to write: xlsx, csv, npz, parquet, nc, png, svg, pdf."))
+@take("json")
 @click.option(
     "--leader",
     type=click.Choice(["closed-form", "rk4", "adaptive"]),
     default="closed-form",
-    show_default=True,
     help=N_(
         "Method for the head's position; all but closed-form integrate the spiral's "
         "differential equation."
@@ -182,7 +172,6 @@ def reproduce(
     "--step",
     type=click.FloatRange(min=0.0, min_open=True),
     default=0.1,
-    show_default=True,
     help=N_("Largest step of rk4, in seconds."),
 )
 @click.option(
@@ -190,9 +179,11 @@ def reproduce(
     is_flag=True,
     help=N_("Give what is sound where the dragon cannot stand, instead of stopping."),
 )
-@workers_option(1)
-@explain_option
-@shared_options
+@click.option(
+    "-j", "--workers", type=click.IntRange(1, 64), default=1,
+    help=N_("Threads; the answers do not depend on it."),
+)  # fmt: skip
+@take("explain", "shared")
 def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Answer on the screen, as JSON, or as files."""
     _refuse_strays(options)
@@ -219,8 +210,7 @@ for verb in (
 
 
 @program.command(help=N_("Versions, fonts, cache folder, and what else is there to work with."))
-@json_option
-@shared_options
+@take("json", "shared")
 def doctor(as_json: bool, quiet: bool) -> int:
     """Say what this machine offers."""
     del quiet

@@ -13,12 +13,7 @@ from benchdragon.cli.by_hand import kept_by_hand, warn_of_lost
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.new_answers import QUESTIONS, Question, read_place
-from benchdragon.cli.options import (
-    FILE,
-    force_option,
-    output_option,
-    shared_options,
-)
+from benchdragon.cli.options import file_option, output_option, take
 from benchdragon.cli.parsing import check_ending
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _, language
@@ -73,11 +68,8 @@ if TYPE_CHECKING:
     type=click.Choice(["turn", "spiral-in"]),
     help=N_("The dance: in, round and out again, or in alone. Default: the first of them that fits."),
 )
-@click.option(
-    "--roster", type=FILE, metavar="FILE", help=N_("A list of names in the folder of the plan.")
-)
-@force_option
-@shared_options
+@file_option("--roster", N_("A list of names in the folder of the plan."))
+@take("force", "shared")
 def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
     """Ask, propose, write the plan, print its check and what comes next."""
     from benchdragon.files import refuse_existing, write_whole

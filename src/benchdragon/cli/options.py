@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
 
 Command = Callable[..., int | None]  # groups give nothing
+Decorator = Callable[[Command], Command]
 
 # Of random dances: their number, and their seed.
 MOST_DRAWS, MOST_SEED = 100_000, 2**31
@@ -37,169 +38,129 @@ class NamedPath(click.Path):
 FILE, FOLDER = NamedPath(folder=False), NamedPath(folder=True)
 
 
-def lang_option(command: Command) -> Command:
-    """--lang."""
-    return click.option(
-        "--lang",
-        type=click.Choice(LANGUAGES),
-        expose_value=False,
-        help=N_("Language: zh or en. Default: BENCHDRAGON_LANG, else the locale."),
-    )(command)
+def together(*options: Decorator) -> Decorator:
+    """Several options as one, in the order in which help shows them."""
+
+    def decorate(command: Command) -> Command:
+        for option in reversed(options):
+            command = option(command)
+        return command
+
+    return decorate
 
 
-def shared_options(command: Command) -> Command:
-    """--lang and --quiet, which every verb takes."""
-    command = click.option(
-        "--quiet", is_flag=True, help=N_("No progress and no talk on standard error.")
-    )(command)
-    return lang_option(command)
+def flag(name: str, text: str) -> Decorator:
+    """An option that is said or not."""
+    return click.option(name, is_flag=True, help=text)
 
 
-def settings_option(command: Command) -> Command:
-    """--set."""
-    return click.option(
-        "--set",
-        "settings",
-        multiple=True,
-        metavar="KEY=VALUE",
-        help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
-    )(command)
-
-
-def plan_options(command: Command) -> Command:
-    """PLAN and --set."""
-    return click.argument("plan", metavar="PLAN")(settings_option(command))
-
-
-def span_options(command: Command) -> Command:
-    """--start and --end, which `parsing.parse_span` reads."""
-    command = click.option(
-        "--end",
-        metavar="TIME",
-        help=N_(
-            "Where it ends, likewise. Default: as the plan says, or where the dragon can no longer "
-            "stand."
+_lang = click.option(
+    "--lang",
+    type=click.Choice(LANGUAGES),
+    expose_value=False,
+    help=N_("Language: zh or en. Default: BENCHDRAGON_LANG, else the locale."),
+)
+_set = click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
+)
+# What several verbs take, by the name under which `take` knows it; `parsing.parse_span` reads the span.
+COMMON: dict[str, Decorator] = {
+    "lang": _lang,
+    "shared": together(_lang, flag("--quiet", N_("No progress and no talk on standard error."))),
+    "set": _set,
+    "plan": together(click.argument("plan", metavar="PLAN"), _set),
+    "maybe a plan": together(click.argument("plan", metavar="[PLAN]", required=False), _set),
+    "force": flag("--force", N_("Overwrite files that are there already.")),
+    "json": click.option(
+        "--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else.")
+    ),
+    "brackets": flag(
+        "--brackets",
+        N_("Show all digits, and the bracket in which each answer lies; --json always has them."),
+    ),
+    "prove": flag("--prove", N_("Show the answer in ball arithmetic too, without the search.")),
+    "explain": flag(
+        "--explain", N_("Say how the answer came about: each formula with its numbers, step by step.")
+    ),
+    "span": together(
+        click.option(
+            "--start",
+            metavar="TIME",
+            help=N_(
+                "Where it begins: seconds of the dance (12.5), a clock time (3:12) or units (3 min 12 "
+                "s). Default: as the plan says."
+            ),
         ),
-    )(command)
-    return click.option(
-        "--start",
-        metavar="TIME",
-        help=N_(
-            "Where it begins: seconds of the dance (12.5), a clock time (3:12) or units (3 min 12 s). "
-            "Default: as the plan says."
+        click.option(
+            "--end",
+            metavar="TIME",
+            help=N_(
+                "Where it ends, likewise. Default: as the plan says, or where the dragon can no longer "
+                "stand."
+            ),
         ),
-    )(command)
+    ),
+    "place": together(
+        click.option(
+            "--on",
+            default="processes",
+            metavar="PLACE",
+            help=N_(
+                "Where it runs: processes, dask (a cluster of this machine), or the address of a Dask "
+                "scheduler (tcp://host:8786)."
+            ),
+        ),
+        click.option(
+            "-j",
+            "--workers",
+            type=click.IntRange(1, 1024),
+            help=N_(
+                "Workers of this machine: one a core if it is not said; answers do not depend on it."
+            ),
+        ),
+    ),
+}
 
 
-def force_option(command: Command) -> Command:
-    """--force."""
-    return click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))(
-        command
-    )
+def take(*names: str) -> Decorator:
+    """The options in COMMON of these names, in the order in which help shows them."""
+    return together(*(COMMON[name] for name in names))
 
 
-def output_option(text: str, *, required: bool = True) -> Callable[[Command], Command]:
+def output_option(text: str, *, required: bool = True) -> Decorator:
     """--output of one file, of which `text` says what it is."""
     return click.option("-o", "--output", type=FILE, required=required, metavar="FILE", help=text)
 
 
-def scale_option(text: str) -> Callable[[Command], Command]:
-    """--scale of a drawing, which `parsing.parse_scale` reads; `text` says which there are."""
-    return click.option("--scale", metavar="1:NUMBER", help=text)
+def file_option(name: str, text: str) -> Decorator:
+    """Another file to write."""
+    return click.option(name, type=FILE, metavar="FILE", help=text)
 
 
-def folder_option(command: Command, default: Path | None = None) -> Command:
-    """--output and --force."""
-    return click.option(
-        "-o",
-        "--output",
-        type=FOLDER,
-        metavar="DIR",
-        default=default,
-        show_default=default is not None,
-        help=N_("Folder for the files."),
-    )(force_option(command))
-
-
-def formats_option(default: str, text: str) -> Callable[[Command], Command]:
-    """--format, which says in `text` what there is."""
-    return click.option(
-        "--format", "formats", default=default, show_default=True, metavar="LIST", help=text
+def folder_option(default: Path | None = None) -> Decorator:
+    """--output of a folder, and --force."""
+    output = click.option(
+        "-o", "--output", type=FOLDER, metavar="DIR", default=default, help=N_("Folder for the files.")
     )
+    return together(output, COMMON["force"])
 
 
-def json_option(command: Command) -> Command:
-    """--json."""
-    return click.option(
-        "--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else.")
-    )(command)
+def files_option(default: str, text: str) -> Decorator:
+    """The same, and --format of the files, which says in `text` what there is."""
+    formats = click.option("--format", "formats", default=default, metavar="LIST", help=text)
+    return together(folder_option(), formats)
 
 
-def brackets_option(command: Command) -> Command:
-    """--brackets."""
-    return click.option(
-        "--brackets",
-        is_flag=True,
-        help=N_("Show all digits, and the bracket in which each answer lies; --json always has them."),
-    )(command)
-
-
-def prove_option(command: Command) -> Command:
-    """--prove."""
-    return click.option(
-        "--prove", is_flag=True, help=N_("Show the answer in ball arithmetic too, without the search.")
-    )(command)
-
-
-def explain_option(command: Command) -> Command:
-    """--explain."""
-    return click.option(
-        "--explain",
-        is_flag=True,
-        help=N_("Say how the answer came about: each formula with its numbers, step by step."),
-    )(command)
-
-
-def workers_option(default: int) -> Callable[[Command], Command]:
-    """-j, where threads may help."""
-    return click.option(
-        "-j", "--workers", type=click.IntRange(1, 64), default=default, show_default=True,
-        help=N_("Threads; the answers do not depend on it."),
-    )  # fmt: skip
-
-
-def place_options(command: Command) -> Command:
-    """--on and --workers."""
-    command = click.option(
-        "-j",
-        "--workers",
-        type=click.IntRange(1, 1024),
-        help=N_("Workers of this machine: one a core if it is not said; answers do not depend on it."),
-    )(command)
-    return click.option(
-        "--on",
-        default="processes",
-        show_default=True,
-        metavar="PLACE",
-        help=N_(
-            "Where it runs: processes, dask (a cluster of this machine), or the address of a Dask "
-            "scheduler (tcp://host:8786)."
-        ),
-    )(command)
-
-
-def dances_options(seeded: str, drawn: str) -> Callable[[Command], Command]:
+def dances_options(seeded: str, drawn: str) -> Decorator:
     """--draws and --seed of random dances; what each is for, in `drawn` and `seeded`."""
-
-    def decorate(command: Command) -> Command:
-        command = click.option(
-            "--seed", type=click.IntRange(0, MOST_SEED), default=1, show_default=True, help=seeded
-        )(command)
-        return click.option(
-            "--draws", type=click.IntRange(1, MOST_DRAWS), default=100, show_default=True, help=drawn
-        )(command)
-
-    return decorate
+    return together(
+        click.option("--draws", type=click.IntRange(1, MOST_DRAWS), default=100, help=drawn),
+        click.option("--seed", type=click.IntRange(0, MOST_SEED), default=1, help=seeded),
+    )
 
 
 # Why an option that was given says nothing.

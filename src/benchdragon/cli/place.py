@@ -18,15 +18,7 @@ from benchdragon.cli.answers import (
     warn_of_outside,
 )
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import (
-    FILE,
-    brackets_option,
-    force_option,
-    json_option,
-    plan_options,
-    plan_to_walk,
-    shared_options,
-)
+from benchdragon.cli.options import file_option, plan_to_walk, take
 from benchdragon.cli.solved import read_to_write, write_plan
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import rounded_up
@@ -45,14 +37,9 @@ if TYPE_CHECKING:
         "file with a [venue]. Exit code 4: no place was found."
     )
 )
-@plan_options
-@click.option(
-    "--plan-file", type=FILE, metavar="FILE", help=N_("Write the plan with the place that was found.")
-)
-@force_option
-@json_option
-@brackets_option
-@shared_options
+@take("plan")
+@file_option("--plan-file", N_("Write the plan with the place that was found."))
+@take("force", "json", "brackets", "shared")
 def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the best place; with --plan-file also write the plan there."""
     from benchdragon.files import refuse_existing
@@ -133,16 +120,14 @@ def _print_enough(enough: "Enough") -> None:
         "the name of a built-in plan; benchdragon plan lists them."
     )
 )
-@plan_options
+@take("plan")
 @click.option(
     "--error",
     type=click.FloatRange(min=1e-4, max=1.0),
     default=0.01,
-    show_default=True,
     help=N_("How much larger than need be they may be on each side, in metres."),
 )
-@json_option
-@shared_options
+@take("json", "shared")
 def square(plan: str, settings: tuple[str, ...], quiet: bool, error: float, as_json: bool) -> int:
     """Print the smallest rectangle and circle."""
     from benchdragon.analysis.swept import enclosing

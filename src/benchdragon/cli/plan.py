@@ -8,15 +8,7 @@ from typing import Any
 import click
 
 from benchdragon.cli.console import print_files, print_rows
-from benchdragon.cli.options import (
-    WITHOUT,
-    force_option,
-    output_option,
-    plan_to_walk,
-    refuse_strays,
-    settings_option,
-    shared_options,
-)
+from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take
 from benchdragon.cli.parsing import check_ending, parse_speed
 from benchdragon.cli.solved import write_plan
 from benchdragon.i18n import N_, _, language
@@ -40,10 +32,9 @@ STATUSES = {
         "benchdragon plan turn > my.dragon.toml"
     )
 )
-@click.argument("plan", metavar="[PLAN]", required=False)
-@settings_option
+@take("maybe a plan")
 @output_option(N_("The file to write, for example my.dragon.toml."), required=False)
-@force_option
+@take("force")
 @click.option(
     "--head-speed",
     metavar="SPEED",
@@ -52,7 +43,7 @@ STATUSES = {
         "that all marks on the ground stay. With -o."
     ),
 )
-@shared_options
+@take("shared")
 def plan(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print or write a plan, or list those that are there."""
     output: Path | None = options["output"]
@@ -130,7 +121,7 @@ def _text(name: str, settings: tuple[str, ...]) -> str:
     )
 )
 @click.option("--table", is_flag=True, help=N_("Print a table for readers."))
-@shared_options
+@take("shared")
 def schema(table: bool, quiet: bool) -> int:
     """Print the schema, as JSON or as tables."""
     del quiet

@@ -7,15 +7,7 @@ from pathlib import Path
 import click
 
 from benchdragon.cli.console import print_files
-from benchdragon.cli.options import (
-    FILE,
-    WITHOUT,
-    force_option,
-    plan_to_walk,
-    refuse_strays,
-    settings_option,
-    shared_options,
-)
+from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take
 from benchdragon.cli.parsing import check_ending
 from benchdragon.i18n import N_
 
@@ -28,14 +20,9 @@ from benchdragon.i18n import N_
         "built-in plan, is what it begins with."
     )
 )
-@click.argument("plan", metavar="[PLAN]", required=False)
-@settings_option
-@click.option(
-    "-o", "--output", type=FILE, metavar="FILE",
-    help=N_("The file to write, for example planner.html."),
-)  # fmt: skip
-@force_option
-@shared_options
+@take("maybe a plan")
+@output_option(N_("The file to write, for example planner.html."), required=False)
+@take("force", "shared")
 def planner(
     plan: str | None, settings: tuple[str, ...], output: Path | None, force: bool, quiet: bool
 ) -> int:

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,11 +13,9 @@ from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
     folder_option,
-    plan_options,
     plan_to_walk,
     refuse_strays,
-    scale_option,
-    shared_options,
+    take,
     tell_names,
 )
 from benchdragon.cli.parsing import PAPERS, parse_scale
@@ -43,7 +40,7 @@ SPEAK_OF = {
         "For example: benchdragon sheets village.dragon.toml -o papers --paper quarter"
     )
 )
-@plan_options
+@take("plan")
 @click.option(
     "--only", metavar="LIST", help=N_("Write these papers alone, for example overview,chalk.")
 )
@@ -51,29 +48,31 @@ SPEAK_OF = {
     "--paper",
     type=click.Choice(["a4", "quarter", "lanyard"], case_sensitive=False),
     default="a4",
-    show_default=True,
     help=N_("Size of the benches' sheets: A4, four on an A4 page, cards to hang round the neck."),
 )
 @click.option(
     "--by",
     type=click.Choice(["bench", "household"]),
     default="bench",
-    show_default=True,
     help=N_("A sheet for each bench, or the benches of a household one after another."),
 )
 @click.option("--night", is_flag=True, help=N_("Large type, to be read by lantern light."))
 @click.option(
     "--phones", is_flag=True, help=N_("Print phone numbers too, which else stay in the list.")
 )
-@scale_option(N_("Of the chalk plan: 1:50 to 1:500. Default: the largest usual one that fits."))
+@click.option(
+    "--scale",
+    metavar="1:NUMBER",
+    help=N_("Of the chalk plan: 1:50 to 1:500. Default: the largest usual one that fits."),
+)
 @click.option(
     "--paper-size",
     type=click.Choice(PAPERS, case_sensitive=False),
     help=N_("Of the chalk plan, which comes as A4 pages too. Default: one that suits."),
 )
 @click.option("--check", "anew", is_flag=True, help=N_("Check the plan and record it, then go on."))
-@partial(folder_option, default=Path("sheets"))
-@shared_options
+@folder_option(Path("sheets"))
+@take("shared")
 def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Write the papers, if the plan is as it was checked."""
     from benchdragon.analysis.check import check

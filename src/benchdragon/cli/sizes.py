@@ -7,19 +7,7 @@ import click
 
 from benchdragon.cli.answers import NO_SOLUTION, UNDECIDED, about
 from benchdragon.cli.console import print_explanation, shown_progress
-from benchdragon.cli.options import (
-    BESIDE,
-    WITHOUT,
-    Command,
-    brackets_option,
-    explain_option,
-    json_option,
-    plan_options,
-    plan_to_walk,
-    prove_option,
-    refuse_strays,
-    shared_options,
-)
+from benchdragon.cli.options import BESIDE, WITHOUT, plan_to_walk, refuse_strays, take, together
 from benchdragon.cli.parsing import parse_lengths
 from benchdragon.cli.solved import (
     certificate_option,
@@ -38,20 +26,9 @@ if TYPE_CHECKING:
     from benchdragon.solve.size import FeasibleSizes
 
 
-def size_options(command: Command) -> Command:
-    """What the questions of all sizes take besides PLAN and --set."""
-    for option in reversed(
-        (prove_option, certificate_option, json_option, brackets_option, explain_option, shared_options)
-    ):
-        command = option(command)
-    command = click.option(
-        "--count",
-        type=click.IntRange(2, 10_000),
-        default=50,
-        show_default=True,
-        help=N_("Sizes tried by --range."),
-    )(command)
-    return click.option(
+# What the questions of all sizes take besides PLAN and --set.
+size_options = together(
+    click.option(
         "--range",
         "span",
         metavar="LOW..HIGH",
@@ -59,7 +36,14 @@ def size_options(command: Command) -> Command:
             "All sizes from LOW to HIGH, in metres, for which the walk is safe: no contact, "
             "and the margin kept."
         ),
-    )(command)
+    ),
+    click.option(
+        "--count", type=click.IntRange(2, 10_000), default=50, help=N_("Sizes tried by --range.")
+    ),
+    take("prove"),
+    certificate_option,
+    take("json", "brackets", "explain", "shared"),
+)
 
 
 @click.command(
@@ -71,26 +55,23 @@ def size_options(command: Command) -> Command:
         "code 4: there is no such pitch; 5: undecided."
     )
 )
-@plan_options
+@take("plan")
 @click.option(
     "--method",
     type=click.Choice(["exact", "traversal"]),
     default="exact",
-    show_default=True,
     help=N_("exact, or the paper's traversal of pitches in steps."),
 )
 @click.option(
     "--pitch-step",
     type=click.FloatRange(min=1e-4, max=1.0),
     default=0.002,
-    show_default=True,
     help=N_("Step of the traversal's pitches, in metres."),
 )
 @click.option(
     "--time-step",
     type=click.FloatRange(min=1e-2, max=100.0),
     default=1.0,
-    show_default=True,
     help=N_("Time step of the traversal's contact checks, in seconds."),
 )
 @size_options
@@ -133,7 +114,7 @@ def size_question(name: str) -> click.Command:
     """The question of a size, which has no options of its own."""
 
     @click.command(name, help=SIZES[name])
-    @plan_options
+    @take("plan")
     @size_options
     def asked(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
         return _solve_size(name, plan, settings, quiet, options)

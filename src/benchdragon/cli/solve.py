@@ -4,7 +4,7 @@ import click
 
 from benchdragon.cli.head_speed import speed
 from benchdragon.cli.help import HelpfulGroup
-from benchdragon.cli.options import lang_option
+from benchdragon.cli.options import take
 from benchdragon.cli.place import place, square
 from benchdragon.cli.sizes import SIZE_QUESTIONS
 from benchdragon.cli.turn import turn
@@ -18,7 +18,7 @@ from benchdragon.i18n import N_
         "benchdragon solve pitch --help, for example, shows those of the first."
     ),
 )
-@lang_option
+@take("lang")
 def solve() -> None:
     """Hold the questions."""
 

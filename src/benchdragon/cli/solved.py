@@ -9,14 +9,7 @@ import click
 from benchdragon.cli.answers import NO_SOLUTION, UNDECIDED, about, print_answer, print_title
 from benchdragon.cli.by_hand import kept_by_hand, warn_of_lost
 from benchdragon.cli.console import print_explanation, print_files
-from benchdragon.cli.options import (
-    WITHOUT,
-    Command,
-    force_option,
-    output_option,
-    plan_to_walk,
-    refuse_strays,
-)
+from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take, together
 from benchdragon.cli.parsing import check_ending
 from benchdragon.i18n import N_
 from benchdragon.model.answer import Answer
@@ -27,12 +20,13 @@ if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
 
 
-def certificate_option(command: Command) -> Command:
-    """-o of a certificate, and --force."""
-    return output_option(
+certificate_option = together(
+    output_option(
         N_("Write what --prove shows into this file, as a certificate that `verify` shows again."),
         required=False,
-    )(force_option(command))
+    ),
+    take("force"),
+)
 
 
 def check_certificate(options: dict[str, Any]) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.answers import about, print_title
-from benchdragon.cli.options import json_option, plan_options, shared_options
+from benchdragon.cli.options import take
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.toml import PlanError
@@ -25,9 +25,7 @@ if TYPE_CHECKING:
         "route has kind = drawn."
     )
 )
-@plan_options
-@json_option
-@shared_options
+@take("plan", "json", "shared")
 def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
     """Print what is known of the route along a drawing, as text or JSON."""
     del quiet

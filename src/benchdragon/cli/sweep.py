@@ -14,12 +14,9 @@ from benchdragon.cli.options import (
     WITHOUT,
     dances_options,
     given_options,
-    json_option,
-    place_options,
     plan_to_walk,
     refuse_strays,
-    settings_option,
-    shared_options,
+    take,
 )
 from benchdragon.cli.tolerance import deviation_options, given_deviations
 from benchdragon.errors import InputError, MachineError
@@ -44,7 +41,7 @@ METHODS = ("latin-hypercube", "sobol")
     )
 )
 @click.argument("plan", metavar="PLAN", required=False)
-@settings_option
+@take("set")
 @click.option(
     "--vary",
     multiple=True,
@@ -67,13 +64,11 @@ METHODS = ("latin-hypercube", "sobol")
     "--method",
     type=click.Choice(METHODS),
     default=METHODS[0],
-    show_default=True,
     help=N_("How --sample draws."),
 )
 @click.option(
     "--ask",
     default="first_contact",
-    show_default=True,
     metavar="LIST",
     help=N_(
         "Questions, with commas: first_contact, clearance, greatest_speed, greatest_head_speed, "
@@ -94,16 +89,14 @@ METHODS = ("latin-hypercube", "sobol")
     "--to",
     type=click.FloatRange(1e-9, 1.0),
     default=1e-3,
-    show_default=True,
     help=N_("How near --refine brings neighbouring points, as a share of the range or of the answers."),
 )
-@place_options
+@take("place")
 @click.option("-o", "--output", type=FOLDER, metavar="DIR", help=N_("Folder for the rows."))
 @click.option(
     "--status", type=FOLDER, metavar="DIR", help=N_("Tell how far the sweep in a folder has come.")
 )
-@json_option
-@shared_options
+@take("json", "shared")
 def sweep(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Run a sweep, or tell of one, and print what came of it."""
     from benchdragon.sweeps.sweep import read_sweep

@@ -8,7 +8,7 @@ import click
 
 from benchdragon.cli.answers import about
 from benchdragon.cli.console import print_rows
-from benchdragon.cli.options import json_option, plan_options, plan_to_walk, shared_options
+from benchdragon.cli.options import plan_to_walk, take
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, language
 
@@ -27,9 +27,7 @@ if TYPE_CHECKING:
         "benchdragon plan lists them. For example: benchdragon timetable turn"
     )
 )
-@plan_options
-@json_option
-@shared_options
+@take("plan", "json", "shared")
 def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
     """Print the timetable, as a table or as JSON."""
     from benchdragon.analysis.clock import Clock

@@ -13,14 +13,11 @@ from benchdragon.cli.console import print_explanation, print_files, print_rows, 
 from benchdragon.cli.options import (
     WITHOUT,
     dances_options,
-    explain_option,
     folder_option,
-    json_option,
-    place_options,
-    plan_options,
     plan_to_walk,
     refuse_strays,
-    shared_options,
+    take,
+    together,
 )
 from benchdragon.i18n import N_, _, language
 from benchdragon.number_format import finite_or_none, outward
@@ -40,11 +37,13 @@ DEVIATIONS = {
 }
 
 
-def deviation_options(command: Any) -> Any:
-    """An option for each way to be imprecise."""
-    for name, text in reversed(DEVIATIONS.items()):
-        command = click.option(f"--{name}", type=click.FloatRange(0.0, 1.0), help=text)(command)
-    return command
+# An option for each way to be imprecise.
+deviation_options = together(
+    *(
+        click.option(f"--{name}", type=click.FloatRange(0.0, 1.0), help=text)
+        for name, text in DEVIATIONS.items()
+    )
+)
 
 
 def given_deviations(options: dict[str, Any]) -> dict[str, float]:
@@ -61,14 +60,12 @@ def given_deviations(options: dict[str, Any]) -> dict[str, float]:
         "plan; a spiral needs an end: --set disc.radius=4.5, for example."
     )
 )
-@plan_options
+@take("plan")
 @deviation_options
 @dances_options(N_("Seed of the random dances."), N_("Number of random dances."))
-@place_options
-@folder_option
-@json_option
-@explain_option
-@shared_options
+@take("place")
+@folder_option()
+@take("json", "explain", "shared")
 def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print pitches and chances, as a table or JSON, and draw them."""
     from benchdragon.files import refuse_existing

@@ -8,17 +8,7 @@ import click
 
 from benchdragon.cli.answers import UNDECIDED, about, print_title
 from benchdragon.cli.console import print_explanation, print_files, shown_progress, turn_lines
-from benchdragon.cli.options import (
-    FILE,
-    WITHOUT,
-    explain_option,
-    force_option,
-    json_option,
-    plan_options,
-    plan_to_walk,
-    refuse_strays,
-    shared_options,
-)
+from benchdragon.cli.options import WITHOUT, file_option, plan_to_walk, refuse_strays, take
 from benchdragon.cli.parsing import check_ending
 from benchdragon.cli.solved import write_plan
 from benchdragon.i18n import N_, _
@@ -38,12 +28,11 @@ if TYPE_CHECKING:
         "turn was found that keeps the limits; 5: --prove did not get as near as --within says."
     )
 )
-@plan_options
+@take("plan")
 @click.option(
     "--objective",
     type=click.Choice(["way", "length", "speed", "disc", "acceleration"]),
     default="way",
-    show_default=True,
     help=N_(
         "The shortest path inside the disc, the shortest turn itself, the greatest head speed, "
         "the smallest disc, or the least peak acceleration."
@@ -77,29 +66,17 @@ if TYPE_CHECKING:
     "--within",
     type=click.FloatRange(min=1e-6, max=1e3),
     default=1e-3,
-    show_default=True,
     help=N_("With --prove: how much that is to be, in metres or metres a second."),
 )
 @click.option(
     "--boxes",
     type=click.IntRange(1, 1_000_000),
     default=20_000,
-    show_default=True,
     help=N_("With --prove: how many boxes of turns are looked at for it at most."),
 )
-@click.option(
-    "--certificate",
-    type=FILE,
-    metavar="FILE",
-    help=N_("With --prove: write what shows it, for benchdragon verify."),
-)
-@click.option(
-    "--plan-file", type=FILE, metavar="FILE", help=N_("Write the plan with the turn that was found.")
-)
-@force_option
-@json_option
-@explain_option
-@shared_options
+@file_option("--certificate", N_("With --prove: write what shows it, for benchdragon verify."))
+@file_option("--plan-file", N_("Write the plan with the turn that was found."))
+@take("force", "json", "explain", "shared")
 def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the best turn; with --plan-file also write the plan with it."""
     from benchdragon.files import refuse_existing

@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from benchdragon.cli.console import shown_progress
-from benchdragon.cli.options import json_option, shared_options
+from benchdragon.cli.options import take
 from benchdragon.i18n import N_
 
 
@@ -19,8 +19,7 @@ from benchdragon.i18n import N_
     )
 )
 @click.argument("file", metavar="FILE")
-@json_option
-@shared_options
+@take("json", "shared")
 def verify(file: str, quiet: bool, as_json: bool) -> int:
     """Print what is proved, as sentences or as JSON."""
     from benchdragon.analysis.certificate import read_certificate, shown

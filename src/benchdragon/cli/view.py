@@ -7,14 +7,7 @@ from typing import Any
 import click
 
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import (
-    force_option,
-    output_option,
-    plan_options,
-    plan_to_walk,
-    shared_options,
-    span_options,
-)
+from benchdragon.cli.options import output_option, plan_to_walk, take
 from benchdragon.cli.parsing import check_ending, parse_span
 from benchdragon.i18n import N_
 from benchdragon.progress import part
@@ -27,11 +20,9 @@ from benchdragon.progress import part
         "built-in plan."
     )
 )
-@plan_options
+@take("plan")
 @output_option(N_("The file to write, for example dance.html."))
-@force_option
-@span_options
-@shared_options
+@take("force", "span", "shared")
 def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Write the player."""
     from benchdragon.analysis.check import check
