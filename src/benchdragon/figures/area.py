@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import matplotlib
 import numpy as np
 import shapely
 from matplotlib.axes import Axes
@@ -24,14 +23,11 @@ from benchdragon.figures.scale import (
     STRIP,
     Sheet,
     corners_of,
-    draw_bar,
-    draw_frame,
-    draw_north,
     draw_obstacles,
-    empty_sheet,
+    drawn_sheet,
     sheet_for,
 )
-from benchdragon.figures.style import BODY, HEAD, ROUTE, STYLE, drawable
+from benchdragon.figures.style import BODY, HEAD, ROUTE, drawable
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
@@ -102,12 +98,9 @@ def page_picture(drawing: AreaDrawing, posts: Sequence[Point] = ()) -> tuple[Fig
 
 
 def _drawn_on(sheet: Sheet, drawing: AreaDrawing, paper: str, spots: Sequence[Point] = ()) -> Figure:
-    with matplotlib.rc_context({**STYLE, "figure.constrained_layout.use": False}):
-        figure, axes = empty_sheet(sheet)
+    with drawn_sheet(sheet, drawing.ground) as (figure, axes):
         _draw_ground(axes, sheet, drawing)
         _draw_spots(axes, sheet, spots)
-        draw_bar(axes, sheet)
-        draw_north(axes, sheet, drawing.ground.y_name, drawing.ground.turned)
         _write_names(axes, sheet, drawing, paper)
         return figure
 
@@ -181,4 +174,3 @@ def _write_names(axes: Axes, sheet: Sheet, drawing: AreaDrawing, paper: str) -> 
         ncols=1, frameon=False, fontsize=7.5, markerscale=0.7, borderaxespad=0.0, labelspacing=0.25,
     )  # fmt: skip
     legend.set_zorder(7)
-    draw_frame(axes, sheet)

@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from typing import Any
 
-import matplotlib
 import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
@@ -20,11 +19,8 @@ from benchdragon.figures.scale import (
     STRIP,
     Sheet,
     corners_of,
-    draw_bar,
-    draw_frame,
-    draw_north,
     draw_obstacles,
-    empty_sheet,
+    drawn_sheet,
     needed_scale,
     sheet_for,
 )
@@ -99,12 +95,8 @@ class ChalkDrawing:
 
 def chalk_picture(drawing: ChalkDrawing, sheet: Sheet) -> Figure:
     """Marks, numbers where there is room, peg and base points, route, square, bar and arrow."""
-    with matplotlib.rc_context({**STYLE, "figure.constrained_layout.use": False}):
-        figure, axes = empty_sheet(sheet)
+    with drawn_sheet(sheet, drawing.marks.ground) as (figure, axes):
         draw_obstacles(axes, sheet, drawing.obstacles)
-        draw_bar(axes, sheet)
-        draw_north(axes, sheet, drawing.marks.ground.y_name, drawing.marks.ground.turned)
-        draw_frame(axes, sheet)
         places = sheet.place(drawing.marks.points)
         axes.plot(*sheet.place(drawing.line()).T, color=ROUTE, lw=0.4, zorder=1, label=_("route"))
         _draw_marks(axes, drawing.marks, places)

@@ -4,7 +4,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
@@ -15,7 +14,7 @@ from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.findings import named
 from benchdragon.analysis.obstacle_distance import box_distances, nearest_points
 from benchdragon.figures.square import draw_square, square_corners
-from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, STYLE, drawable, named_figure
+from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, drawable, drawn_panel, drawn_panels
 from benchdragon.figures.walk import bench_corners, draw_dragon, framing_of, name_below
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
@@ -47,9 +46,7 @@ def moment_picture(
     if answer.witness is None:
         raise ValueError("an answer without a witness has no moment")
     shown = _meeting(motion, answer.witness, obstacles)
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(PAGE_WIDTH, 3.9, title)
-        whole, close = figure.subplots(1, 2)
+    with drawn_panels(PAGE_WIDTH, 3.9, title, 1, 2) as (figure, (whole, close)):
         middle = np.mean(shown.points, axis=0)
         kept = [tuple(middle), *square_corners(obstacles)]
         draw_dragon(whole, motion, 0, disc, framing_of(motion, [0], disc, kept), obstacles)
@@ -120,9 +117,7 @@ def _draw_close(
         bench.set_label(label)
         panel.add_collection(bench)
     panel.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
-    panel.set_aspect("equal")
-    panel.set_xlabel(_("x (m)"))
-    panel.set_ylabel(_("y (m)"))
+    panel.set(aspect="equal", xlabel=_("x (m)"), ylabel=_("y (m)"))
 
 
 def clearance_picture(curve: ClearanceCurve, margin: float = 0.0, title: str = "") -> Figure:
@@ -131,9 +126,7 @@ def clearance_picture(curve: ClearanceCurve, margin: float = 0.0, title: str = "
     Valleys that come within NEAR_MISS of the limit are drawn once more, enlarged and with their depths.
     """
     valleys = _valleys(curve)
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(PAGE_WIDTH, 3.4, title)
-        panel = figure.subplots()
+    with drawn_panel(PAGE_WIDTH, 3.4, title) as (figure, panel):
         _draw_clearance(panel, curve, valleys, 100.0)
         panel.axhline(0.0, color=TOUCH, lw=1.4, label=_("touching"))
         if margin > 0.0:

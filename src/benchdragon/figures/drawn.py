@@ -2,11 +2,10 @@
 
 from collections.abc import Mapping, Sequence
 
-import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from benchdragon.figures.style import PAGE_WIDTH, ROUTE, SERIES, STYLE, named_figure
+from benchdragon.figures.style import PAGE_WIDTH, ROUTE, SERIES, drawn_panel
 from benchdragon.figures.walk import name_below
 from benchdragon.i18n import _
 from benchdragon.surveys.fitting import Fit
@@ -25,9 +24,7 @@ def drawing_picture(
         fits: by what they are called.
         title: above all.
     """
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(PAGE_WIDTH, 0.58 * PAGE_WIDTH, title)
-        panel = figure.subplots()
+    with drawn_panel(PAGE_WIDTH, 0.58 * PAGE_WIDTH, title) as (figure, panel):
         x, y = np.asarray(points, np.float64).T
         panel.plot(x, y, ":", color=ROUTE, marker=".", label=_("drawing"))
         for (name, fit), (colour, mark, dashes) in zip(fits.items(), SERIES, strict=False):
@@ -35,8 +32,6 @@ def drawing_picture(
             panel.plot(*route.T, color=colour, linestyle=dashes, linewidth=1.2, label=name)
             tightest = fit.route.point(min(fit.s, fit.route.length))
             panel.plot(*tightest, mark, color=colour, markersize=6, markerfacecolor="none")
-        panel.set_aspect("equal")
-        panel.set_xlabel("x (m)")
-        panel.set_ylabel("y (m)")
+        panel.set(aspect="equal", xlabel="x (m)", ylabel="y (m)")
         name_below(figure, panel)
         return figure

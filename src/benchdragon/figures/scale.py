@@ -1,17 +1,20 @@
 """Sheets of paper on which ground is drawn to scale: what fits, scale bar, arrow, venue, obstacles."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 
+import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon, Rectangle
 
 from benchdragon.analysis.findings import shown_name
+from benchdragon.analysis.ground import Ground
 from benchdragon.errors import InputError
-from benchdragon.figures.style import drawable, named_figure
+from benchdragon.figures.style import STYLE, drawable, named_figure
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
@@ -122,19 +125,22 @@ def corners_of(one: Obstacle) -> FloatArray:
     return corners
 
 
-def empty_sheet(sheet: Sheet) -> tuple[Figure, Axes]:
-    """A figure of the sheet's size whose axes count mm from its lower left corner."""
-    figure = named_figure(sheet.width * MM, sheet.height * MM, "")
-    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    axes.set(xlim=(0.0, sheet.width), ylim=(0.0, sheet.height))
-    axes.set_axis_off()
-    return figure, axes
+@contextmanager
+def drawn_sheet(sheet: Sheet, ground: Ground) -> Iterator[tuple[Figure, Axes]]:
+    """A figure of the sheet's size, to be drawn in our style, whose axes count mm from its lower left.
 
-
-def draw_frame(axes: Axes, sheet: Sheet) -> None:
-    """A line round the ground, above the strip of names."""
-    frame = (EDGE, EDGE + STRIP), sheet.width - 2.0 * EDGE, sheet.height - 2.0 * EDGE - STRIP
-    axes.add_patch(Rectangle(*frame, fill=False, ec=OUTSIDE, lw=0.4))
+    With a line round the ground, and below it, in the strip of names, a scale bar and an arrow north.
+    """
+    with matplotlib.rc_context({**STYLE, "figure.constrained_layout.use": False}):
+        figure = named_figure(sheet.width * MM, sheet.height * MM, "")
+        axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        axes.set(xlim=(0.0, sheet.width), ylim=(0.0, sheet.height))
+        axes.set_axis_off()
+        frame = (EDGE, EDGE + STRIP), sheet.width - 2.0 * EDGE, sheet.height - 2.0 * EDGE - STRIP
+        axes.add_patch(Rectangle(*frame, fill=False, ec=OUTSIDE, lw=0.4))
+        _draw_bar(axes, sheet)
+        _draw_north(axes, sheet, ground.y_name, ground.turned)
+        yield figure, axes
 
 
 def draw_obstacles(axes: Axes, sheet: Sheet, obstacles: Sequence[Obstacle]) -> None:
@@ -167,7 +173,7 @@ def bar_length(scale: float) -> float:
     return max(length for length in BARS if 1000.0 * length / scale <= LONGEST_BAR)
 
 
-def draw_bar(axes: Axes, sheet: Sheet) -> None:
+def _draw_bar(axes: Axes, sheet: Sheet) -> None:
     """The scale bar: a frame of its whole length, every other part filled, and its ends named."""
     length = bar_length(sheet.scale)
     long, left, low = 1000.0 * length / sheet.scale, EDGE, EDGE + 14.0
@@ -184,7 +190,7 @@ def draw_bar(axes: Axes, sheet: Sheet) -> None:
     axes.text(unit, low + 0.5 * BAR_HEIGHT, f"m   1:{sheet.scale:g}", va="center", fontsize=8)
 
 
-def draw_north(axes: Axes, sheet: Sheet, text: str, turned: float = 0.0) -> None:
+def _draw_north(axes: Axes, sheet: Sheet, text: str, turned: float) -> None:
     """An arrow along the plan's y axis, or turned to the left of it (rad), and what is there."""
     x, low = sheet.width - EDGE - 6.0, EDGE + 10.0
     corners = np.array([(0.0, 0.5), (-0.215, -0.5), (0.0, -0.285), (0.215, -0.5)])

@@ -1,12 +1,15 @@
 """How pictures look: fonts, colours, titles, and writing them as files with their plan's hash."""
 
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import matplotlib
 from matplotlib import font_manager
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ft2font import FT2Font
 
@@ -90,6 +93,23 @@ def named_figure(width: float, height: float, title: str) -> Figure:
     if title:
         figure.suptitle(drawable(title))
     return figure
+
+
+@contextmanager
+def drawn_panels(
+    width: float, height: float, title: str, rows: int, columns: int, **how: Any
+) -> Iterator[tuple[Figure, list[Axes]]]:
+    """A figure, in inches, under a title, to be drawn in our style; and its panels, row by row."""
+    with matplotlib.rc_context(STYLE):
+        figure = named_figure(width, height, title)
+        yield figure, list(figure.subplots(rows, columns, squeeze=False, **how).flat)
+
+
+@contextmanager
+def drawn_panel(width: float, height: float, title: str) -> Iterator[tuple[Figure, Axes]]:
+    """The same with one panel."""
+    with drawn_panels(width, height, title, 1, 1) as (figure, (panel,)):
+        yield figure, panel
 
 
 def lay_out(figure: Figure) -> None:

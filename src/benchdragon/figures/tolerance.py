@@ -2,11 +2,10 @@
 
 from collections.abc import Mapping
 
-import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from benchdragon.figures.style import PAGE_WIDTH, SERIES, STYLE, named_figure
+from benchdragon.figures.style import PAGE_WIDTH, SERIES, drawn_panel
 from benchdragon.i18n import _
 from benchdragon.solve.tolerance import Tolerance
 
@@ -19,9 +18,7 @@ def margin_picture(found: Mapping[str, Tolerance], names: Mapping[str, str], tit
         names: what to call each, by the same keys.
         title: above all.
     """
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(PAGE_WIDTH, 3.8, title)
-        panel = figure.subplots()
+    with drawn_panel(PAGE_WIDTH, 3.8, title) as (figure, panel):
         low = min(float(one.needed[0]) for one in found.values())
         high = max(float(one.needed[-1]) for one in found.values())
         room = 0.05 * (high - low)

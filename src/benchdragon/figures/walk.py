@@ -26,8 +26,8 @@ from benchdragon.figures.style import (
     LEAST_TEXT,
     PAGE_WIDTH,
     ROUTE,
-    STYLE,
-    named_figure,
+    drawn_panel,
+    drawn_panels,
 )
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
@@ -66,10 +66,9 @@ def dragon_picture(
     """
     columns = min(len(indices), 2)
     panels = -(-len(indices) // columns)
-    with matplotlib.rc_context(STYLE):
-        side = PAGE_WIDTH / 2 if columns > 1 else 0.62 * PAGE_WIDTH
-        figure = named_figure(side * columns, side * panels + 0.3, title)
-        axes = figure.subplots(panels, columns, squeeze=False).ravel()
+    side = PAGE_WIDTH / 2 if columns > 1 else 0.62 * PAGE_WIDTH
+    size = side * columns, side * panels + 0.3
+    with drawn_panels(*size, title, panels, columns) as (figure, axes):
         framed = framing_of(motion, indices, disc, square_corners(obstacles))
         for panel, index in zip(axes, indices, strict=False):
             draw_dragon(panel, motion, index, disc, framed, obstacles, ground)
@@ -139,9 +138,7 @@ def draw_dragon(
         panel.add_patch(Circle(motion.walk.route.centre, disc, label=_("disc"), **ring))
     draw_square(panel, obstacles, ground=covered)
     _draw_benches(panel, bench_corners(motion, index))
-    panel.set_aspect("equal")
-    panel.set_xlabel(_("x (m)"))
-    panel.set_ylabel(_("y (m)"))
+    panel.set(aspect="equal", xlabel=_("x (m)"), ylabel=_("y (m)"))
     clock = f"{motion.times[index]:g}".replace("-", "\N{MINUS SIGN}")
     panel.set_title(_("t = {t} s").format(t=clock))
     frame = framed.frame(1.0, np.stack([motion.x[index], motion.y[index]], axis=-1))
@@ -209,9 +206,7 @@ def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> 
     Lines show when each handle passes the route positions `joints`, m. Where a few instants are far
     faster or slower than the rest, the colours tell the rest apart, and the extremes are named.
     """
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(0.85 * PAGE_WIDTH, 3.3, title)
-        panel = figure.subplots()
+    with drawn_panel(0.85 * PAGE_WIDTH, 3.3, title) as (figure, panel):
         panel.grid(False)
         times = _edges(motion.times)
         handles = np.arange(motion.x.shape[1] + 1) - 0.5
@@ -227,8 +222,7 @@ def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> 
         if joints:
             panel.legend(loc="lower left", facecolor="#555555", labelcolor="white")
         panel.invert_yaxis()
-        panel.set_xlabel(_("time (s)"))
-        panel.set_ylabel(_("handle (0: the head's front)"))
+        panel.set(xlabel=_("time (s)"), ylabel=_("handle (0: the head's front)"))
         beyond = _beyond(motion, low, high)
         panel.set_title("\n".join([_("Speed of every handle"), *beyond.values()]), linespacing=1.5)
         extend = {0: "neither", 1: next(iter(beyond), "neither"), 2: "both"}[len(beyond)]
@@ -290,16 +284,13 @@ def head_angle_picture(motion: Motion, title: str = "") -> Figure:
     cx, cy = motion.walk.route.centre
     dx, dy = motion.x[:, 0] - cx, motion.y[:, 0] - cy
     angle = np.degrees(np.unwrap(np.arctan2(dy, dx)))
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(0.85 * PAGE_WIDTH, 4.0, title)
-        above, below = figure.subplots(2, 1, sharex=True)
+    with drawn_panels(0.85 * PAGE_WIDTH, 4.0, title, 2, 1, sharex=True) as (figure, (above, below)):
         above.plot(motion.times, angle, color=HEAD, marker="." if len(angle) < 30 else None)
         above.set_ylabel(_("polar angle (degrees)"))
         figure.align_ylabels()
         above.set_title(_("Polar angle of the head"))
         below.plot(motion.times, np.hypot(dx, dy), color=BODY, marker="." if len(angle) < 30 else None)
-        below.set_ylabel(_("distance from the centre (m)"))
-        below.set_xlabel(_("time (s)"))
+        below.set(ylabel=_("distance from the centre (m)"), xlabel=_("time (s)"))
         return figure
 
 

@@ -4,7 +4,6 @@ import textwrap
 import unicodedata
 from collections.abc import Mapping, Sequence
 
-import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -18,13 +17,14 @@ from benchdragon.figures.style import (
     PAGE_WIDTH,
     ROUTE,
     SERIES,
-    STYLE,
     TINY,
-    named_figure,
+    drawn_panel,
+    drawn_panels,
 )
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.paper.convergence import Convergence
+from benchdragon.paper.differences import SCHEME_NAMES
 from benchdragon.paper.traversal import JUMP, PitchCurve
 
 # Sizes of a flow chart, in its own units.
@@ -45,14 +45,11 @@ def convergence_picture(
         speeds: of velocities, m/s, by the name of the formula.
         title: above all.
     """
-    names = {"forward": _("forward"), "central": _("central"), "backward": _("backward")}
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(PAGE_WIDTH, 3.3, title)
-        left, right = figure.subplots(1, 2)
+    with drawn_panels(PAGE_WIDTH, 3.3, title, 1, 2) as (figure, (left, right)):
         _draw_order(left, place, _("Runge-Kutta (RK4)"), 0)
         left.set_ylabel(_("error of the head's position (m)"))
         for n, (scheme, found) in enumerate(speeds.items()):
-            _draw_order(right, found, names[scheme], n)
+            _draw_order(right, found, _(SCHEME_NAMES[scheme]), n)
         right.set_ylabel(_("largest error of a velocity (m/s)"))
         for panel in (left, right):
             panel.set_xlabel(_("step (s)"))
@@ -90,9 +87,7 @@ def accumulation_picture(
         residuals: largest difference of a bench's chord from its link, (N,).
         title: above all.
     """
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(0.85 * PAGE_WIDTH, 3.2, title)
-        panel = figure.subplots()
+    with drawn_panel(0.85 * PAGE_WIDTH, 3.2, title) as (figure, panel):
         handles = np.arange(exact.size)
         panel.semilogy(
             handles[1:], bisected[1:], "--", color=HEAD, lw=1.2, label=_("theta bisected to 1e-8")
@@ -123,9 +118,7 @@ def stepping_picture(
         smallest: the smallest pitch, m.
         title: above all.
     """
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(PAGE_WIDTH, 3.7, title)
-        left, right = figure.subplots(1, 2, width_ratios=(1.3, 1.0))
+    with drawn_panels(PAGE_WIDTH, 3.7, title, 1, 2, width_ratios=(1.3, 1.0)) as (figure, (left, right)):
         _draw_time_steps(left, contact, windows)
         _draw_pitch_steps(right, pitch, smallest)
         for panel in (left, right):
@@ -203,9 +196,7 @@ def flow_picture(steps: Sequence[tuple[str, str]], title: str = "") -> Figure:
         title: above all.
     """
     rows = len(steps)
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(PAGE_WIDTH, 0.56 * rows + 0.5, title)
-        panel = figure.subplots()
+    with drawn_panel(PAGE_WIDTH, 0.56 * rows + 0.5, title) as (figure, panel):
         panel.set_axis_off()
         for column, name in enumerate((_("the paper"), _("here"))):
             panel.text(column * COLUMN, ROW, name, ha="center", va="center", fontweight="bold")
@@ -248,9 +239,7 @@ def pitch_picture(curve: PitchCurve, pitch: float | None = None, title: str = ""
         title: above all.
     """
     size = 100.0 * curve.pitch
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(0.85 * PAGE_WIDTH, 3.6, title)
-        panel = figure.subplots()
+    with drawn_panel(0.85 * PAGE_WIDTH, 3.6, title) as (figure, panel):
         panel.plot(
             size, curve.disc_angle, color=HEAD, lw=1.6, ls="--", label=_("where the disc begins")
         )

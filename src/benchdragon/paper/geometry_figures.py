@@ -5,14 +5,13 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc as Curved
 from matplotlib.patches import Polygon
 
-from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, ROUTE, STYLE, named_figure
+from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, ROUTE, drawn_panel
 from benchdragon.figures.walk import bench_corners, name_below, route_points
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
@@ -66,9 +65,7 @@ def polar_picture(motion: Motion, title: str = "") -> Figure:
     """
     front, rear = (complex(motion.x[0, i], motion.y[0, i]) for i in (0, 1))
     heading = motion.walk.route.heading(motion.s[0, :2])
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(0.55 * PAGE_WIDTH, 3.6, title)
-        panel = figure.subplots()
+    with drawn_panel(0.55 * PAGE_WIDTH, 3.6, title) as (figure, panel):
         s = motion.s[0]
         around = route_points(motion.walk.route, float(s[0]) - 30.0, float(s[0]) + 25.0)
         panel.plot(*around.T, color=ROUTE, lw=0.8)
@@ -107,9 +104,7 @@ def triangle_picture(walk: Walk, turn: TwoArcTurn, title: str = "") -> Figure:
     motion = walk.motion([head])
     front, rear = (complex(motion.x[0, i], motion.y[0, i]) for i in (0, 1))
     centre = complex(*first.centre)
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(0.55 * PAGE_WIDTH, 3.5, title)
-        panel = figure.subplots()
+    with drawn_panel(0.55 * PAGE_WIDTH, 3.5, title) as (figure, panel):
         for arc, colour, name in ((first, HEAD, "$C_1$"), (second, BODY, "$C_2$")):
             _draw_curve(panel, arc, colour, name)
         _line(panel, (centre, front), lw=1.0)
@@ -139,9 +134,7 @@ def _frame(panel: Axes, places: Sequence[complex], room: float) -> None:
     """Show the places and so many metres around, to scale, without a grid."""
     x, y = [at.real for at in places], [at.imag for at in places]
     panel.set(xlim=(min(x) - room, max(x) + room), ylim=(min(y) - room, max(y) + room))
-    panel.set_aspect("equal")
-    panel.set_xlabel(_("x (m)"))
-    panel.set_ylabel(_("y (m)"))
+    panel.set(aspect="equal", xlabel=_("x (m)"), ylabel=_("y (m)"))
     panel.grid(False)
 
 
@@ -158,9 +151,7 @@ def axes_picture(motion: Motion, pair: Sequence[int], title: str = "") -> Figure
     shapes = [turned * (corners[n - 1] @ np.array([1.0, 1.0j])) for n in pair]
     middle = shapes[1].mean()
     shapes = [shape - middle for shape in shapes]
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(0.6 * PAGE_WIDTH, 3.6, title)
-        panel = figure.subplots()
+    with drawn_panel(0.6 * PAGE_WIDTH, 3.6, title) as (figure, panel):
         left = min(float(shape.real.min()) for shape in shapes) - 0.35
         for shape, number, colour in zip(shapes, pair, (HEAD, BODY), strict=True):
             xy = np.column_stack([shape.real, shape.imag])

@@ -5,7 +5,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -18,9 +17,9 @@ from benchdragon.figures.style import (
     PAGE_WIDTH,
     ROUTE,
     SERIES,
-    STYLE,
     drawable,
-    named_figure,
+    drawn_panel,
+    drawn_panels,
 )
 from benchdragon.figures.walk import name_below
 from benchdragon.i18n import _
@@ -58,9 +57,8 @@ def turns_picture(shown: Sequence[ShownTurn], disc: float, title: str = "") -> F
         disc: radius of the turning space, m.
         title: above all.
     """
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(PAGE_WIDTH, PAGE_WIDTH / len(shown) + 1.15, title)
-        panels = figure.subplots(1, len(shown), squeeze=False, sharey=True)[0]
+    count, high = len(shown), PAGE_WIDTH / len(shown) + 1.15
+    with drawn_panels(PAGE_WIDTH, high, title, 1, count, sharey=True) as (figure, panels):
         for panel, one in zip(panels, shown, strict=True):
             _draw_ground(panel, one.turn.pitch, (one.turn.entry_radius, one.turn.exit_radius), disc)
             _draw_pieces(panel, one.turn)
@@ -136,9 +134,7 @@ def construction_picture(turn: TwoArcTurn, title: str = "") -> Figure:
         turn: of two arcs.
         title: above all.
     """
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(0.8 * PAGE_WIDTH, 0.8 * PAGE_WIDTH + 0.3, title)
-        panel = figure.subplots()
+    with drawn_panel(0.8 * PAGE_WIDTH, 0.8 * PAGE_WIDTH + 0.3, title) as (figure, panel):
         _draw_ground(panel, turn.pitch, (turn.entry_radius, turn.entry_radius), turn.entry_radius)
         first, second = turn.arcs()
         for arc, name in ((first, r"$C_1$"), (second, r"$C_2$")):
@@ -219,9 +215,7 @@ def front_picture(
         title: above all.
     """
     speeds, ways, lengths = np.array(front).T
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(0.85 * PAGE_WIDTH, 3.4, title)
-        panel = figure.subplots()
+    with drawn_panel(0.85 * PAGE_WIDTH, 3.4, title) as (figure, panel):
         panel.plot(speeds, ways, "o-", color=HEAD, ms=4, lw=1.2, label=_("path inside the disc"))
         if not np.allclose(ways, lengths, atol=1e-3):
             panel.plot(speeds, lengths, "s--", color=BODY, mfc="none", label=_("the turn itself"))
@@ -246,9 +240,10 @@ def ratio_picture(whole: Motion, close: Motion, speed: Answer, limit: float, tit
     if speed.witness is None:
         raise ValueError("an answer without a witness has no moment")
     peak, time = limit / speed.value, speed.witness.s - whole.walk.start
-    with matplotlib.rc_context(STYLE):
-        figure = named_figure(PAGE_WIDTH, 3.3, title)
-        wide, narrow = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
+    with drawn_panels(PAGE_WIDTH, 3.3, title, 1, 2, width_ratios=(1.25, 1.0)) as (
+        figure,
+        (wide, narrow),
+    ):
         times, ratios = _joined(whole, close)
         wide.plot(times, ratios, color=BODY, lw=1.0)
         wide.set_ylabel(_("greatest speed ratio of all handles"))
@@ -260,8 +255,7 @@ def ratio_picture(whole: Motion, close: Motion, speed: Answer, limit: float, tit
         for n, (name, ratios) in enumerate(_near_ratios(close).items()):
             colour, _mark, dashes = SERIES[n % len(SERIES)]
             narrow.plot(close.times, ratios, color=colour, ls=dashes, lw=1.2, label=name)
-        narrow.set_ylabel(_("speed ratio"))
-        narrow.set_title(_("t = {t} s").format(t=f"{time:.6f}"))
+        narrow.set(ylabel=_("speed ratio"), title=_("t = {t} s").format(t=f"{time:.6f}"))
         narrow.set(xlim=(close.times[0], close.times[-1]))
         narrow.legend(loc="best", ncols=1, framealpha=0.9)
         for panel, offset in ((wide, (10, -4)), (narrow, (10, 2))):
