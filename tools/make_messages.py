@@ -28,6 +28,8 @@ CLICK_FILES = ("core", "decorators", "exceptions", "formatting", "parser", "type
 # Code of others, which says nothing to users.
 CARRIED = "carried.js"
 KEYWORDS = {"_": None, "N_": None, "ngettext": (1, 2)}
+# `say` of export/document.py looks up what it is given.
+PYTHON_KEYWORDS = {**KEYWORDS, "say": None}
 SCRIPT_OPTIONS = {"jsx": False, "parse_template_string": True}
 # A text for users in a script, as it stands there.
 SCRIPT_TEXT = re.compile(r"""(?<![\w$])(?:_|N_|ngettext)\(\s*["'`]""")
@@ -71,7 +73,7 @@ def extracted(package: Path = PACKAGE) -> Iterator[MessageId]:
     sources = sorted(package.rglob("*.py"))
     sources += [Path(click.__file__).with_name(f"{name}.py") for name in CLICK_FILES]
     for source in sources:
-        for _line, message, _comments, _context in extract_from_file("python", source, KEYWORDS):
+        for _line, message, _comments, _context in extract_from_file("python", source, PYTHON_KEYWORDS):
             if message:
                 yield message
     scripts = set((package / "web").rglob("*.js")) - {package / "web" / CARRIED}

@@ -66,12 +66,10 @@ def atlas(sweeps: Mapping[str, Sweep]) -> Document:
     """The page of some sweeps by their folders, in the language in use."""
     blocks: list[Block] = [
         say(
-            _(
-                "Each chapter is a sweep: the same questions, asked of a plan at many values of its "
-                "keys. Curves are broken where other benches come to decide and the answer jumps; "
-                "where there is no answer, pictures are hatched. The command of each chapter makes "
-                "its sweep anew."
-            )
+            "Each chapter is a sweep: the same questions, asked of a plan at many values of its "
+            "keys. Curves are broken where other benches come to decide and the answer jumps; "
+            "where there is no answer, pictures are hatched. The command of each chapter makes "
+            "its sweep anew."
         )
     ]
     for number, (folder, sweep) in enumerate(sweeps.items()):
@@ -86,7 +84,7 @@ def _chapter(number: int, folder: str, sweep: Sweep) -> Iterator[Block]:
     title = sweep.plan.title(language()) or _("a plan without a title")
     yield Heading(_("{title}: over {keys}").format(title=title, keys=keys), f"sweep-{number + 1}")
     yield say(
-        _("Plan {hash}, benchdragon {version}; {points} points{further}. {table} lists the keys."),
+        "Plan {hash}, benchdragon {version}; {points} points{further}. {table} lists the keys.",
         hash=sweep.about["plan_sha256"][:HASH],
         version=sweep.about["made_by"]["benchdragon"],
         points=len(sweep.table),
@@ -105,7 +103,7 @@ def _how_made(folder: str, sweep: Sweep) -> Iterator[Block]:
     known = unsaid(sweep) is None
     yield Listing(said) if known else say(said)
     if plan_words(sweep.plan) is None:
-        yield say(_("{file}:"), file=PLAN_FILE)
+        yield say("{file}:", file=PLAN_FILE)
         yield Listing(sweep.plan.toml())
     points = sweep.about["points"]
     if known and points["grid"] is None and points["sample"] is None:

@@ -137,18 +137,19 @@ def anchor_of(name: str) -> str:
 
 
 def say(text: str, **values: object) -> Paragraph:
-    """A paragraph of words with values in them, some of which may be links and references.
+    """A text of the catalogue with values in it, some of which may be links, as a paragraph.
 
-    Sentences may be joined by a space; Chinese has none after a full stop.
+    A name in braces without a value refers to the table or the picture of that name. Sentences may be
+    joined by a space; Chinese has none after a full stop.
     """
-    return Paragraph(tuple(_filled(text.replace("。 ", "。"), values)))
+    return Paragraph(tuple(_filled(_(text).replace("。 ", "。"), values)))
 
 
 def _filled(text: str, values: dict[str, object]) -> Iterator[Inline]:
     plain = ""
     for before, name, _format, _conversion in Formatter().parse(text):
         plain += before
-        value = values[name] if name else ""
+        value = values.get(name, Reference(name)) if name else ""
         if isinstance(value, Link | Reference):
             yield from (part for part in (plain, value) if part)
             plain = ""

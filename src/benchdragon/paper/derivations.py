@@ -4,85 +4,12 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from benchdragon.export.document import (
-    Block,
-    Formula,
-    Heading,
-    Inline,
-    Link,
-    Paragraph,
-    Picture,
-    Reference,
-    say,
-)
+from benchdragon.export.document import Block, Formula, Heading, Inline, Link, Paragraph, Picture, say
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.paper.claims import SMALLEST_PITCH
 from benchdragon.paper.results import Results
 from benchdragon.solve.turn import BestTurn
-
-
-@dataclass(frozen=True)
-class Evidence:
-    """How a number is established: where it is derived, computed, and tested.
-
-    The page is that of the documentation, with its anchor.
-    """
-
-    anchor: str
-    title: str
-    page: str
-    code: str
-    test: str
-
-
-EVIDENCE = {
-    evidence.anchor: evidence
-    for evidence in (
-        Evidence(
-            "chain",
-            N_("Positions of the handles"),
-            "established.html#chain",
-            "benchdragon.kernels.chain.march",
-            "tests/truth/test_truth.py, tests/model/test_walk.py",
-        ),
-        Evidence(
-            "speeds",
-            N_("Speeds of the handles"),
-            "established.html#speeds",
-            "benchdragon.model.walk.Motion.speed_ratio",
-            "tests/laws/test_laws.py, tests/paper/test_differences.py",
-        ),
-        Evidence(
-            "first-contact",
-            N_("The first contact"),
-            "established.html#first-contact",
-            "benchdragon.analysis.contact.first_contact",
-            "tests/analysis/test_contact.py, tests/laws/test_contact_laws.py",
-        ),
-        Evidence(
-            "smallest-pitch",
-            N_("The smallest pitch"),
-            "established.html#smallest-pitch",
-            "benchdragon.solve.size.limit",
-            "tests/solve/test_size.py, tests/analysis/test_proof.py",
-        ),
-        Evidence(
-            "turn",
-            N_("The turn"),
-            "established.html#turn",
-            "benchdragon.model.turns.TwoArcTurn, benchdragon.solve.turn.best_turn",
-            "tests/model/test_turns.py, tests/solve/test_turn.py",
-        ),
-        Evidence(
-            "greatest-head-speed",
-            N_("The greatest head speed"),
-            "established.html#greatest-head-speed",
-            "benchdragon.solve.head_speed.greatest_head_speed",
-            "tests/solve/test_head_speed.py",
-        ),
-    )
-}
 
 
 def contact_of(found: Results) -> Answer:
@@ -95,29 +22,23 @@ def contact_of(found: Results) -> Answer:
 def evidence_table(found: Results, docs: str | None) -> Iterable[Block]:
     """For each number its derivation, code and tests; links to `docs` if that is given."""
     yield Heading(_("How each number was established"), "how")
-    for anchor, derived in DERIVATIONS.items():
-        evidence = EVIDENCE[anchor]
+    for anchor, evidence in EVIDENCE.items():
         yield Heading(_(evidence.title), f"how-{anchor}", 2)
-        yield from derived(found)
-        words: list[Inline] = [
-            _("Code: {code}. Tests: {tests}.").format(code=evidence.code, tests=evidence.test)
-        ]
+        yield from evidence.derived(found)
+        text = _("Code: {code}. Tests: {tests}.").format(code=evidence.code, tests=evidence.tests)
+        words: list[Inline] = [text]
         if docs is not None:
-            target = f"{docs.rstrip('/')}/{evidence.page}"
+            target = f"{docs.rstrip('/')}/established.html#{anchor}"
             words += [" ", Link(_("The page that derives it, with code and test"), target)]
         yield Paragraph(tuple(words))
 
 
 def _chain(found: Results) -> Iterable[Block]:
     yield say(
-        _(
-            "The head's position comes from inverting the arc length that it has walked. "
-            "Each next handle is at the nearest position behind that is one link away: "
-            "stepping back by link minus chord cannot jump over it."
-        )
-        + " "
-        + _("{polar} shows two handles, their polar angles and the link between them."),
-        polar=Reference("geometry-polar"),
+        "The head's position comes from inverting the arc length that it has walked. "
+        "Each next handle is at the nearest position behind that is one link away: "
+        "stepping back by link minus chord cannot jump over it. "
+        "{geometry-polar} shows two handles, their polar angles and the link between them."
     )
     pitch = found.spiral.value("route.pitch")
     head, body = (float(link) for link in found.motion.walk.dragon.links[:2])
@@ -139,13 +60,9 @@ def _chain(found: Results) -> Iterable[Block]:
 
 def _speeds(_found: Results) -> Iterable[Block]:
     yield say(
-        _(
-            "Rigid benches keep their length, so the parts of two handles' velocities along a "
-            "bench are equal."
-        )
-        + " "
-        + _("{polar} shows the directions."),
-        polar=Reference("geometry-polar"),
+        "Rigid benches keep their length, so the parts of two handles' velocities along a "
+        "bench are equal. "
+        "{geometry-polar} shows the directions."
     )
     yield Formula(
         r"v_i = v_{i-1}\,\dfrac{t_{i-1}\cdot u_i}{t_i\cdot u_i}",
@@ -156,11 +73,9 @@ def _speeds(_found: Results) -> Iterable[Block]:
 def _contact(found: Results) -> Iterable[Block]:
     first = contact_of(found)
     yield say(
-        _(
-            "While the head goes on by a step, no point of a bench travels farther than D, "
-            "which follows from how far its handles go: where the bound stays above 0 the "
-            "whole step is free of contact; else it is halved."
-        )
+        "While the head goes on by a step, no point of a bench travels farther than D, "
+        "which follows from how far its handles go: where the bound stays above 0 the "
+        "whole step is free of contact; else it is halved."
     )
     yield Formula(
         r"d(t) \geq \dfrac{d(a) + d(b) - D_i - D_j}{2},\quad a \leq t \leq b",
@@ -168,11 +83,8 @@ def _contact(found: Results) -> Iterable[Block]:
     )
     yield _bracket(first, "t", 13)
     yield say(
-        _(
-            "Whether two benches overlap is decided on four axes, along and across either bench "
-            "({axes}): the signed gap is the largest separation of their projections."
-        ),
-        axes=Reference("geometry-axes"),
+        "Whether two benches overlap is decided on four axes, along and across either bench "
+        "({geometry-axes}): the signed gap is the largest separation of their projections."
     )
     yield Formula(
         r"g = \max_{n}\,\left(\min_{q}\; n\cdot q \;-\; \max_{p}\; n\cdot p\right)",
@@ -190,12 +102,10 @@ def _contact(found: Results) -> Iterable[Block]:
 def _pitch(found: Results) -> Iterable[Block]:
     rate = {one.key: one.exact for one in found.rates["smallest_pitch"]}["dragon.width"]
     yield say(
-        _(
-            "Each pitch is tried with the search that misses no contact. Where it fails, the "
-            "least clearance of the pair that touches is a smooth function of the pitch, "
-            "whose root is tried next. At the lower end of the bracket that pair overlaps; "
-            "at the upper end the whole walk is free of contact."
-        )
+        "Each pitch is tried with the search that misses no contact. Where it fails, the "
+        "least clearance of the pair that touches is a smooth function of the pitch, "
+        "whose root is tried next. At the lower end of the bracket that pair overlaps; "
+        "at the upper end the whole walk is free of contact."
     )
     yield Formula(
         r"d(p, s) = 0,\quad \dfrac{\partial d}{\partial s}(p, s) = 0", "d(p, s) = 0, ∂d/∂s (p, s) = 0"
@@ -207,19 +117,14 @@ def _pitch(found: Results) -> Iterable[Block]:
 def _turn(found: Results) -> Iterable[Block]:
     arcs = found.two_arcs
     yield say(
-        _(
-            "Two arcs between tangents at opposite points of the disc have one length, "
-            "whatever their ratio. With a line or a third arc between them, and joints that "
-            "may move, turns get shorter; a global search finds them and exact figures judge "
-            "them."
-        )
+        "Two arcs between tangents at opposite points of the disc have one length, "
+        "whatever their ratio. With a line or a third arc between them, and joints that "
+        "may move, turns get shorter; a global search finds them and exact figures judge "
+        "them."
     )
     yield say(
-        _(
-            "{turn} shows why: the radii at A and at B are parallel, so that C lies on AB, and AC is "
-            "the base of an isosceles triangle with the angle α."
-        ),
-        turn=Reference("turn-disc"),
+        "{turn-disc} shows why: the radii at A and at B are parallel, so that C lies on AB, and "
+        "AC is the base of an isosceles triangle with the angle α."
     )
     yield Formula(
         r"AC + CB = 2\,(r_1 + r_2)\cos\alpha = 2R,\quad \alpha = \dfrac{\pi}{2} - \psi,\quad "
@@ -236,14 +141,10 @@ def _turn(found: Results) -> Iterable[Block]:
 def _head_speed(found: Results) -> Iterable[Block]:
     limit, speed = found.turn.limits.speed or 0.0, found.head_speed.value
     yield say(
-        _(
-            "The greatest ratio of a handle's speed to the head's, over all handles and all "
-            "times, by bounds on how ratios change: between evaluations no ratio can exceed "
-            "the upper end of the bracket."
-        )
-        + " "
-        + _("{ratio} shows it."),
-        ratio=Reference("turn-ratio"),
+        "The greatest ratio of a handle's speed to the head's, over all handles and all "
+        "times, by bounds on how ratios change: between evaluations no ratio can exceed "
+        "the upper end of the bracket. "
+        "{turn-ratio} shows it."
     )
     yield Formula(
         rf"v = \dfrac{{{limit:g}\,\mathrm{{m/s}}}}{{{limit / speed:.12f}}} = "
@@ -260,15 +161,44 @@ def _bracket(answer: Answer, letter: str, digits: int) -> Formula:
     )
 
 
-# How each of EVIDENCE is derived.
-DERIVATIONS: dict[str, Callable[[Results], Iterable[Block]]] = {
-    "chain": _chain,
-    "speeds": _speeds,
-    "first-contact": _contact,
-    "smallest-pitch": _pitch,
-    "turn": _turn,
-    "greatest-head-speed": _head_speed,
-}
+@dataclass(frozen=True)
+class Evidence:
+    """How a number is established: where it is derived, computed, and tested."""
+
+    title: str
+    derived: Callable[[Results], Iterable[Block]]
+    code: str
+    tests: str
+
+
+# By the anchor, which that of the documentation's page is, too.
+EVIDENCE = {
+    "chain": Evidence(
+        N_("Positions of the handles"), _chain, "benchdragon.kernels.chain.march",
+        "tests/truth/test_truth.py, tests/model/test_walk.py",
+    ),
+    "speeds": Evidence(
+        N_("Speeds of the handles"), _speeds, "benchdragon.model.walk.Motion.speed_ratio",
+        "tests/laws/test_laws.py, tests/paper/test_differences.py",
+    ),
+    "first-contact": Evidence(
+        N_("The first contact"), _contact, "benchdragon.analysis.contact.first_contact",
+        "tests/analysis/test_contact.py, tests/laws/test_contact_laws.py",
+    ),
+    "smallest-pitch": Evidence(
+        N_("The smallest pitch"), _pitch, "benchdragon.solve.size.limit",
+        "tests/solve/test_size.py, tests/analysis/test_proof.py",
+    ),
+    "turn": Evidence(
+        N_("The turn"), _turn,
+        "benchdragon.model.turns.TwoArcTurn, benchdragon.solve.turn.best_turn",
+        "tests/model/test_turns.py, tests/solve/test_turn.py",
+    ),
+    "greatest-head-speed": Evidence(
+        N_("The greatest head speed"), _head_speed,
+        "benchdragon.solve.head_speed.greatest_head_speed", "tests/solve/test_head_speed.py",
+    ),
+}  # fmt: skip
 
 
 def consistent_steps(found: Results) -> list[float]:

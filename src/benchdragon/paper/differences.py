@@ -6,11 +6,14 @@ from typing import Literal
 import numpy as np
 
 from benchdragon.errors import positive
+from benchdragon.i18n import N_
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.walk import Walk
 
 Scheme = Literal["forward", "central", "backward"]
 SCHEMES: tuple[Scheme, ...] = ("forward", "central", "backward")
+# What they are called.
+SCHEME_NAMES = {"forward": N_("forward"), "central": N_("central"), "backward": N_("backward")}
 # Offsets of the two places, in steps.
 ENDS = {"forward": (0.0, 1.0), "central": (-1.0, 1.0), "backward": (-1.0, 0.0)}
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from benchdragon.export.document import Block, Heading, Inline, Picture, Reference, Table, say
+from benchdragon.export.document import Block, Heading, Inline, Picture, Table, say
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import decimals, decimals_or_dash, decimals_towards, outward
 from benchdragon.paper.claims import SMALLEST_PITCH
@@ -25,48 +25,38 @@ def errors(found: Results) -> Iterable[Block]:
 
 def _orders(found: Results) -> Iterable[Block]:
     yield say(
-        _(
-            "Runge-Kutta of order 4 is of order {rk} here, fitted where rounding does not show. "
-            "Differences of positions are of order {forward} (forward), {central} (central) and "
-            "{backward} (backward)."
-        )
-        + " "
-        + _("{orders} shows the errors."),
+        "Runge-Kutta of order 4 is of order {rk} here, fitted where rounding does not show. "
+        "Differences of positions are of order {forward} (forward), {central} (central) and "
+        "{backward} (backward). "
+        "{errors-orders} shows the errors.",
         rk=f"{found.head_order.order:.3f}",
         **{name: f"{one.order:.3f}" for name, one in found.speed_orders.items()},
-        orders=Reference("errors-orders"),
     )
     yield Picture("errors-orders", _("Errors over steps; the slopes are the orders."))
 
 
 def _accumulation(found: Results) -> Iterable[Block]:
     yield say(
-        _(
-            "Every chord equals its link to within {chord} m. Position errors add up along the "
-            "benches: bisecting theta to 1e-8, as programs for the contest do, puts a handle up "
-            "to {bisected} m off, enough to change the sixth decimal. Here every handle is "
-            "computed to rounding from the one before it; the angle keeps the digits that a "
-            "plain sum would lose. All handles are within {here} m of their exact positions."
-        )
-        + " "
-        + _("{chain} shows both along the dragon."),
+        "Every chord equals its link to within {chord} m. Position errors add up along the "
+        "benches: bisecting theta to 1e-8, as programs for the contest do, puts a handle up "
+        "to {bisected} m off, enough to change the sixth decimal. Here every handle is "
+        "computed to rounding from the one before it; the angle keeps the digits that a "
+        "plain sum would lose. All handles are within {here} m of their exact positions. "
+        "{errors-chain} shows both along the dragon.",
         chord=f"{float(found.residuals.max()):.1e}",
         bisected=f"{float(found.off_bisected.max()):.1e}",
         here=f"{float(found.off.max()):.1e}",
-        chain=Reference("errors-chain"),
     )
     yield Picture("errors-chain", _("Errors along the 223 benches, 300 s after the start."))
 
 
 def _steps(found: Results) -> Iterable[Block]:
     yield say(
-        _(
-            "A search in time steps answers with the first of its times at which benches "
-            "overlap: with steps of a second {seen} s, and {before} s is the last that sees no "
-            "contact. A traversal of pitches answers with a multiple of its step: {pitch} m is "
-            "consistent with steps of {pitch_steps} m, and the paper prints none. Evaluating at "
-            "the disc alone misses the graze before it."
-        ),
+        "A search in time steps answers with the first of its times at which benches "
+        "overlap: with steps of a second {seen} s, and {before} s is the last that sees no "
+        "contact. A traversal of pitches answers with a multiple of its step: {pitch} m is "
+        "consistent with steps of {pitch_steps} m, and the paper prints none. Evaluating at "
+        "the disc alone misses the graze before it.",
         seen=f"{dict(found.stepped)[1.0]:g}",
         before=f"{dict(found.stepped)[1.0] - 1.0:g}",
         pitch=f"{SMALLEST_PITCH:g}",
@@ -74,22 +64,17 @@ def _steps(found: Results) -> Iterable[Block]:
     )
     step, seen = latest_step(found.windows, max(CONTACT_STEPS))
     yield say(
-        _(
-            "The step does not bound how late that is. Benches touch in contact windows, {windows} s "
-            "and from {last} s on, and are free of contact between: a search whose times all "
-            "fall between the windows goes on. With steps of {step} s contact is first seen at "
-            "{seen} s, {late} s late, {times} times the step. Only a bound on what happens between "
-            "times rules that out ({steps}, {seconds}, {pitches})."
-        ),
+        "The step does not bound how late that is. Benches touch in contact windows, {windows} s "
+        "and from {last} s on, and are free of contact between: a search whose times all "
+        "fall between the windows goes on. With steps of {step} s contact is first seen at "
+        "{seen} s, {late} s late, {times} times the step. Only a bound on what happens between "
+        "times rules that out ({errors-steps}, {time-steps}, {pitch-steps}).",
         windows=_(", ").join(f"{opens:.3f}\u2013{closes:.3f}" for opens, closes in found.windows[:-1]),
         last=f"{found.windows[-1][0]:.3f}",
         step=f"{step:g}",
         seen=f"{seen:.3f}",
         late=f"{seen - found.windows[0][0]:.2f}",
         times=f"{(seen - found.windows[0][0]) / step:.1f}",
-        steps=Reference("errors-steps"),
-        seconds=Reference("time-steps"),
-        pitches=Reference("pitch-steps"),
     )
     yield Picture(
         "errors-steps",
@@ -145,18 +130,13 @@ def conditioning(found: Results) -> Iterable[Block]:
     """How each answer moves with each size."""
     yield Heading(_("Sensitivity analysis"), "conditioning")
     yield say(
-        _(
-            "How each answer changes with each size: derivatives of the chain itself, and for "
-            "comparison difference quotients of two answers, {step} m (or that much of the "
-            "ratio) to either side. A size without influence has sensitivity 0."
-        ),
+        "How each answer changes with each size: derivatives of the chain itself, and for "
+        "comparison difference quotients of two answers, {step} m (or that much of the "
+        "ratio) to either side. A size without influence has sensitivity 0.",
         step=f"{DIFFERENCE_STEP:g}",
     )
     yield say(
-        _("{contact}, {pitch} and {speed} hold them."),
-        contact=Reference("rates-first_contact"),
-        pitch=Reference("rates-smallest_pitch"),
-        speed=Reference("rates-greatest_head_speed"),
+        "{rates-first_contact}, {rates-smallest_pitch} and {rates-greatest_head_speed} hold them."
     )
     names = {
         "first_contact": (_("first contact"), _("s per cm"), 1.0),
@@ -179,40 +159,30 @@ def people(found: Results) -> Iterable[Block]:
     """What imprecise people need."""
     yield Heading(_("When people are not exact"), "people")
     yield say(
-        _(
-            "The paper assumes that every handle keeps to the route (1), that pull and friction "
-            "play no part (2), that the pitch does not vary (3), that heights do not matter (4). "
-            "Here these are relaxed one at a time: {draws} random dances (seed {seed}) are "
-            "walked, benches rigid and joined, and the pitch that each needs is sought. Lengths "
-            "are standard deviations. Between two evaluations a bound holds, so that no contact "
-            "is missed; that a dance without contact at its pitch has none at larger ones is "
-            "taken for granted."
-        ),
+        "The paper assumes that every handle keeps to the route (1), that pull and friction "
+        "play no part (2), that the pitch does not vary (3), that heights do not matter (4). "
+        "Here these are relaxed one at a time: {draws} random dances (seed {seed}) are "
+        "walked, benches rigid and joined, and the pitch that each needs is sought. Lengths "
+        "are standard deviations. Between two evaluations a bound holds, so that no contact "
+        "is missed; that a dance without contact at its pitch has none at larger ones is "
+        "taken for granted.",
         draws=DRAWS,
         seed=SEED,
     )
     yield say(
-        _(
-            "The dances are kept with the program, since they take minutes; the first "
-            "{count} of each row were walked again in this run and need the same pitch to {again} m."
-        ),
+        "The dances are kept with the program, since they take minutes; the first "
+        "{count} of each row were walked again in this run and need the same pitch to {again} m.",
         count=AGAIN,
         again=f"{max(found.again, 1e-9):.0e}",
     )
-    yield say(
-        _("{chances} shows the chances, {needed} the pitches that follow."),
-        chances=Reference("margins"),
-        needed=Reference("needed-pitches"),
-    )
+    yield say("{margins} shows the chances, {needed-pitches} the pitches that follow.")
     yield Picture("margins", _("The chance that benches touch, over the pitch."))
     yield _needed_pitches(found)
     yield say(
-        _(
-            "To read off a tolerance: the last column is what a troupe adds to the exact pitch, "
-            "so that at most one dance in twenty touches; each end of a range is sure to 95 %. "
-            "{draws} other dances (seed {seed}), which had no part in choosing that pitch, were "
-            "walked at it. How far a troupe strays it must measure itself."
-        ),
+        "To read off a tolerance: the last column is what a troupe adds to the exact pitch, "
+        "so that at most one dance in twenty touches; each end of a range is sure to 95 %. "
+        "{draws} other dances (seed {seed}), which had no part in choosing that pitch, were "
+        "walked at it. How far a troupe strays it must measure itself.",
         draws=DRAWS,
         seed=OTHER_SEED,
     )
@@ -250,10 +220,8 @@ def left_out() -> Iterable[Block]:
     """What nothing here speaks of."""
     yield Heading(_("What is not modelled"), "left-out")
     yield say(
-        _(
-            "Benches do not bend, arms do not tire, the ground is flat, nobody stumbles. The "
-            "chances above hold for deviations that are independent, normally distributed and "
-            "constant throughout a dance; those of a real troupe may differ. Better turns are "
-            "found, not proved."
-        )
+        "Benches do not bend, arms do not tire, the ground is flat, nobody stumbles. The "
+        "chances above hold for deviations that are independent, normally distributed and "
+        "constant throughout a dance; those of a real troupe may differ. Better turns are "
+        "found, not proved."
     )

@@ -22,7 +22,7 @@ from benchdragon.paper.cases import (
     values_of,
     with_points,
 )
-from benchdragon.paper.differences import ENDS, SCHEMES, difference_speeds
+from benchdragon.paper.differences import ENDS, SCHEME_NAMES, SCHEMES, difference_speeds
 from benchdragon.paper.entry import entry
 from benchdragon.paper.wrong_sizes import degrees, size
 
@@ -317,7 +317,7 @@ def differences(case: Case) -> Iterator[Guess]:
             values = np.array(case.ours)
             values[2] = np.nan
             values[2, inside] = difference_speeds(case.walk, case.times[inside], step, scheme)
-            said = text.format(scheme=_scheme(scheme), step=f"{step:g}")
+            said = text.format(scheme=_(SCHEME_NAMES[scheme]), step=f"{step:g}")
             yield Guess("differences", values, said, step, "s")
     if np.isfinite(case.theirs).any(axis=(0, 2)).sum() > 2:
         step = float(np.median(np.diff(case.times)))
@@ -325,12 +325,8 @@ def differences(case: Case) -> Iterator[Guess]:
         slack = 3.0 * float(case.rounding[0, 0, 0]) / step
         for name, speeds in _own_differences(case).items():
             values = np.stack([*case.ours[:2], speeds])
-            said = text.format(scheme=_scheme(name), step=f"{step:g}")
+            said = text.format(scheme=_(SCHEME_NAMES[name]), step=f"{step:g}")
             yield Guess("differences", values, said, step, "s", slack)
-
-
-def _scheme(name: str) -> str:
-    return {"forward": _("forward"), "central": _("central"), "backward": _("backward")}[name]
 
 
 def _own_differences(case: Case) -> dict[str, FloatArray]:

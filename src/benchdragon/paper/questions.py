@@ -4,27 +4,14 @@ import math
 from collections.abc import Iterable, Sequence
 
 from benchdragon.analysis.check import moment
-from benchdragon.export.document import (
-    Block,
-    Heading,
-    Paragraph,
-    Picture,
-    Reference,
-    Table,
-    say,
-)
+from benchdragon.export.document import Block, Heading, Paragraph, Picture, Table, say
 from benchdragon.i18n import _
 from benchdragon.model.answer import Answer
 from benchdragon.model.numbering import handle_names, handle_text, numbering_text
+from benchdragon.model.walk import Motion
 from benchdragon.number_format import decimals
 from benchdragon.paper.derivations import allowed_speed, contact_of, established, how
-from benchdragon.paper.results import (
-    MOTION_TIMES,
-    TABLE_HANDLES,
-    TABLE_TIMES,
-    Results,
-    table,
-)
+from benchdragon.paper.results import MOTION_TIMES, TABLE_HANDLES, TABLE_TIMES, Results, table
 
 
 def questions(found: Results) -> Iterable[Block]:
@@ -41,24 +28,17 @@ def questions(found: Results) -> Iterable[Block]:
 def _first_question(found: Results) -> Iterable[Block]:
     yield Heading(_("Question 1: where handles are, and how fast"), "question-1", 2)
     yield say(
-        _("Pitch {pitch} m, head speed 1 m/s; all handles each second: {file}."),
+        "Pitch {pitch} m, head speed 1 m/s; all handles each second: {file}.",
         pitch=f"{found.spiral.value('route.pitch'):g}",
         file="result1.xlsx",
     )
     yield Paragraph((numbering_text(),))
     yield say(
-        _(
-            "{places} and {speeds} hold the contest's handles at its times. {dragon} shows the dragon, "
-            "{map} the speeds of all handles."
-        ),
-        places=Reference("spiral-places"),
-        speeds=Reference("spiral-handle-speeds"),
-        dragon=Reference("spiral-dragon"),
-        map=Reference("spiral-speeds"),
+        "{spiral-places} and {spiral-handle-speeds} hold the contest's handles at its times. "
+        "{spiral-dragon} shows the dragon, {spiral-speeds} the speeds of all handles."
     )
-    rows = table(found.motion, TABLE_TIMES)
-    yield _places("spiral-places", _("Positions in the first part, m."), rows, TABLE_TIMES)
-    yield _speeds("spiral-handle-speeds", _("Speeds in the first part, m/s."), rows, TABLE_TIMES)
+    captions = _("Positions in the first part, m."), _("Speeds in the first part, m/s.")
+    yield from _tables("spiral", *captions, found.motion, TABLE_TIMES)
     yield Picture("spiral-dragon", _("The dragon at the start and after 300 s."))
     yield Picture("spiral-speeds", _("Speeds of all handles over time."))
 
@@ -67,7 +47,7 @@ def _second_question(found: Results) -> Iterable[Block]:
     first, standing = contact_of(found), moment(found.report)[0]
     yield Heading(_("Question 2: when benches first touch"), "question-2", 2)
     yield say(
-        _("At t = {t} s ({how}) bench {a} touches bench {b}; the whole dragon then: {file}."),
+        "At t = {t} s ({how}) bench {a} touches bench {b}; the whole dragon then: {file}.",
         t=f"{first.value:.10f}",
         how=established(first),
         a=_bench(first, 0),
@@ -75,13 +55,8 @@ def _second_question(found: Results) -> Iterable[Block]:
         file="result2.xlsx",
     )
     yield say(
-        _(
-            "{handles} holds the contest's handles at that moment, {contact} shows it, and {clearance} "
-            "how near benches come before: twice they miss one another by millimetres."
-        ),
-        handles=Reference("contact-handles"),
-        contact=Reference("contact"),
-        clearance=Reference("clearance"),
+        "{contact-handles} holds the contest's handles at that moment, {contact} shows it, and "
+        "{clearance} how near benches come before: twice they miss one another by millimetres."
     )
     yield _one_moment(table(standing, standing.times.tolist()))
     yield Picture("contact", _("The first contact, and close by."))
@@ -91,22 +66,17 @@ def _second_question(found: Results) -> Iterable[Block]:
 def _third_question(found: Results) -> Iterable[Block]:
     yield Heading(_("Question 3: the smallest pitch"), "question-3", 2)
     yield say(
-        _(
-            "The head reaches a disc of radius {radius} m without contact from pitch {pitch} "
-            "m on ({how}). {known}."
-        ),
+        "The head reaches a disc of radius {radius} m without contact from pitch {pitch} "
+        "m on ({how}). {known}.",
         radius=f"{found.turn.disc.radius:g}",
         pitch=f"{found.smallest.value:.13f}",
         how=established(found.smallest),
         known=how("smallest-pitch", _("How this is known")),
     )
     yield say(
-        _(
-            "{pitch} draws the two angles that the paper compares. They do not cross: at the smallest "
-            "pitch the angle that the head reaches jumps over that of the disc, because the contact "
-            "that decides happens {before} m before the disc."
-        ),
-        pitch=Reference("pitch"),
+        "{pitch} draws the two angles that the paper compares. They do not cross: at the smallest "
+        "pitch the angle that the head reaches jumps over that of the disc, because the contact "
+        "that decides happens {before} m before the disc.",
         before=f"{found.before_disc or 0.0:.3f}",
     )
     yield Picture("pitch", _("The paper's Fig 2: how far in the head comes, over the pitch."))
@@ -125,10 +95,8 @@ def _fourth_question(found: Results) -> Iterable[Block]:
     arcs, near = found.two_arcs, found.turn_report.clearance
     yield Heading(_("Question 4: the turn"), "question-4", 2)
     yield say(
-        _(
-            "Radii {r1} m and {r2} m, both arcs swept by {angle} rad, length {length} m. Benches "
-            "{a} and {b} come nearest, {gap} m. All handles each second: {file}."
-        ),
+        "Radii {r1} m and {r2} m, both arcs swept by {angle} rad, length {length} m. Benches "
+        "{a} and {b} come nearest, {gap} m. All handles each second: {file}.",
         r1=f"{arcs.radii[0]:.10f}",
         r2=f"{arcs.radii[1]:.10f}",
         angle=f"{arcs.sweep:.10f}",
@@ -139,15 +107,9 @@ def _fourth_question(found: Results) -> Iterable[Block]:
         file="result4.xlsx",
     )
     yield say(
-        _(
-            "{construction} shows how the arcs lie, {dragon} the dragon on them; {places} and {speeds} "
-            "hold the contest's handles at its times, {map} the speeds of all."
-        ),
-        construction=Reference("turn-disc"),
-        dragon=Reference("turn-dragon"),
-        places=Reference("turn-places"),
-        speeds=Reference("turn-handle-speeds"),
-        map=Reference("turn-speeds"),
+        "{turn-disc} shows how the arcs lie, {turn-dragon} the dragon on them; {turn-places} and "
+        "{turn-handle-speeds} hold the contest's handles at its times, {turn-speeds} the speeds "
+        "of all."
     )
     yield Picture(
         "turn-disc",
@@ -156,28 +118,22 @@ def _fourth_question(found: Results) -> Iterable[Block]:
             "AB; l1 and l2 are tangents of the spirals and of the arcs."
         ),
     )
-    rows = table(found.turn.build().motion(MOTION_TIMES), MOTION_TIMES)
-    yield _places("turn-places", _("Positions in the second part, m."), rows, MOTION_TIMES)
-    yield _speeds("turn-handle-speeds", _("Speeds in the second part, m/s."), rows, MOTION_TIMES)
+    captions = _("Positions in the second part, m."), _("Speeds in the second part, m/s.")
+    yield from _tables("turn", *captions, found.turn_motion, MOTION_TIMES)
     yield Picture("turn-dragon", _("The dragon turning: the paper's Fig 4."))
     yield Picture("turn-speeds", _("Speeds of all handles while the dragon turns."))
 
 
 def _better_turns(found: Results) -> Iterable[Block]:
     yield say(
-        _(
-            "A line between the arcs makes the turn shorter ({better}). The shortest such turn was "
-            "searched for at {count} head speeds: over the whole family at six of them, and from the "
-            "turns found for the speeds below and above. Each speed then has the shortest of all "
-            "turns found that allow it: {different} different ones ({front}, {lengths}), of which "
-            "none has both a longer path and a lower head speed than another. A search found them; "
-            "shorter ones may exist. No bend is tighter than the paper's."
-        ),
-        better=Reference("turn-better"),
+        "A line between the arcs makes the turn shorter ({turn-better}). The shortest such turn "
+        "was searched for at {count} head speeds: over the whole family at six of them, and from "
+        "the turns found for the speeds below and above. Each speed then has the shortest of all "
+        "turns found that allow it: {different} different ones ({turn-front}, {front}), of which "
+        "none has both a longer path and a lower head speed than another. A search found them; "
+        "shorter ones may exist. No bend is tighter than the paper's.",
         count=len(found.front),
         different=len(found.different),
-        front=Reference("turn-front"),
-        lengths=Reference("front"),
     )
     yield Picture("turn-better", _("The paper's turn beside shorter ones."))
     yield Picture("turn-front", _("Length against greatest head speed; best found."))
@@ -207,10 +163,8 @@ def _fifth_question(found: Results) -> Iterable[Block]:
     limit = found.turn.limits.speed or math.nan
     yield Heading(_("Question 5: how fast the head may walk"), "question-5", 2)
     yield say(
-        _(
-            "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided by "
-            "{handle} at t = {t} s."
-        ),
+        "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided by "
+        "{handle} at t = {t} s.",
         limit=f"{limit:g}",
         speed=f"{speed.value:.12f}",
         how=established(speed),
@@ -218,11 +172,8 @@ def _fifth_question(found: Results) -> Iterable[Block]:
         t=f"{found.turn_greatest_at:.6f}",
     )
     yield say(
-        _(
-            "{ratio} shows why: the greatest speed ratio of any handle is {greatest}, for a moment. It "
-            "is a peak between two seconds, which samples miss."
-        ),
-        ratio=Reference("turn-ratio"),
+        "{turn-ratio} shows why: the greatest speed ratio of any handle is {greatest}, for a "
+        "moment. It is a peak between two seconds, which samples miss.",
         greatest=f"{limit / speed.value:.6f}",
     )
     yield Picture(
@@ -231,40 +182,29 @@ def _fifth_question(found: Results) -> Iterable[Block]:
     )
 
 
-def _places(name: str, caption: str, rows: Sequence[dict[str, float]], times: Sequence[float]) -> Table:
-    """Positions: two rows a handle, a column a time."""
-    by_place = {(row["time_s"], row["handle"]): row for row in rows}
+def _tables(
+    part: str, places: str, speeds: str, motion: Motion, times: Sequence[float]
+) -> Iterable[Table]:
+    """Positions, two rows a handle, and speeds, a row a handle: a column a time."""
+    by_place = {(row["time_s"], row["handle"]): row for row in table(motion, times)}
     names = handle_names(TABLE_HANDLES[-1] + 1)
-    lines = tuple(
-        (
-            str(handle),
-            text.format(handle=names[handle]),
-            *(decimals(by_place[t, handle][f"{axis}_m"]) for t in times),
-        )
-        for handle in TABLE_HANDLES
-        for axis, text in (("x", _("{handle} x (m)")), ("y", _("{handle} y (m)")))
-    )
-    return Table(name, caption, *_time_columns(times), lines, numbers=True)
-
-
-def _speeds(name: str, caption: str, rows: Sequence[dict[str, float]], times: Sequence[float]) -> Table:
-    """Speeds: a row a handle, a column a time."""
-    by_place = {(row["time_s"], row["handle"]): row for row in rows}
-    names = handle_names(TABLE_HANDLES[-1] + 1)
-    lines = tuple(
-        (
-            str(handle),
-            _("{handle} (m/s)").format(handle=names[handle]),
-            *(decimals(by_place[t, handle]["speed_m_s"]) for t in times),
-        )
-        for handle in TABLE_HANDLES
-    )
-    return Table(name, caption, *_time_columns(times), lines, numbers=True)
-
-
-def _time_columns(times: Sequence[float]) -> tuple[tuple[str, ...], tuple[float, ...]]:
     columns = (_("handle"), _("in the contest"), *(f"{t:g} s" for t in times))
-    return columns, (0.6, 1.6, *(1.0 for _time in times))
+    widths = (0.6, 1.6, *(1.0 for _time in times))
+    x, y, speed = _("{handle} x (m)"), _("{handle} y (m)"), _("{handle} (m/s)")
+    for name, caption, quantities in (
+        ("places", places, {"x_m": x, "y_m": y}),
+        ("handle-speeds", speeds, {"speed_m_s": speed}),
+    ):
+        lines = tuple(
+            (
+                str(handle),
+                text.format(handle=names[handle]),
+                *(decimals(by_place[t, handle][key]) for t in times),
+            )
+            for handle in TABLE_HANDLES
+            for key, text in quantities.items()
+        )
+        yield Table(f"{part}-{name}", caption, columns, widths, lines, numbers=True)
 
 
 def _one_moment(rows: Sequence[dict[str, float]]) -> Table:

@@ -418,7 +418,7 @@ def as_json(found: Results) -> dict[str, Any]:
             "radii_m": list(two_arcs.radii),
             "length_m": two_arcs.length,
             **dict(zip(names, two_arcs.boundary_angles(), strict=True)),
-            "table": table(found.turn.build().motion(MOTION_TIMES), MOTION_TIMES),
+            "table": table(found.turn_motion, MOTION_TIMES),
             "greatest_head_speed": found.head_speed.as_json(),
             "clearance": found.turn_report.clearance.as_json(),
             "deeper_joints": _deeper(found),
