@@ -7,6 +7,7 @@ others go, new ones stand empty. The same sources give the same bytes.
 Needs Babel. Run it as `make messages`.
 """
 
+import ast
 import re
 import sys
 from collections.abc import Iterator
@@ -20,6 +21,7 @@ from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
 import benchdragon
+from benchdragon.cli.help import paragraphs
 
 PACKAGE = Path(benchdragon.__file__).parent
 CATALOGUE = PACKAGE / "locale" / "zh_CN" / "LC_MESSAGES" / "benchdragon.po"
@@ -68,6 +70,15 @@ def script_messages(script: Path) -> list[MessageId]:
     return messages
 
 
+def verb_messages(source: Path) -> Iterator[str]:
+    """The help of the command line's verbs: what their functions say of themselves."""
+    for node in ast.walk(ast.parse(source.read_text("utf-8"))):
+        if isinstance(node, ast.FunctionDef):
+            marks = {ast.unparse(mark) for mark in node.decorator_list}
+            if marks & {"verb", "program.command()"}:
+                yield paragraphs(ast.get_docstring(node) or "")
+
+
 def extracted(package: Path = PACKAGE) -> Iterator[MessageId]:
     """Everything that users may read, our own and click's."""
     sources = sorted(package.rglob("*.py"))
@@ -76,6 +87,8 @@ def extracted(package: Path = PACKAGE) -> Iterator[MessageId]:
         for _line, message, _comments, _context in extract_from_file("python", source, PYTHON_KEYWORDS):
             if message:
                 yield message
+        if source.parent.name == "cli":
+            yield from verb_messages(source)
     scripts = set((package / "web").rglob("*.js")) - {package / "web" / CARRIED}
     for script in sorted(scripts):
         yield from script_messages(script)

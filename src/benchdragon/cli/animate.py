@@ -7,7 +7,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import BESIDE, WITHOUT, output_option, plan_to_walk, refuse_strays, take
+from benchdragon.cli.options import (
+    BESIDE,
+    WITHOUT,
+    output_option,
+    plan_to_walk,
+    refuse_strays,
+    take,
+    verb,
+)
 from benchdragon.cli.parsing import PICTURE_FORMATS, check_ending, parse_sides, parse_span, parse_times
 from benchdragon.i18n import N_
 from benchdragon.version import __version__
@@ -19,15 +27,7 @@ if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
 
 
-@click.command(
-    help=N_(
-        "The dance as a film, a still, or a sheet of stills; the name of the file says which.\n\n"
-        "turn.mp4 or turn.gif is a film; turn.png, turn.svg or turn.pdf a still, or with --sheet many "
-        "of them side by side. PLAN is a *.dragon.toml file or the name of a built-in plan; "
-        "benchdragon plan lists them. For example: benchdragon animate turn -o turn.mp4 --start -5 "
-        "--end 20"
-    )
-)
+@verb
 @take("plan")
 @output_option(N_("File to write: .mp4, .gif, .png, .svg or .pdf."))
 @take("span")
@@ -80,7 +80,12 @@ if TYPE_CHECKING:
 )
 @take("force", "json", "shared")
 def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Write the files and name them, as text or JSON."""
+    """The dance as a film, a still, or a sheet of stills; the name of the file says which.
+
+    turn.mp4 or turn.gif is a film; turn.png, turn.svg or turn.pdf a still, or with --sheet many of them
+    side by side. PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists
+    them. For example: benchdragon animate turn -o turn.mp4 --start -5 --end 20
+    """
     path: Path = options["output"]
     kind = path.suffix[1:]
     check_ending("-o", path, [f".{name}" for name in FILM_FORMATS + PICTURE_FORMATS])

@@ -9,13 +9,7 @@ import click
 
 from benchdragon.cli.answers import about, print_answer, print_title
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import (
-    WITHOUT,
-    output_option,
-    plan_to_walk,
-    refuse_strays,
-    take,
-)
+from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take, verb
 from benchdragon.cli.parsing import PAPERS, check_ending, parse_length, parse_scale, parse_span
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
@@ -27,14 +21,7 @@ if TYPE_CHECKING:
 DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
 
 
-@click.command(
-    help=N_(
-        "The ground that a dance covers: its area, its widest place, the spectators' line, drawings to "
-        "scale.\n\nPLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan "
-        "lists them. For "
-        "example: benchdragon area turn -o turn.pdf --margin 2 --scale 1:200 --paper A3"
-    )
-)
+@verb
 @take("plan")
 @output_option(
     N_("File to write: .svg or .pdf, to scale; .dxf for CAD; .geojson. Default: numbers alone."),
@@ -72,7 +59,12 @@ DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
 )
 @take("force", "json", "brackets", "shared")
 def area(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Print the numbers, as text or JSON, and write the files."""
+    """The ground that a dance covers: its area, its widest place, the spectators' line, drawings to
+    scale.
+
+    PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists them. For
+    example: benchdragon area turn -o turn.pdf --margin 2 --scale 1:200 --paper A3
+    """
     files = _files(options["output"], options["formats"])
     kinds = {path.suffix[1:] for path in files}
     refuse_strays(

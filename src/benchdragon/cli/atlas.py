@@ -5,24 +5,22 @@ from pathlib import Path
 import click
 
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import output_option, take
+from benchdragon.cli.options import output_option, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 
 
-@click.command(
-    help=N_(
-        "Write a page of what sweeps came to.\n\n"
-        "It holds pictures, tables of the extreme answers, and the command that makes each sweep, and "
-        "needs no network. FOLDERS are those that `benchdragon sweep -o` has written."
-    )
-)
+@verb
 @click.argument("folders", metavar="FOLDERS", nargs=-1, required=True)
 @output_option(N_("The file to write, for example atlas.html."))
 @take("force", "shared")
 def atlas(folders: tuple[str, ...], output: Path, force: bool, quiet: bool) -> int:
-    """Write the page."""
+    """Write a page of what sweeps came to.
+
+    It holds pictures, tables of the extreme answers, and the command that makes each sweep, and needs
+    no network. FOLDERS are those that `benchdragon sweep -o` has written.
+    """
     from benchdragon.export.atlas import write_atlas
     from benchdragon.files import refuse_existing
     from benchdragon.sweeps.sweep import read_sweep

@@ -25,6 +25,7 @@ from benchdragon.cli.options import (
     refuse_strays,
     take,
     tell_names,
+    verb,
 )
 from benchdragon.errors import UnsureError
 from benchdragon.i18n import N_, _
@@ -36,15 +37,7 @@ if TYPE_CHECKING:
     from benchdragon.rosters.roster import Roster
 
 
-@click.command(
-    help=N_(
-        "Whether a walk is safe: no benches touch, margin and limits are kept, and all of the dance "
-        "stays in the venue and touches no obstacle.\n\nPLAN is a *.dragon.toml file or the name of a "
-        "built-in plan; benchdragon plan lists them. Each finding has a code, such as BD303: the "
-        "manual says what "
-        "it means and what to do. Exit code 0: safe; 1: not; 4: it cannot be walked; 5: undecided."
-    )
-)
+@verb
 @take("plan", "prove")
 @click.option(
     "--prove-all",
@@ -60,7 +53,13 @@ if TYPE_CHECKING:
 )
 @take("json", "brackets", "explain", "shared")
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Print a report, as text or JSON, and write tables and pictures of it."""
+    """Whether a walk is safe: no benches touch, margin and limits are kept, and all of the dance stays
+    in the venue and touches no obstacle.
+
+    PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists them. Each
+    finding has a code, such as BD303: the manual says what it means and what to do. Exit code 0: safe;
+    1: not; 4: it cannot be walked; 5: undecided.
+    """
     from benchdragon.analysis.check import check as checked
 
     refuse_strays(

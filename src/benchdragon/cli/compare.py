@@ -8,7 +8,7 @@ import click
 
 from benchdragon.cli.answers import UNSAFE
 from benchdragon.cli.console import print_rows
-from benchdragon.cli.options import take
+from benchdragon.cli.options import take, verb
 from benchdragon.i18n import N_, _
 from benchdragon.model.numbering import handle_names
 from benchdragon.number_format import decimals
@@ -18,13 +18,7 @@ if TYPE_CHECKING:
     from benchdragon.paper.compare import Comparison, Departure, Deviation, Result
 
 
-@click.command(
-    help=N_(
-        "How far anyone's result1, result2 or result4 is off, and by which mistake.\n\nFILE is an "
-        ".xlsx workbook in the layout of the contest's templates; each cell is compared with the exact "
-        "value. Exit code 0: it agrees; 1: it does not, or cells are empty."
-    )
-)
+@verb
 @click.argument("file", metavar="FILE")
 @click.option(
     "--as",
@@ -40,7 +34,11 @@ if TYPE_CHECKING:
 )
 @take("json", "shared")
 def compare(file: str, result: "Result | None", tolerance: float, as_json: bool, quiet: bool) -> int:
-    """Print a comparison, as text or JSON."""
+    """How far anyone's result1, result2 or result4 is off, and by which mistake.
+
+    FILE is an .xlsx workbook in the layout of the contest's templates; each cell is compared with the
+    exact value. Exit code 0: it agrees; 1: it does not, or cells are empty.
+    """
     del quiet
     from benchdragon.paper.compare import compare as compared
 

@@ -6,23 +6,21 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.console import print_rows
-from benchdragon.cli.options import take
-from benchdragon.i18n import N_, _, language
+from benchdragon.cli.options import take, verb
+from benchdragon.i18n import _, language
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:
     from benchdragon.model.formations import Formation
 
 
-@click.command(
-    help=N_(
-        "The formations that plans can name: Chinese name, pinyin, sizes by default, and source.\n\n"
-        "With --json also the shape of each, and what each size means and may be."
-    )
-)
+@verb
 @take("json", "shared")
 def formations(as_json: bool, quiet: bool) -> int:
-    """Print them, as a table or as JSON."""
+    """The formations that plans can name: Chinese name, pinyin, sizes by default, and source.
+
+    With --json also the shape of each, and what each size means and may be.
+    """
     del quiet
     from benchdragon.model.formations import FORMATIONS
 

@@ -6,7 +6,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
-from benchdragon.cli.options import BESIDE, WITHOUT, file_option, plan_to_walk, refuse_strays, take
+from benchdragon.cli.options import (
+    BESIDE,
+    WITHOUT,
+    file_option,
+    plan_to_walk,
+    refuse_strays,
+    take,
+    verb,
+)
 from benchdragon.cli.solved import (
     certificate_option,
     check_certificate,
@@ -25,15 +33,7 @@ if TYPE_CHECKING:
     from benchdragon.solve.head_speed import Pace
 
 
-@click.command(
-    help=N_(
-        "The greatest constant head speed that keeps the plan's limits.\n\nPLAN is a *.dragon.toml "
-        "file or the name of a built-in plan; benchdragon plan lists them. It must limit speeds, "
-        "accelerations or "
-        "turning rates: --set limits.speed=2, for example. Exit code 4: it cannot be walked; 5: "
-        "undecided."
-    )
-)
+@verb
 @take("plan")
 @file_option(
     "--pace",
@@ -43,7 +43,12 @@ if TYPE_CHECKING:
 @certificate_option
 @take("json", "brackets", "explain", "shared")
 def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Print the greatest head speed; with --pace also write a pace, as a plan of its own."""
+    """The greatest constant head speed that keeps the plan's limits.
+
+    PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists them. It must
+    limit speeds, accelerations or turning rates: --set limits.speed=2, for example. Exit code 4: it
+    cannot be walked; 5: undecided.
+    """
     path: Path | None = options["pace"]
     refuse_strays(
         ("prove", path is None, BESIDE, "--pace"), ("output", options["prove"], WITHOUT, "--prove")

@@ -2,6 +2,8 @@
 
 import copy
 from collections.abc import Iterable
+from inspect import cleandoc
+from typing import Any
 from unicodedata import east_asian_width
 
 import click
@@ -43,8 +45,23 @@ class WideContext(click.Context):
     formatter_class = WideFormatter
 
 
+def paragraphs(said: str) -> str:
+    """What a function says of itself, each paragraph in one line."""
+    return "\n\n".join(" ".join(part.split()) for part in cleandoc(said).split("\n\n"))
+
+
+class Verb(click.Command):
+    """A command whose help is what its function says of itself, to be translated."""
+
+    def __init__(self, *args: Any, **more: Any) -> None:
+        super().__init__(*args, **more)
+        self.help = paragraphs(self.help or "")
+
+
 class HelpfulGroup(click.Group):
     """Verbs in the order they were written, and named where one is called that is not there."""
+
+    command_class = Verb
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Names of the verbs."""

@@ -101,12 +101,7 @@ def program() -> None:
     """Hold the verbs."""
 
 
-@program.command(
-    help=N_(
-        "Repeat the paper, claim by claim, and write a report: the contest's answers, tables and "
-        "pictures, an error analysis, and the tolerance that imprecise people need."
-    )
-)
+@program.command()
 @folder_option(Path("out"))
 @click.option(
     "--docs",
@@ -117,7 +112,9 @@ def program() -> None:
 def reproduce(
     output: Path, force: bool, docs: str | None, as_json: bool, explain: bool, quiet: bool
 ) -> int:
-    """Write the paper's files and print the answers."""
+    """Repeat the paper, claim by claim, and write a report: the contest's answers, tables and pictures,
+    an error analysis, and the tolerance that imprecise people need.
+    """
     from benchdragon.paper.reproduce import reproduce as reproduced
 
     with shown_progress(quiet) as progress:
@@ -136,12 +133,7 @@ def reproduce(
     return 0
 
 
-@program.command(
-    help=N_(
-        "Position and speed of every handle at chosen times.\n\nPLAN is a *.dragon.toml file or "
-        "the name of a built-in plan; benchdragon plan lists them."
-    )
-)
+@program.command()
 @take("plan")
 @click.option(
     "--at",
@@ -185,7 +177,10 @@ def reproduce(
 )  # fmt: skip
 @take("explain", "shared")
 def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Answer on the screen, as JSON, or as files."""
+    """Position and speed of every handle at chosen times.
+
+    PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists them.
+    """
     _refuse_strays(options)
     from benchdragon.export.tables import Selection
 
@@ -202,17 +197,17 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for verb in (
+for one in (
     new, check, solve, margins, sweep, atlas, survey, compare, view, planner, animate, area,
     timetable, sheets, plan, formations, schema, verify,
 ):  # fmt: skip
-    program.add_command(verb)
+    program.add_command(one)
 
 
-@program.command(help=N_("Versions, fonts, cache folder, and what else is there to work with."))
+@program.command()
 @take("json", "shared")
 def doctor(as_json: bool, quiet: bool) -> int:
-    """Say what this machine offers."""
+    """Versions, fonts, cache folder, and what else is there to work with."""
     del quiet
     from benchdragon.cli.doctor import advice, findings
 

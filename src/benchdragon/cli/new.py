@@ -13,7 +13,7 @@ from benchdragon.cli.by_hand import kept_by_hand, warn_of_lost
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.new_answers import QUESTIONS, Question, read_place
-from benchdragon.cli.options import file_option, output_option, take
+from benchdragon.cli.options import file_option, output_option, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _, language
@@ -23,14 +23,7 @@ if TYPE_CHECKING:
     from benchdragon.solve.proposal import Proposal, TooSmall, Wishes
 
 
-@click.command(
-    help=N_(
-        "Propose a plan for your benches and your square.\n\nIn a terminal it asks for what is not "
-        "given. It finds pitch, disc, speed and place so that bearers have room, writes the plan and "
-        "prints its check. For example: benchdragon new -o village.dragon.toml --benches 60 "
-        "--bench-length 1.5m --bench-width 15cm --square 30x20. Exit code 4: the dance does not fit."
-    )
-)
+@verb
 @output_option(N_("The plan file to write, for example village.dragon.toml."))
 @click.option("--benches", metavar="COUNT", help=N_("How many benches, head and tail included."))
 @click.option("--bench-length", metavar="LENGTH", help=N_("Length of a bench: 1.5m or 150cm."))
@@ -71,7 +64,13 @@ if TYPE_CHECKING:
 @file_option("--roster", N_("A list of names in the folder of the plan."))
 @take("force", "shared")
 def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
-    """Ask, propose, write the plan, print its check and what comes next."""
+    """Propose a plan for your benches and your square.
+
+    In a terminal it asks for what is not given. It finds pitch, disc, speed and place so that bearers
+    have room, writes the plan and prints its check. For example: benchdragon new -o village.dragon.toml
+    --benches 60 --bench-length 1.5m --bench-width 15cm --square 30x20. Exit code 4: the dance does not
+    fit.
+    """
     from benchdragon.files import refuse_existing, write_whole
 
     check_ending("--output", output, [".toml"])

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.core import ParameterSource
 
+from benchdragon.cli.help import Verb
 from benchdragon.errors import InputError
 from benchdragon.i18n import LANGUAGES, N_, _
 
@@ -36,6 +37,11 @@ class NamedPath(click.Path):
 
 
 FILE, FOLDER = NamedPath(folder=False), NamedPath(folder=True)
+
+
+def verb(function: Command) -> click.Command:
+    """A verb of the command line, whose help is what the function says of itself."""
+    return click.command(cls=Verb)(function)
 
 
 def together(*options: Decorator) -> Decorator:

@@ -18,7 +18,7 @@ from benchdragon.cli.answers import (
     warn_of_outside,
 )
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import file_option, plan_to_walk, take
+from benchdragon.cli.options import file_option, plan_to_walk, take, verb
 from benchdragon.cli.solved import read_to_write, write_plan
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import rounded_up
@@ -29,19 +29,17 @@ if TYPE_CHECKING:
     from benchdragon.solve.place import Enough, PlacedDance
 
 
-@click.command(
-    help=N_(
-        "The place on the square where the dance fits best.\n\nIt has the most room to the venue's "
-        "edge and to every obstacle, and is judged as `check` judges: where that finds the dance not "
-        "safe there, no plan is written, and the exit code is that of `check`. PLAN is a *.dragon.toml "
-        "file with a [venue]. Exit code 4: no place was found."
-    )
-)
+@verb
 @take("plan")
 @file_option("--plan-file", N_("Write the plan with the place that was found."))
 @take("force", "json", "brackets", "shared")
 def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Print the best place; with --plan-file also write the plan there."""
+    """The place on the square where the dance fits best.
+
+    It has the most room to the venue's edge and to every obstacle, and is judged as `check` judges:
+    where that finds the dance not safe there, no plan is written, and the exit code is that of `check`.
+    PLAN is a *.dragon.toml file with a [venue]. Exit code 4: no place was found.
+    """
     from benchdragon.files import refuse_existing
     from benchdragon.solve.place import best_place, enough_room
 
@@ -113,13 +111,7 @@ def _print_enough(enough: "Enough") -> None:
         click.echo(text.format(count=enough.benches))
 
 
-@click.command(
-    help=N_(
-        "The smallest rectangle and circle that hold the dance.\n\nAll benches are in them from start "
-        "to end, tail included. PLAN is a *.dragon.toml file or "
-        "the name of a built-in plan; benchdragon plan lists them."
-    )
-)
+@verb
 @take("plan")
 @click.option(
     "--error",
@@ -129,7 +121,11 @@ def _print_enough(enough: "Enough") -> None:
 )
 @take("json", "shared")
 def square(plan: str, settings: tuple[str, ...], quiet: bool, error: float, as_json: bool) -> int:
-    """Print the smallest rectangle and circle."""
+    """The smallest rectangle and circle that hold the dance.
+
+    All benches are in them from start to end, tail included. PLAN is a *.dragon.toml file or the name
+    of a built-in plan; benchdragon plan lists them.
+    """
     from benchdragon.analysis.swept import enclosing
 
     read = plan_to_walk(plan, settings, quiet)

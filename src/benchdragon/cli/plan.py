@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from benchdragon.cli.console import print_files, print_rows
-from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take
+from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take, verb
 from benchdragon.cli.parsing import check_ending, parse_speed
 from benchdragon.cli.solved import write_plan
 from benchdragon.i18n import N_, _, language
@@ -23,15 +23,7 @@ STATUSES = {
 }
 
 
-@click.command(
-    help=N_(
-        "Print a plan as a plan file, to begin one of your own.\n\nPLAN is a built-in plan, the "
-        "contest's "
-        "or a village's, or a *.dragon.toml file; without it all names are listed, which every command "
-        "takes. With --set the values that are in effect then, each with what it means. For example: "
-        "benchdragon plan turn > my.dragon.toml"
-    )
-)
+@verb
 @take("maybe a plan")
 @output_option(N_("The file to write, for example my.dragon.toml."), required=False)
 @take("force")
@@ -45,7 +37,12 @@ STATUSES = {
 )
 @take("shared")
 def plan(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Print or write a plan, or list those that are there."""
+    """Print a plan as a plan file, to begin one of your own.
+
+    PLAN is a built-in plan, the contest's or a village's, or a *.dragon.toml file; without it all names
+    are listed, which every command takes. With --set the values that are in effect then, each with what
+    it means. For example: benchdragon plan turn > my.dragon.toml
+    """
     output: Path | None = options["output"]
     refuse_strays(
         *((name, output is not None, WITHOUT, "-o") for name in ("force", "head_speed")),
@@ -114,16 +111,14 @@ def _text(name: str, settings: tuple[str, ...]) -> str:
     return f"# {getattr(preset.source, language())}\n{commented(plan.data(), notes)}"
 
 
-@click.command(
-    help=N_(
-        "Every key of plan files: the JSON Schema, or with --table a table for readers.\n\nIt says "
-        "what each key means, its unit, its default and an example."
-    )
-)
+@verb
 @click.option("--table", is_flag=True, help=N_("Print a table for readers."))
 @take("shared")
 def schema(table: bool, quiet: bool) -> int:
-    """Print the schema, as JSON or as tables."""
+    """Every key of plan files: the JSON Schema, or with --table a table for readers.
+
+    It says what each key means, its unit, its default and an example.
+    """
     del quiet
     from benchdragon.plans import keys as plan_keys
     from benchdragon.plans.sections import SECTIONS

@@ -4,29 +4,25 @@ import tempfile
 import webbrowser
 from pathlib import Path
 
-import click
-
 from benchdragon.cli.console import print_files
-from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take
+from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.i18n import N_
 
 
-@click.command(
-    help=N_(
-        "Write the planner: one page on which a dance is planned, judged and watched.\n\nThe file "
-        "needs no network, no server and no program; send it to a phone and open it there. Without -o "
-        "the browser opens it from a temporary folder. PLAN, a *.dragon.toml file or the name of a "
-        "built-in plan, is what it begins with."
-    )
-)
+@verb
 @take("maybe a plan")
 @output_option(N_("The file to write, for example planner.html."), required=False)
 @take("force", "shared")
 def planner(
     plan: str | None, settings: tuple[str, ...], output: Path | None, force: bool, quiet: bool
 ) -> int:
-    """Write the planner, or open it."""
+    """Write the planner: one page on which a dance is planned, judged and watched.
+
+    The file needs no network, no server and no program; send it to a phone and open it there. Without
+    -o the browser opens it from a temporary folder. PLAN, a *.dragon.toml file or the name of a
+    built-in plan, is what it begins with.
+    """
     from benchdragon.files import refuse_existing
     from benchdragon.planner.page import write_planner
 

@@ -17,6 +17,7 @@ from benchdragon.cli.options import (
     refuse_strays,
     take,
     tell_names,
+    verb,
 )
 from benchdragon.cli.parsing import PAPERS, parse_scale
 from benchdragon.i18n import N_, _
@@ -33,13 +34,7 @@ SPEAK_OF = {
 }
 
 
-@click.command(
-    help=N_(
-        "Write what people hold in their hands: a sheet for each bench, an overview, and more."
-        "\n\nPLAN is a *.dragon.toml file whose check was recorded: benchdragon check PLAN --record. "
-        "For example: benchdragon sheets village.dragon.toml -o papers --paper quarter"
-    )
-)
+@verb
 @take("plan")
 @click.option(
     "--only", metavar="LIST", help=N_("Write these papers alone, for example overview,chalk.")
@@ -74,7 +69,11 @@ SPEAK_OF = {
 @folder_option(Path("sheets"))
 @take("shared")
 def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Write the papers, if the plan is as it was checked."""
+    """Write what people hold in their hands: a sheet for each bench, an overview, and more.
+
+    PLAN is a *.dragon.toml file whose check was recorded: benchdragon check PLAN --record. For example:
+    benchdragon sheets village.dragon.toml -o papers --paper quarter
+    """
     from benchdragon.analysis.check import check
     from benchdragon.plans.roster import roster_of
     from benchdragon.plans.toml import built_in_names

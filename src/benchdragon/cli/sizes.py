@@ -7,7 +7,7 @@ import click
 
 from benchdragon.cli.answers import NO_SOLUTION, UNDECIDED, about
 from benchdragon.cli.console import print_explanation, shown_progress
-from benchdragon.cli.options import BESIDE, WITHOUT, plan_to_walk, refuse_strays, take, together
+from benchdragon.cli.options import BESIDE, WITHOUT, plan_to_walk, refuse_strays, take, together, verb
 from benchdragon.cli.parsing import parse_lengths
 from benchdragon.cli.solved import (
     certificate_option,
@@ -46,15 +46,7 @@ size_options = together(
 )
 
 
-@click.command(
-    help=N_(
-        "The smallest pitch of the spiral with which the walk is safe.\n\nSafe means here: no "
-        "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
-        "plan; benchdragon plan lists them. A spiral needs an end: --set disc.radius=4.5, for "
-        "example. Exit "
-        "code 4: there is no such pitch; 5: undecided."
-    )
-)
+@verb
 @take("plan")
 @click.option(
     "--method",
@@ -76,7 +68,12 @@ size_options = together(
 )
 @size_options
 def pitch(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Answer exactly, or as the paper does."""
+    """The smallest pitch of the spiral with which the walk is safe.
+
+    Safe means here: no contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a
+    built-in plan; benchdragon plan lists them. A spiral needs an end: --set disc.radius=4.5, for
+    example. Exit code 4: there is no such pitch; 5: undecided.
+    """
     stepped = options["method"] == "traversal"
     refuse_strays(
         ("method", options["span"] is None, BESIDE, "--range"),

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.answers import about, print_title
-from benchdragon.cli.options import take
-from benchdragon.i18n import N_, _
+from benchdragon.cli.options import take, verb
+from benchdragon.i18n import _
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.toml import PlanError
 
@@ -18,16 +18,14 @@ if TYPE_CHECKING:
     from benchdragon.surveys.fitting import Fit
 
 
-@click.command(
-    help=N_(
-        "What a drawn route is like: its parts, how near to the drawing it keeps, its tightest bend, "
-        "and which gaps and kinks of the drawing were absorbed.\n\nPLAN is a *.dragon.toml file whose "
-        "route has kind = drawn."
-    )
-)
+@verb
 @take("plan", "json", "shared")
 def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
-    """Print what is known of the route along a drawing, as text or JSON."""
+    """What a drawn route is like: its parts, how near to the drawing it keeps, its tightest bend, and
+    which gaps and kinks of the drawing were absorbed.
+
+    PLAN is a *.dragon.toml file whose route has kind = drawn.
+    """
     del quiet
     from benchdragon.plans.routes import DrawnRoute
     from benchdragon.plans.schema import read_plan

@@ -17,6 +17,7 @@ from benchdragon.cli.options import (
     plan_to_walk,
     refuse_strays,
     take,
+    verb,
 )
 from benchdragon.cli.tolerance import deviation_options, given_deviations
 from benchdragon.errors import InputError, MachineError
@@ -32,14 +33,7 @@ if TYPE_CHECKING:
 METHODS = ("latin-hypercube", "sobol")
 
 
-@click.command(
-    help=N_(
-        "Many questions: the answers of a plan at many values of its keys.\n\n"
-        "PLAN is a *.dragon.toml file or the name of a built-in plan. Each combination of the values "
-        "behind --vary is a point; --points takes them from a file, --sample draws them. The answers "
-        "are rows of Parquet files in a folder. The same command goes on where one was broken off."
-    )
-)
+@verb
 @click.argument("plan", metavar="PLAN", required=False)
 @take("set")
 @click.option(
@@ -98,7 +92,12 @@ METHODS = ("latin-hypercube", "sobol")
 )
 @take("json", "shared")
 def sweep(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Run a sweep, or tell of one, and print what came of it."""
+    """Many questions: the answers of a plan at many values of its keys.
+
+    PLAN is a *.dragon.toml file or the name of a built-in plan. Each combination of the values behind
+    --vary is a point; --points takes them from a file, --sample draws them. The answers are rows of
+    Parquet files in a folder. The same command goes on where one was broken off.
+    """
     from benchdragon.sweeps.sweep import read_sweep
 
     _refuse_strays(plan, options)

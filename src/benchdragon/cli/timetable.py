@@ -8,9 +8,9 @@ import click
 
 from benchdragon.cli.answers import about
 from benchdragon.cli.console import print_rows
-from benchdragon.cli.options import plan_to_walk, take
+from benchdragon.cli.options import plan_to_walk, take, verb
 from benchdragon.errors import InputError
-from benchdragon.i18n import N_, language
+from benchdragon.i18n import language
 
 if TYPE_CHECKING:
     from benchdragon.analysis.ground import Ground
@@ -19,17 +19,15 @@ if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
 
 
-@click.command(
-    help=N_(
-        "When the head and the tail pass each place of a dance, and where the head stops."
-        "\n\nThe rows are those of the paper that benchdragon sheets writes; whether the dance is safe "
-        "says benchdragon check. PLAN is a *.dragon.toml file or the name of a built-in plan; "
-        "benchdragon plan lists them. For example: benchdragon timetable turn"
-    )
-)
+@verb
 @take("plan", "json", "shared")
 def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
-    """Print the timetable, as a table or as JSON."""
+    """When the head and the tail pass each place of a dance, and where the head stops.
+
+    The rows are those of the paper that benchdragon sheets writes; whether the dance is safe says
+    benchdragon check. PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan
+    lists them. For example: benchdragon timetable turn
+    """
     from benchdragon.analysis.clock import Clock
     from benchdragon.analysis.ground import Ground
     from benchdragon.analysis.stops import stops_of, stops_sentence

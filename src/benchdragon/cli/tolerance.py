@@ -18,6 +18,7 @@ from benchdragon.cli.options import (
     refuse_strays,
     take,
     together,
+    verb,
 )
 from benchdragon.i18n import N_, _, language
 from benchdragon.number_format import finite_or_none, outward
@@ -51,15 +52,7 @@ def given_deviations(options: dict[str, Any]) -> dict[str, float]:
     return {name: options[name] for name in DEVIATIONS if options[name] is not None}
 
 
-@click.command(
-    help=N_(
-        "The tolerance that imprecise people need, as the pitch at which benches rarely touch.\n\n"
-        "Random dances are walked: handles off the route, routes that drift, benches that vary; "
-        "the smallest pitch that each needs is sought. Without options each deviation is tried "
-        "by itself, then all together. PLAN is a *.dragon.toml file or the name of a built-in "
-        "plan; a spiral needs an end: --set disc.radius=4.5, for example."
-    )
-)
+@verb
 @take("plan")
 @deviation_options
 @dances_options(N_("Seed of the random dances."), N_("Number of random dances."))
@@ -67,7 +60,13 @@ def given_deviations(options: dict[str, Any]) -> dict[str, float]:
 @folder_option()
 @take("json", "explain", "shared")
 def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Print pitches and chances, as a table or JSON, and draw them."""
+    """The tolerance that imprecise people need, as the pitch at which benches rarely touch.
+
+    Random dances are walked: handles off the route, routes that drift, benches that vary; the smallest
+    pitch that each needs is sought. Without options each deviation is tried by itself, then all
+    together. PLAN is a *.dragon.toml file or the name of a built-in plan; a spiral needs an end: --set
+    disc.radius=4.5, for example.
+    """
     from benchdragon.files import refuse_existing
 
     refuse_strays(("force", options["output"] is not None, WITHOUT, "-o"))

@@ -8,7 +8,7 @@ import click
 
 from benchdragon.cli.answers import UNDECIDED, about, print_title
 from benchdragon.cli.console import print_explanation, print_files, shown_progress, turn_lines
-from benchdragon.cli.options import WITHOUT, file_option, plan_to_walk, refuse_strays, take
+from benchdragon.cli.options import WITHOUT, file_option, plan_to_walk, refuse_strays, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.cli.solved import write_plan
 from benchdragon.i18n import N_, _
@@ -20,14 +20,7 @@ if TYPE_CHECKING:
     from benchdragon.solve.turn_goal import TurnGoal
 
 
-@click.command(
-    help=N_(
-        "A search for the best turn of the plan's family.\n\nPLAN is a *.dragon.toml file or the name "
-        "of a built-in plan whose route is a turn: turn. The plan's turn.family names the family. A "
-        "better turn than the one found may exist; --prove bounds how much better. Exit code 4: no "
-        "turn was found that keeps the limits; 5: --prove did not get as near as --within says."
-    )
-)
+@verb
 @take("plan")
 @click.option(
     "--objective",
@@ -78,7 +71,13 @@ if TYPE_CHECKING:
 @file_option("--plan-file", N_("Write the plan with the turn that was found."))
 @take("force", "json", "explain", "shared")
 def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Print the best turn; with --plan-file also write the plan with it."""
+    """A search for the best turn of the plan's family.
+
+    PLAN is a *.dragon.toml file or the name of a built-in plan whose route is a turn: turn. The plan's
+    turn.family names the family. A better turn than the one found may exist; --prove bounds how much
+    better. Exit code 4: no turn was found that keeps the limits; 5: --prove did not get as near as
+    --within says.
+    """
     from benchdragon.files import refuse_existing
     from benchdragon.solve.turn import best_turn
     from benchdragon.solve.turn_goal import TurnGoal

@@ -6,22 +6,19 @@ from pathlib import Path
 import click
 
 from benchdragon.cli.console import shown_progress
-from benchdragon.cli.options import take
-from benchdragon.i18n import N_
+from benchdragon.cli.options import take, verb
 
 
-@click.command(
-    help=N_(
-        "Show again what a certificate says was proved, from its plan alone."
-        "\n\nFILE is a certificate, as check --prove -o FOLDER, the questions of solve with --prove "
-        "-o FILE, and solve turn --prove --certificate FILE write it. Exit code 0: all of it holds; "
-        "5: something could not be shown. It needs the extra prove."
-    )
-)
+@verb
 @click.argument("file", metavar="FILE")
 @take("json", "shared")
 def verify(file: str, quiet: bool, as_json: bool) -> int:
-    """Print what is proved, as sentences or as JSON."""
+    """Show again what a certificate says was proved, from its plan alone.
+
+    FILE is a certificate, as check --prove -o FOLDER, the questions of solve with --prove -o FILE, and
+    solve turn --prove --certificate FILE write it. Exit code 0: all of it holds; 5: something could not
+    be shown. It needs the extra prove.
+    """
     from benchdragon.analysis.certificate import read_certificate, shown
     from benchdragon.solve import turn_certificate
 

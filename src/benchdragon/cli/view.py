@@ -4,27 +4,23 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import click
-
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import output_option, plan_to_walk, take
+from benchdragon.cli.options import output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import check_ending, parse_span
 from benchdragon.i18n import N_
 from benchdragon.progress import part
 
 
-@click.command(
-    help=N_(
-        "Write the dance of a plan as one page for any browser.\n\nThe file needs no network and no "
-        "program; send it to a phone and open it there. PLAN is a *.dragon.toml file or the name of a "
-        "built-in plan."
-    )
-)
+@verb
 @take("plan")
 @output_option(N_("The file to write, for example dance.html."))
 @take("force", "span", "shared")
 def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Write the player."""
+    """Write the dance of a plan as one page for any browser.
+
+    The file needs no network and no program; send it to a phone and open it there. PLAN is a
+    *.dragon.toml file or the name of a built-in plan.
+    """
     from benchdragon.analysis.check import check
     from benchdragon.files import refuse_existing
     from benchdragon.player import scene
