@@ -10,8 +10,14 @@ import click
 from benchdragon.cli.answers import about, print_answer, print_title
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take, verb
-from benchdragon.cli.parsing import PAPERS, check_ending, parse_length, parse_scale, parse_span
-from benchdragon.errors import InputError
+from benchdragon.cli.parsing import (
+    PAPERS,
+    check_ending,
+    parse_formats,
+    parse_length,
+    parse_scale,
+    parse_span,
+)
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import rounded_up
 
@@ -105,15 +111,7 @@ def _files(path: Path | None, formats: str | None) -> list[Path]:
     check_ending("-o", path, [f".{name}" for name in DRAWINGS + DATA])
     if formats is None:
         return [path]
-    names = list(dict.fromkeys(name.strip() for name in formats.split(",")))
-    unknown = [name for name in names if name not in DRAWINGS + DATA]
-    if unknown:
-        raise InputError(
-            _("--format: wanted some of {known}, not {text}").format(
-                known=", ".join(DRAWINGS + DATA), text=repr(unknown[0])
-            )
-        )
-    return [path.with_suffix(f".{name}") for name in names]
+    return [path.with_suffix(f".{name}") for name in parse_formats(formats, DRAWINGS + DATA)]
 
 
 def area_record(found: "SweptArea") -> dict[str, Any]:

@@ -27,6 +27,7 @@ from benchdragon.cli.options import (
     tell_names,
     verb,
 )
+from benchdragon.cli.parsing import parse_formats
 from benchdragon.errors import UnsureError
 from benchdragon.i18n import N_, _
 
@@ -61,19 +62,22 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     1: not; 4: it cannot be walked; 5: undecided.
     """
     from benchdragon.analysis.check import check as checked
+    from benchdragon.explain.contact import check_lines
+    from benchdragon.sheets.checked import record_path
 
     refuse_strays(
         *((name, options["output"] is not None, WITHOUT, "-o") for name in ("formats", "force"))
     )
-    record = _record_path(plan) if options["record"] else None
+    record = record_path(plan) if options["record"] else None
     read = plan_to_walk(plan, settings, quiet)
     folder: Path | None = options["output"]
     files: list[Path] = []
     prove = options["prove"] or options["prove_all"]
     if folder is not None:
-        from benchdragon.export.check_files import planned_files, write_files
+        from benchdragon.export.check_files import FORMATS, planned_files, write_files
 
-        files = planned_files(folder, options["formats"].split(","), options["force"], prove)
+        formats = parse_formats(options["formats"], FORMATS)
+        files = planned_files(folder, formats, options["force"], prove)
     warn_of_outside(read)
     with shown_progress(quiet) as progress:
         report = _shown(read, progress) if prove else checked(read, progress)
@@ -85,7 +89,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         if files:
             progress(1.0, _("writing"))
             files = write_files(report, files)
-    lines = _explained(report) if options["explain"] else []
+    lines = check_lines(report) if options["explain"] else []
     roster = _roster(read, needed=record is not None)
     tell_names(roster.notes, quiet)
     if record is not None:
@@ -121,13 +125,6 @@ def _shown(plan: "Plan", progress: "Progress") -> "Report":
         return replace(checked(plan, progress), unproved=(Unproved("contact", error),))
 
 
-def _record_path(plan: str) -> Path:
-    """Where --record writes."""
-    from benchdragon.sheets.checked import record_path
-
-    return record_path(plan)
-
-
 def _roster(plan: "Plan", needed: bool) -> "Roster":
     """Who carries the benches; a list that cannot be read is told, and refused only if it is needed.
 
@@ -159,13 +156,6 @@ def _record(path: Path, report: "Report", roster: "Roster") -> None:
         click.echo(text.format(path=path), err=True)
     else:
         click.echo(_("not recorded: only a plan that is safe is"), err=True)
-
-
-def _explained(report: "Report") -> list[str]:
-    """The lines of --explain."""
-    from benchdragon.explain.contact import check_lines
-
-    return check_lines(report)
 
 
 def print_report(report: "Report", brackets: bool = False) -> None:

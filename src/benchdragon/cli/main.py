@@ -87,6 +87,7 @@ MOST_PLACES_JSON = 10_000_000
 MOST_ROWS_SHOWN = 400
 # Without --at a screen shows the whole walk in the first of these steps, s, that needs no more times.
 SCREEN_STEPS, SCREEN_TIMES = (1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0), 12
+FORMATS = TABLE_FORMATS + PICTURE_FORMATS
 PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
 
 
@@ -225,7 +226,7 @@ def doctor(as_json: bool, quiet: bool) -> int:
 
 def _refuse_strays(options: dict[str, Any]) -> None:
     to_files = options["output"] is not None
-    formats = set(parse_formats(options["formats"])) if to_files else set(TABLE_FORMATS)
+    formats = set(parse_formats(options["formats"], FORMATS)) if to_files else set(TABLE_FORMATS)
     refuse_strays(
         *((name, to_files, WITHOUT, "-o") for name in ("formats", "force")),
         ("only", bool(formats & set(TABLE_FORMATS)), WITHOUT, ", ".join(TABLE_FORMATS)),
@@ -343,7 +344,7 @@ def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quie
     from benchdragon.export.tables import WRITERS
     from benchdragon.files import refuse_existing
 
-    formats = parse_formats(options["formats"])
+    formats = parse_formats(options["formats"], FORMATS)
     if options["leader"] != "closed-form":
         raise InputError(_("files hold the closed form; --leader goes with the screen or --json"))
     folder: Path = options["output"]

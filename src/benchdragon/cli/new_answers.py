@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from benchdragon.cli.parsing import parse_length
+from benchdragon.cli.parsing import parse_length, unreadable
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.rosters.words import NUMERALS, numeral
@@ -114,11 +114,8 @@ def read_count(called: str, text: str, example: str) -> int:
     """A whole number of benches or bearers: "120", "120条", "一百二十"."""
     found = COUNTED.sub("", plainly(text))
     if not re.fullmatch(r"[0-9]+", found):
-        raise InputError(
-            _("{option}: wanted a whole number such as {example}, not {text}").format(
-                option=called, example=example, text=repr(text)
-            )
-        )
+        wanted = _("{option}: wanted a whole number such as {example}, not {text}")
+        raise unreadable(wanted, called, text, example=example)
     return min(int(found[:9]), 10**9)
 
 
@@ -144,11 +141,8 @@ def read_place(called: str, text: str, count: int) -> int:
 def _counted(called: str, text: str, example: str, least: int, most: int) -> int:
     number = read_count(called, text, example)
     if not least <= number <= most:
-        raise InputError(
-            _("{option}: wanted {least} to {most}, not {text}").format(
-                option=called, least=least, most=most, text=repr(text)
-            )
-        )
+        wanted = _("{option}: wanted {least} to {most}, not {text}")
+        raise unreadable(wanted, called, text, least=least, most=most)
     return number
 
 
@@ -171,18 +165,11 @@ def length_to(most: float, least: float = 0.01) -> Length:
                     "{option}: {text} would be metres, at most {most}: write {text}cm for centimetres"
                 )
                 raise InputError(hint.format(option=called, text=plain, most=f"{most:g}"))
-            raise InputError(
-                _(
-                    "{option}: wanted a length from {least} cm to {most} m, such as {example}, not "
-                    "{text}"
-                ).format(
-                    option=called,
-                    least=f"{100.0 * least:g}",
-                    most=f"{most:g}",
-                    example=example,
-                    text=repr(text),
-                )
+            wanted = _(
+                "{option}: wanted a length from {least} cm to {most} m, such as {example}, not {text}"
             )
+            ends = {"least": f"{100.0 * least:g}", "most": f"{most:g}"}
+            raise unreadable(wanted, called, text, example=example, **ends)
         return found
 
     return read
@@ -196,11 +183,8 @@ def read_speed(called: str, text: str, example: str) -> float:
     except ValueError:
         found = -1.0
     if not 0.05 <= found <= MOST_SPEED:
-        raise InputError(
-            _("{option}: wanted a speed of 0.05 to {most} m/s, such as {example}, not {text}").format(
-                option=called, most=f"{MOST_SPEED:g}", example=example, text=repr(text)
-            )
-        )
+        wanted = _("{option}: wanted a speed of 0.05 to {most} m/s, such as {example}, not {text}")
+        raise unreadable(wanted, called, text, most=f"{MOST_SPEED:g}", example=example)
     return found
 
 
@@ -216,11 +200,8 @@ def read_square(called: str, text: str, example: str) -> tuple[float, float] | f
     sides = re.sub(r"[×*乘,，]", "x", sides)
     parts = [part for part in sides.split("x") if part]
     if len(parts) != 2:
-        raise InputError(
-            _("{option}: wanted length and width with an x between ({example}), not {text}").format(
-                option=called, example=example, text=repr(text)
-            )
-        )
+        wanted = _("{option}: wanted length and width with an x between ({example}), not {text}")
+        raise unreadable(wanted, called, text, example=example)
     return read(called, parts[0], "30"), read(called, parts[1], "20")
 
 
@@ -233,11 +214,8 @@ def read_carry(called: str, text: str, example: str) -> str:
     found = {name for sign, name in CARRY_SIGNS.items() if sign in said}
     if len(found) == 1:
         return found.pop()
-    raise InputError(
-        _("{option}: wanted beside (1) or under (2), for example {example}, not {text}").format(
-            option=called, example=example, text=repr(text)
-        )
-    )
+    wanted = _("{option}: wanted beside (1) or under (2), for example {example}, not {text}")
+    raise unreadable(wanted, called, text, example=example)
 
 
 def _always(text: str) -> Callable[[dict[str, Any]], str]:

@@ -29,6 +29,11 @@ PICTURE_FORMATS = ("png", "svg", "pdf")
 PAPERS = ("A4", "A3", "A2", "A1", "A0")
 
 
+def unreadable(wanted: str, option: str, text: str, **more: object) -> InputError:
+    """What to say of a text behind an option, in a sentence with places for both."""
+    return InputError(wanted.format(option=option, text=repr(text), **more))
+
+
 def parse_times(text: str) -> "np.ndarray[Any, Any]":
     """Times and ranges of times, with commas: "12.5", "3:12", "90 s", "0..300..1"; s, (T,).
 
@@ -66,12 +71,11 @@ def parse_time(option: str, text: str) -> float:
     """
     found = _time(text.strip())
     if found is None:
-        raise InputError(
-            _(
-                "{option}: wanted seconds (12.5), a clock time (3:12 or 1:02:03) or units "
-                "(3 min 12 s), not {text}"
-            ).format(option=option, text=repr(text))
+        wanted = _(
+            "{option}: wanted seconds (12.5), a clock time (3:12 or 1:02:03) or units "
+            "(3 min 12 s), not {text}"
         )
+        raise unreadable(wanted, option, text)
     return found
 
 
@@ -83,11 +87,8 @@ def parse_length(option: str, text: str) -> float:
     """
     found = _quantity(text.strip(), METRES)
     if found is None:
-        raise InputError(
-            _("{option}: wanted a length in metres (0.5) or with a unit (50 cm), not {text}").format(
-                option=option, text=repr(text)
-            )
-        )
+        wanted = _("{option}: wanted a length in metres (0.5) or with a unit (50 cm), not {text}")
+        raise unreadable(wanted, option, text)
     return found
 
 
@@ -99,11 +100,8 @@ def parse_speed(option: str, text: str) -> float:
     """
     found = _quantity(text.strip(), SPEEDS)
     if found is None or found <= 0.0:
-        raise InputError(
-            _("{option}: wanted a speed in m/s (0.6) or with a unit (2 km/h), not {text}").format(
-                option=option, text=repr(text)
-            )
-        )
+        wanted = _("{option}: wanted a speed in m/s (0.6) or with a unit (2 km/h), not {text}")
+        raise unreadable(wanted, option, text)
     return found
 
 
@@ -117,11 +115,7 @@ def parse_scale(option: str, text: str | None) -> float | None:
         return None
     one, _colon, many = text.replace("：", ":").partition(":")
     if one.strip() != "1" or not NUMBER.fullmatch(many.strip()):
-        raise InputError(
-            _("{option}: wanted a scale such as 1:200, not {text}").format(
-                option=option, text=repr(text)
-            )
-        )
+        raise unreadable(_("{option}: wanted a scale such as 1:200, not {text}"), option, text)
     return float(many)
 
 
@@ -133,11 +127,8 @@ def parse_lengths(option: str, text: str) -> tuple[float, float]:
     """
     ends = [_quantity(end.strip(), METRES) for end in text.split(RANGE)]
     if len(ends) != 2 or ends[0] is None or ends[1] is None:
-        raise InputError(
-            _("{option}: wanted two sizes in metres, LOW..HIGH (0.4..0.6), not {text}").format(
-                option=option, text=repr(text)
-            )
-        )
+        wanted = _("{option}: wanted two sizes in metres, LOW..HIGH (0.4..0.6), not {text}")
+        raise unreadable(wanted, option, text)
     return ends[0], ends[1]
 
 
@@ -163,23 +154,19 @@ def parse_sides(option: str, text: str) -> tuple[int, int]:
     try:
         across, down = (int(number) for number in text.lower().replace("×", "x").split("x"))
     except ValueError:
-        raise InputError(
-            _("{option}: wanted two whole numbers with an x between, not {text}").format(
-                option=option, text=repr(text)
-            )
-        ) from None
+        wanted = _("{option}: wanted two whole numbers with an x between, not {text}")
+        raise unreadable(wanted, option, text) from None
     return across, down
 
 
 def _item_times(item: str, room: int) -> Sequence[float]:
     numbers = [time for end in item.split(RANGE) if (time := _time(end.strip())) is not None]
     if len(numbers) != item.count(RANGE) + 1 or len(numbers) > 3:
-        raise InputError(
-            _(
-                "--at: wanted seconds (12.5), a clock time (3:12 or 1:02:03), units (3 min 12 s) or a "
-                "range start..stop..step (0..300..1), not {text}"
-            ).format(text=repr(item))
+        wanted = _(
+            "--at: wanted seconds (12.5), a clock time (3:12 or 1:02:03), units (3 min 12 s) or a "
+            "range start..stop..step (0..300..1), not {text}"
         )
+        raise unreadable(wanted, "--at", item)
     if len(numbers) == 1:
         return numbers
     return spread(numbers[0], numbers[1], *numbers[2:], room=room)
@@ -231,26 +218,20 @@ def parse_handles(text: str | None, benches: int) -> list[int] | None:
     except ValueError:
         handles = [-1]
     if any(not 0 <= handle <= benches for handle in handles):
-        raise InputError(
-            _("--only: wanted handle numbers from 0 to {most} with commas, not {text}").format(
-                most=benches, text=repr(text)
-            )
-        )
+        wanted = _("--only: wanted handle numbers from 0 to {most} with commas, not {text}")
+        raise unreadable(wanted, "--only", text, most=benches)
     return handles
 
 
-def parse_formats(text: str) -> list[str]:
-    """Names of formats in "csv,png".
+def parse_formats(text: str, known: Sequence[str]) -> list[str]:
+    """Names of formats in "csv,png", each once.
 
     Raises:
         InputError: for one that is not known.
     """
-    formats = [name.strip() for name in text.split(",")]
-    unknown = [name for name in formats if name not in TABLE_FORMATS + PICTURE_FORMATS]
-    if unknown:
-        raise InputError(
-            _("--format: wanted some of {known}, not {text}").format(
-                known=", ".join(TABLE_FORMATS + PICTURE_FORMATS), text=repr(unknown[0])
-            )
-        )
+    formats = list(dict.fromkeys(name.strip() for name in text.split(",")))
+    for name in formats:
+        if name not in known:
+            wanted = _("--format: wanted some of {known}, not {text}")
+            raise unreadable(wanted, "--format", name, known=", ".join(known))
     return formats

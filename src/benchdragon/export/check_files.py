@@ -5,12 +5,11 @@ from pathlib import Path
 
 from benchdragon.analysis.certificate import certificate_of, write_certificate
 from benchdragon.analysis.check import Report, clearance_over, moment
-from benchdragon.errors import InputError
 from benchdragon.export.tables import write_moment_xlsx
 from benchdragon.figures.contact import clearance_picture, moment_picture
 from benchdragon.figures.style import write_picture
 from benchdragon.files import refuse_existing
-from benchdragon.i18n import _, language
+from benchdragon.i18n import language
 
 CERTIFICATE = "certificate.json"
 FORMATS = ("xlsx", "png", "svg", "pdf")
@@ -20,16 +19,8 @@ def planned_files(folder: Path, formats: Sequence[str], force: bool, proved: boo
     """The files that a verdict writes into a folder, its certificate among them if it is `proved`.
 
     Raises:
-        InputError: for a format that is not one of FORMATS.
         FileRefusedError: if one is there already and `force` is not set.
     """
-    for name in formats:
-        if name not in FORMATS:
-            raise InputError(
-                _("--format: wanted some of {known}, not {text}").format(
-                    known=", ".join(FORMATS), text=repr(name)
-                )
-            )
     files = [folder / "result2.xlsx"] if "xlsx" in formats else []
     for kind in formats:
         if kind != "xlsx":
