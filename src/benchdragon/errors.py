@@ -101,9 +101,8 @@ class MissingExtraError(BenchDragonError):
     """A library that an extra brings is not installed."""
 
     def __init__(self, extra: str) -> None:
-        super().__init__(
-            _("this needs an extra: pip install 'benchdragon[{extra}]'").format(extra=extra)
-        )
+        text = _("this needs an extra: pip install 'benchdragon[{extra}]'")
+        super().__init__(text.format(extra=extra))
 
 
 ADVICE = {
@@ -216,9 +215,8 @@ def finite(name: str, value: float, unit: str = "") -> float:
     """
     number = as_number(name, value)
     if not math.isfinite(number):
-        raise InputError(
-            _("{name} must be finite, not {value}").format(name=name, value=_with(value, unit))
-        )
+        text = _("{name} must be finite, not {value}")
+        raise InputError(text.format(name=name, value=_with(value, unit)))
     return number
 
 
@@ -230,9 +228,8 @@ def positive(name: str, value: float, unit: str = "") -> float:
     """
     number = finite(name, value, unit)
     if number <= 0.0:
-        raise InputError(
-            _("{name} must be positive, not {value}").format(name=name, value=_with(value, unit))
-        )
+        text = _("{name} must be positive, not {value}")
+        raise InputError(text.format(name=name, value=_with(value, unit)))
     return number
 
 
@@ -244,9 +241,8 @@ def not_negative(name: str, value: float, unit: str = "") -> float:
     """
     number = finite(name, value, unit)
     if number < 0.0:
-        raise InputError(
-            _("{name} must not be negative, but is {value}").format(name=name, value=_with(value, unit))
-        )
+        text = _("{name} must not be negative, but is {value}")
+        raise InputError(text.format(name=name, value=_with(value, unit)))
     return number
 
 
@@ -257,11 +253,8 @@ def in_order(start: float, end: float) -> None:
         InputError: if one is not finite, or the end comes before the start.
     """
     if finite("end", end, "s") < finite("start", start, "s"):
-        raise InputError(
-            _("the end ({end} s) must not come before the start ({start} s)").format(
-                end=f"{end:g}", start=f"{start:g}"
-            )
-        )
+        text = _("the end ({end} s) must not come before the start ({start} s)")
+        raise InputError(text.format(end=f"{end:g}", start=f"{start:g}"))
 
 
 def as_number(name: str, value: object) -> float:
@@ -275,9 +268,8 @@ def as_number(name: str, value: object) -> float:
             raise TypeError
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
-        raise InputError(
-            _("{name} must be a number, not {value}").format(name=name, value=brief(value))
-        ) from None
+        text = _("{name} must be a number, not {value}")
+        raise InputError(text.format(name=name, value=brief(value))) from None
 
 
 def of_kind(name: str, value: object, kind: type, hint: str = "") -> None:
@@ -303,11 +295,8 @@ def whole(name: str, value: object, least: int, most: int) -> int:
     except TypeError:
         number = least - 1
     if not least <= number <= most:
-        raise InputError(
-            _("{name} must be a whole number from {least} to {most}, not {value}").format(
-                name=name, least=least, most=most, value=brief(value)
-            )
-        )
+        text = _("{name} must be a whole number from {least} to {most}, not {value}")
+        raise InputError(text.format(name=name, least=least, most=most, value=brief(value)))
     return number
 
 

@@ -63,9 +63,8 @@ def refuse_existing(paths: Iterable[Path], force: bool) -> None:
 def _make_folders(paths: Iterable[Path], force: bool) -> None:
     for path in paths:
         if path.exists() and not force:
-            raise FileRefusedError(
-                _("{path} is there already; use --force to overwrite it").format(path=path)
-            )
+            text = _("{path} is there already; use --force to overwrite it")
+            raise FileRefusedError(text.format(path=path))
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
         except (FileExistsError, NotADirectoryError):
@@ -135,9 +134,8 @@ def whole_file(path: Path) -> Iterator[Path]:
             handle = None
         begun[-1].replace(path)
     except OSError as error:
-        raise MachineError(
-            _("{path} could not be written: {why}").format(path=path, why=reason(error))
-        ) from None
+        text = _("{path} could not be written: {why}")
+        raise MachineError(text.format(path=path, why=reason(error))) from None
     finally:
         if handle is not None:
             _let_go(handle)

@@ -218,12 +218,11 @@ def _see_that_one_starts(executor: Executor) -> None:
     try:
         executor.submit(os.getpid).result()
     except BrokenExecutor as error:
-        raise MachineError(
-            _(
-                "no worker can be started ({why}); a script must keep its work below "
-                'if __name__ == "__main__"'
-            ).format(why=error)
-        ) from None
+        text = _(
+            "no worker can be started ({why}); a script must keep its work below "
+            'if __name__ == "__main__"'
+        )
+        raise MachineError(text.format(why=error)) from None
 
 
 class _AgainError(Exception):

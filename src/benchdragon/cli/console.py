@@ -333,9 +333,8 @@ def turn_lines(best: "BestTurn") -> list[str]:
 def _piece_text(length: float, a: float, b: float) -> str:
     """One piece of a turn in words."""
     if a != b:
-        return _("clothoid, {length} m, from curvature {a} 1/m to {b} 1/m").format(
-            length=f"{length:.4f}", a=f"{a:z.4f}", b=f"{b:z.4f}"
-        )
+        text = _("clothoid, {length} m, from curvature {a} 1/m to {b} 1/m")
+        return text.format(length=f"{length:.4f}", a=f"{a:z.4f}", b=f"{b:z.4f}")
     if not a:
         return _("line, {length} m").format(length=f"{length:.4f}")
     text = _("arc to the left, radius {radius} m, {length} m, {angle} degrees")

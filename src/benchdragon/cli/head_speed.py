@@ -92,11 +92,8 @@ def _print_pace(plan: "Plan", source: str, path: Path, options: dict[str, Any], 
     json_lines = lines if options["as_json"] else []
     print_solved(plan, _("greatest head speed"), pace.steady, options, json_lines, **more)
     if not options["as_json"]:
-        click.echo(
-            _("slowing down only where it must the walk takes {seconds} s, {saved} s less").format(
-                seconds=f"{pace.seconds:.2f}", saved=f"{pace.saved:.2f}"
-            )
-        )
+        text = _("slowing down only where it must the walk takes {seconds} s, {saved} s less")
+        click.echo(text.format(seconds=f"{pace.seconds:.2f}", saved=f"{pace.saved:.2f}"))
         print_files([path])
         print_explanation(lines)
     return exit_code(pace.steady)

@@ -276,11 +276,8 @@ def _motion_json(
 ) -> int:
     chosen = list(range(len(walk.dragon) + 1)) if handles is None else handles
     if len(times) * len(chosen) > MOST_PLACES_JSON:
-        raise InputError(
-            _("JSON holds at most {most} positions; choose fewer times or handles, or -o").format(
-                most=MOST_PLACES_JSON
-            )
-        )
+        text = _("JSON holds at most {most} positions; choose fewer times or handles, or -o")
+        raise InputError(text.format(most=MOST_PLACES_JSON))
     found = _moved(walk, times, options)
     tables = {"x": found.x + 0.0, "y": found.y + 0.0, "speed": found.speed}  # 0, not -0
     answer: dict[str, Any] = {"time": times.tolist(), "handle": chosen}
@@ -300,12 +297,11 @@ def _motion_table(
     benches = len(walk.dragon)
     chosen = handles or sorted({*(h for h in PAPER_HANDLES if h < benches), benches})
     if len(times) * len(chosen) > MOST_ROWS_SHOWN:
-        raise InputError(
-            _(
-                "{rows} rows are too many for a screen (at most {most}): choose times with --at, or "
-                "use -o DIR or --json"
-            ).format(rows=len(times) * len(chosen), most=MOST_ROWS_SHOWN)
+        text = _(
+            "{rows} rows are too many for a screen (at most {most}): choose times with --at, or "
+            "use -o DIR or --json"
         )
+        raise InputError(text.format(rows=len(times) * len(chosen), most=MOST_ROWS_SHOWN))
     found = _moved(walk, times, options)
     rows = [
         (t, handle, [table[i, handle] for table in (found.x, found.y, found.speed)])
@@ -333,11 +329,8 @@ def _print_leader(found: "Motion", options: dict[str, Any]) -> None:
     import numpy as np
 
     apart = float(np.abs(found.head_s - found.walk.head_position(found.times)).max())
-    click.echo(
-        _("{method} and the closed form put the head at most {apart} m apart").format(
-            method=options["leader"], apart=f"{apart:.2e}"
-        )
-    )
+    text = _("{method} and the closed form put the head at most {apart} m apart")
+    click.echo(text.format(method=options["leader"], apart=f"{apart:.2e}"))
 
 
 def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quiet: bool) -> int:

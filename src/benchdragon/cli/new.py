@@ -109,9 +109,8 @@ def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:
         InputError: for what cannot be read, and for what is missing where nobody can be asked.
     """
     if options["square"] is not None and options["radius"] is not None:
-        raise InputError(
-            _("{option} does not go with {what}").format(option="--radius", what="--square")
-        )
+        sentence = _("{option} does not go with {what}")
+        raise InputError(sentence.format(option="--radius", what="--square"))
     typed = {one.name: options[one.name] for one in QUESTIONS}
     if options["radius"] is not None:
         typed["square"] = "r" + options["radius"].removeprefix("r")
@@ -171,9 +170,8 @@ def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
     """Add what is usual to what was said, where nobody can be asked."""
     missing = [one.option for one in questions if one.usual is None]
     if missing:
-        raise InputError(
-            _("nobody is there to be asked: add {options}").format(options=", ".join(missing))
-        )
+        text = _("nobody is there to be asked: add {options}")
+        raise InputError(text.format(options=", ".join(missing)))
     for one in questions:
         if one.usual is not None:
             said[one.name] = one.answer(one.option, one.usual(said))

@@ -198,11 +198,8 @@ def check_ending(option: str, path: Path, endings: Sequence[str]) -> None:
         InputError: naming the option and the endings.
     """
     if path.suffix not in endings:
-        raise InputError(
-            _("{option}: wanted a name that ends in {endings}, not {name}").format(
-                option=option, endings=", ".join(endings), name=path.name
-            )
-        )
+        text = _("{option}: wanted a name that ends in {endings}, not {name}")
+        raise InputError(text.format(option=option, endings=", ".join(endings), name=path.name))
 
 
 def parse_handles(text: str | None, benches: int) -> list[int] | None:

@@ -75,11 +75,8 @@ def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> 
     if best.room.status == "infeasible":
         click.echo(_("no place was found where the dance fits on this square; the nearest to it:"))
     x, y = best.at
-    click.echo(
-        _("at = [{x}, {y}] m, turned = {turned} degrees  (best found)").format(
-            x=f"{x:g}", y=f"{y:g}", turned=f"{best.turned:g}"
-        )
-    )
+    said = _("at = [{x}, {y}] m, turned = {turned} degrees  (best found)")
+    click.echo(said.format(x=f"{x:g}", y=f"{y:g}", turned=f"{best.turned:g}"))
     if best.room.status != "infeasible":
         name = _("room beyond the margins")
         if levels_asked(plan.people):

@@ -32,11 +32,8 @@ def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> 
 
     read = read_plan(plan, settings)  # what is said of its files is in the answer
     if not isinstance(read.route, DrawnRoute):
-        raise PlanError(
-            _('{plan}: survey speaks of drawn routes, not of route.kind = "{kind}"').format(
-                plan=plan, kind=read.route.kind
-            )
-        )
+        text = _('{plan}: survey speaks of drawn routes, not of route.kind = "{kind}"')
+        raise PlanError(text.format(plan=plan, kind=read.route.kind))
     walk = read.build()  # so that whatever is wrong is said with its line
     fit = read.route.fit(walk.dragon.longest_link)
     if as_json:

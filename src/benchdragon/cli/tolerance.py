@@ -183,12 +183,11 @@ def print_margins(
     )
     print_rows(title, columns, rows)
     first = next(iter(found.values()))
-    click.echo(
-        _(
-            "without deviations: {pitch} m; {draws} random dances each, more bring the two ends "
-            "nearer (-: too few to say); the larger pitch is the one to take"
-        ).format(pitch=f"{first.exact:.4f}", draws=first.needed.size)
+    text = _(
+        "without deviations: {pitch} m; {draws} random dances each, more bring the two ends "
+        "nearer (-: too few to say); the larger pitch is the one to take"
     )
+    click.echo(text.format(pitch=f"{first.exact:.4f}", draws=first.needed.size))
     click.echo(
         _(
             "the chance counts dances walked at that pitch; the pitches take for granted that a "
@@ -196,8 +195,5 @@ def print_margins(
         )
     )
     if margin:
-        click.echo(
-            _("benches count as touching where they come nearer than {margin} m").format(
-                margin=f"{margin:g}"
-            )
-        )
+        said = _("benches count as touching where they come nearer than {margin} m")
+        click.echo(said.format(margin=f"{margin:g}"))

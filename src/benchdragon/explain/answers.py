@@ -251,11 +251,8 @@ def two_arc_lines(turn: TwoArcTurn) -> list[str]:
     )
     theta = f"2·π·{number(turn.entry_radius)}/{number(turn.pitch)} = {number(turn.theta)}"
     lines = [text.format(disc=number(turn.entry_radius), theta=theta)]
-    lines.append(
-        _("Angle between radius and spiral: tan(ψ) = θ, ψ = {psi}.").format(
-            psi=f"atan({number(turn.theta)}) = {number(psi)}"
-        )
-    )
+    said = _("Angle between radius and spiral: tan(ψ) = θ, ψ = {psi}.")
+    lines.append(said.format(psi=f"atan({number(turn.theta)}) = {number(psi)}"))
     sums = f"{number(turn.entry_radius)}/sin({number(psi)}) = {number(total)}"
     text = _("Radii: r1 + r2 = R/sin(ψ) = {sums} m; with r1 : r2 = {ratio} they are {a} m and {b} m.")
     lines.append(

@@ -66,18 +66,14 @@ class Film:
     def __post_init__(self) -> None:
         positive("speed_up", self.speed_up)
         if not 1 <= self.fps <= MOST_FPS:
-            raise InputError(
-                _("a film has 1 to {most} frames a second, not {fps}").format(
-                    most=MOST_FPS, fps=self.fps
-                )
-            )
+            text = _("a film has 1 to {most} frames a second, not {fps}")
+            raise InputError(text.format(most=MOST_FPS, fps=self.fps))
         if self.asked_frames > MOST_FRAMES:
-            raise InputError(
-                _(
-                    "a film has at most {most} frames, not {count}: show a shorter part, speed it up, "
-                    "or take fewer frames a second"
-                ).format(most=MOST_FRAMES, count=f"{self.asked_frames:.10g}")
+            text = _(
+                "a film has at most {most} frames, not {count}: show a shorter part, speed it up, "
+                "or take fewer frames a second"
             )
+            raise InputError(text.format(most=MOST_FRAMES, count=f"{self.asked_frames:.10g}"))
 
     @cached_property
     def walk(self) -> Walk:
@@ -132,10 +128,9 @@ def sound_times(walk: Walk, times: FloatArray) -> FloatArray:
             index = int(failed[0])
             if done + index == 0:
                 raise motion.failure(0)
+            text = _("shown up to t = {t} s only: {why}")
             warnings.warn(
-                _("shown up to t = {t} s only: {why}").format(
-                    t=f"{times[done + index - 1]:.6g}", why=motion.failure(index)
-                ),
+                text.format(t=f"{times[done + index - 1]:.6g}", why=motion.failure(index)),
                 FilmWarning,
                 stacklevel=2,
             )
@@ -164,18 +159,14 @@ def film_path(path: Path) -> Path:
         InputError: for a file that is no film.
     """
     if path.suffix not in ENCODERS:
-        raise InputError(
-            _("a film is a file that ends in {known}, not {name}").format(
-                known=", ".join(ENCODERS), name=path.name
-            )
-        )
+        text = _("a film is a file that ends in {known}, not {name}")
+        raise InputError(text.format(known=", ".join(ENCODERS), name=path.name))
     if path.suffix == ".gif" or find_ffmpeg() is not None:
         return path
     other = path.with_suffix(".gif")
+    text = _("no ffmpeg is here, so the film becomes {name}; for MP4: pip install 'benchdragon[video]'")
     warnings.warn(
-        _(
-            "no ffmpeg is here, so the film becomes {name}; for MP4: pip install 'benchdragon[video]'"
-        ).format(name=other.name),
+        text.format(name=other.name),
         FilmWarning,
         stacklevel=2,
     )
@@ -222,11 +213,8 @@ def write_film(film: Film, path: Path, look: Look, progress: Progress = silent) 
 def _check_gif(film: Film, look: Look) -> None:
     """Refuse what a GIF cannot hold."""
     if film.fps > MOST_FPS_GIF:
-        raise InputError(
-            _("a GIF has at most {most} frames a second, not {fps}").format(
-                most=MOST_FPS_GIF, fps=film.fps
-            )
-        )
+        text = _("a GIF has at most {most} frames a second, not {fps}")
+        raise InputError(text.format(most=MOST_FPS_GIF, fps=film.fps))
     most = int(MOST_GIF_PIXELS / (look.size[0] * look.size[1]))
     if film.asked_frames > most:
         raise InputError(
@@ -240,11 +228,8 @@ def _check_gif(film: Film, look: Look) -> None:
 def _check_follow(walk: Walk, look: Look) -> None:
     """Refuse to follow a bench that the dragon has not."""
     if look.follow is not None and not 1 <= look.follow <= len(walk.dragon):
-        raise InputError(
-            _("benches have numbers from 1 to {most}, not {number}").format(
-                most=len(walk.dragon), number=look.follow
-            )
-        )
+        text = _("benches have numbers from 1 to {most}, not {number}")
+        raise InputError(text.format(most=len(walk.dragon), number=look.follow))
 
 
 def still_paths(path: Path, times: Sequence[float]) -> list[Path]:
@@ -272,9 +257,8 @@ def write_stills(
         WalkError: if the dragon cannot stand at one of them.
     """
     if len(times) > MOST_STILLS:
-        raise InputError(
-            _("at most {most} stills, not {count}").format(most=MOST_STILLS, count=len(times))
-        )
+        text = _("at most {most} stills, not {count}")
+        raise InputError(text.format(most=MOST_STILLS, count=len(times)))
     title = plan.title(language())
     motion, place = _instants(plan, times, look)
     for index, path in enumerate(paths):
@@ -292,17 +276,11 @@ def write_sheet(plan: Plan, times: FloatArray, path: Path, look: Look, columns: 
         WalkError: if the dragon cannot stand at one of them.
     """
     if not (1 <= columns <= MOST_SIDE and 1 <= rows <= MOST_SIDE):
-        raise InputError(
-            _("a sheet has 1 to {most} columns and rows, not {columns}x{rows}").format(
-                most=MOST_SIDE, columns=columns, rows=rows
-            )
-        )
+        text = _("a sheet has 1 to {most} columns and rows, not {columns}x{rows}")
+        raise InputError(text.format(most=MOST_SIDE, columns=columns, rows=rows))
     if len(times) > columns * rows:
-        raise InputError(
-            _("{count} instants do not fit a sheet of {columns}x{rows}").format(
-                count=len(times), columns=columns, rows=rows
-            )
-        )
+        text = _("{count} instants do not fit a sheet of {columns}x{rows}")
+        raise InputError(text.format(count=len(times), columns=columns, rows=rows))
     title = plan.title(language())
     motion, place = _instants(plan, times, look)
     figure = sheet(look, place, title, motion, columns, rows)

@@ -89,17 +89,13 @@ class Look:
 
     def __post_init__(self) -> None:
         if any(side % 2 or not LEAST_SIDE <= side <= MOST_SIDE for side in self.size):
+            text = _("a size is two even numbers from {least} to {most}, not {width}x{height}")
             raise InputError(
-                _("a size is two even numbers from {least} to {most}, not {width}x{height}").format(
-                    least=LEAST_SIDE, most=MOST_SIDE, width=self.size[0], height=self.size[1]
-                )
+                text.format(least=LEAST_SIDE, most=MOST_SIDE, width=self.size[0], height=self.size[1])
             )
         if self.theme not in THEMES:
-            raise InputError(
-                _("theme must be one of {known}, not {theme}").format(
-                    known=", ".join(THEMES), theme=self.theme
-                )
-            )
+            text = _("theme must be one of {known}, not {theme}")
+            raise InputError(text.format(known=", ".join(THEMES), theme=self.theme))
         positive("span", self.span, "m")
 
     @property
@@ -141,11 +137,8 @@ class Place:
             WalkError: if it cannot stand at one of the times.
         """
         if len(walk.dragon) > MOST_BENCHES:
-            raise InputError(
-                _("a picture shows at most {most} benches, not {count}").format(
-                    most=MOST_BENCHES, count=len(walk.dragon)
-                )
-            )
+            text = _("a picture shows at most {most} benches, not {count}")
+            raise InputError(text.format(most=MOST_BENCHES, count=len(walk.dragon)))
         motion.check()
         tail, head = float(motion.s.min()), float(motion.s.max())
         dragon, route = walk.dragon, walk.route

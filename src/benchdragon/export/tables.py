@@ -320,28 +320,23 @@ WRITERS: dict[str, Writer] = {
 def _check_cells(what: Selection) -> None:
     times, handles = len(what.times), len(what.handles)
     if times > MOST_TIMES_XLSX or handles > MOST_HANDLES_XLSX:
-        raise InputError(
-            _(
-                "a spreadsheet holds at most {times} times and {handles} handles; choose fewer, "
-                "or another format"
-            ).format(times=MOST_TIMES_XLSX, handles=MOST_HANDLES_XLSX)
+        text = _(
+            "a spreadsheet holds at most {times} times and {handles} handles; choose fewer, "
+            "or another format"
         )
+        raise InputError(text.format(times=MOST_TIMES_XLSX, handles=MOST_HANDLES_XLSX))
     if 3 * times * handles > MOST_CELLS_XLSX:
-        raise InputError(
-            _(
-                "a spreadsheet of over {most} cells is refused; choose fewer times or handles, "
-                "or another format"
-            ).format(most=MOST_CELLS_XLSX)
+        text = _(
+            "a spreadsheet of over {most} cells is refused; choose fewer times or handles, "
+            "or another format"
         )
+        raise InputError(text.format(most=MOST_CELLS_XLSX))
 
 
 def _check_memory(what: Selection) -> None:
     if len(what.times) * len(what.handles) > MOST_PLACES_IN_MEMORY:
-        raise InputError(
-            _(
-                "such a file holds at most {most} positions; choose fewer times or handles, or CSV"
-            ).format(most=MOST_PLACES_IN_MEMORY)
-        )
+        text = _("such a file holds at most {most} positions; choose fewer times or handles, or CSV")
+        raise InputError(text.format(most=MOST_PLACES_IN_MEMORY))
 
 
 def _long(motion: Motion, handles: Sequence[int]) -> list[Any]:

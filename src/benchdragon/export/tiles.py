@@ -56,11 +56,8 @@ class Tiling:
         """
         best = min((cls(drawing, page), cls(drawing, page[::-1])), key=lambda one: one.count)
         if best.count > MOST_TILES or best.shape[0] > len(LETTERS):
-            raise InputError(
-                _("the drawing takes {count} pages: choose larger pages or a smaller drawing").format(
-                    count=best.count
-                )
-            )
+            text = _("the drawing takes {count} pages: choose larger pages or a smaller drawing")
+            raise InputError(text.format(count=best.count))
         return best
 
     @property

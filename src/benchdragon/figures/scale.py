@@ -64,11 +64,8 @@ def check_scale(scale: float | None, most: float = MOST_SCALE) -> None:
         InputError: if it is not from LEAST_SCALE to `most`.
     """
     if scale is not None and not LEAST_SCALE <= scale <= most:
-        raise InputError(
-            _("scale must be from 1:{least} to 1:{most}, not 1:{value}").format(
-                least=f"{LEAST_SCALE:g}", most=f"{most:g}", value=f"{scale:g}"
-            )
-        )
+        text = _("scale must be from 1:{least} to 1:{most}, not 1:{value}")
+        raise InputError(text.format(least=f"{LEAST_SCALE:g}", most=f"{most:g}", value=f"{scale:g}"))
 
 
 def needed_scale(bounds: FloatArray, paper: str) -> tuple[float, tuple[float, float]]:
@@ -94,9 +91,8 @@ def sheet_for(bounds: FloatArray, paper: str, scale: float | None, most: float =
         InputError: for a paper or scale that is not known, or ground that does not fit.
     """
     if paper not in PAPERS:
-        raise InputError(
-            _("paper must be one of {known}, not {value}").format(known=", ".join(PAPERS), value=paper)
-        )
+        text = _("paper must be one of {known}, not {value}")
+        raise InputError(text.format(known=", ".join(PAPERS), value=paper))
     check_scale(scale, most)
     size = bounds[1] - bounds[0]
     needed, sheet = needed_scale(bounds, paper)

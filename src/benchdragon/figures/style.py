@@ -74,10 +74,9 @@ def drawable(text: str) -> str:
     """`text` with "?" for signs that the fonts lack, and a warning that names them."""
     missing = sorted({sign for sign in text if ord(sign) not in package_signs() and not sign.isspace()})
     if missing:
+        said = _("no font here has the signs {signs}")
         warnings.warn(
-            _("no font here has the signs {signs}").format(
-                signs=", ".join(f"{sign} (U+{ord(sign):04X})" for sign in missing)
-            ),
+            said.format(signs=", ".join(f"{sign} (U+{ord(sign):04X})" for sign in missing)),
             MissingGlyphWarning,
             stacklevel=2,
         )

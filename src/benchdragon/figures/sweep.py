@@ -97,11 +97,8 @@ def sweep_picture(sweep: Sweep, name: str, title: str = "") -> Figure:
         InputError: for a question that the sweep did not ask.
     """
     if name not in sweep.about["ask"]:
-        raise InputError(
-            _("the sweep did not ask {name}, but {known}").format(
-                name=name, known=", ".join(sweep.about["ask"])
-            )
-        )
+        text = _("the sweep did not ask {name}, but {known}")
+        raise InputError(text.format(name=name, known=", ".join(sweep.about["ask"])))
     found = answered(sweep, name)
     plan = layout(found)
     with matplotlib.rc_context(STYLE):

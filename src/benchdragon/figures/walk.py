@@ -304,11 +304,8 @@ def walk_pictures(
         InputError: for a dragon of more benches than a picture shows.
     """
     if len(walk.dragon) > MOST_BENCHES:
-        raise InputError(
-            _("a picture shows at most {most} benches, not {count}; leave pictures out").format(
-                most=MOST_BENCHES, count=len(walk.dragon)
-            )
-        )
+        text = _("a picture shows at most {most} benches, not {count}; leave pictures out")
+        raise InputError(text.format(most=MOST_BENCHES, count=len(walk.dragon)))
     instants = walk.motion(_spread(times, MOST_PANELS), throw=throw)
     shown = range(len(instants.times))
     stood = instants.times[instants.status == 0]

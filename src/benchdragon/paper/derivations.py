@@ -217,9 +217,8 @@ def established(answer: Answer) -> str:
     """How an answer is known, and how narrow its bracket is."""
     words = {"proved": _("proved"), "found": _("found")}.get(answer.status, _("undecided"))
     width = answer.upper - answer.lower
-    return _("{status}, bracket {width} {unit}").format(
-        status=words, width=f"{width:.1e}", unit=answer.unit
-    )
+    text = _("{status}, bracket {width} {unit}")
+    return text.format(status=words, width=f"{width:.1e}", unit=answer.unit)
 
 
 def allowed_speed(best: BestTurn) -> float:

@@ -141,9 +141,8 @@ def pages_from(folder: Path, docs: str) -> str:
     if "://" in docs:
         return docs
     if not (Path(docs) / "established.html").is_file():
-        raise InputError(
-            _("--docs: there are no pages in {folder}; `make docs` builds them").format(folder=docs)
-        )
+        text = _("--docs: there are no pages in {folder}; `make docs` builds them")
+        raise InputError(text.format(folder=docs))
     try:
         return Path(os.path.relpath(docs, folder)).as_posix()
     except ValueError:  # they lie on another drive of Windows

@@ -45,11 +45,8 @@ def head_positions(
     part = _only_part(walk, exact, method)
     curve = route.curves[part]
     if not isinstance(curve, Spiral):
-        raise InputError(
-            _("{method} integrates the equation of a spiral, and the head walks another curve").format(
-                method=method
-            )
-        )
+        text = _("{method} integrates the equation of a spiral, and the head walks another curve")
+        raise InputError(text.format(method=method))
     clock = np.atleast_1d(as_numbers("times", times)).tolist()
     start = walk.start - float(route.joints[part])
     theta = head_angles(curve, walk.profile, start, clock, method, step)
@@ -64,11 +61,8 @@ def _only_part(walk: Walk, s: FloatArray, method: str) -> int:
     asked = np.append(s, walk.start)
     parts = np.clip(np.searchsorted(walk.route.joints, asked, side="right") - 1, 0, last)
     if np.ptp(parts):
-        raise InputError(
-            _("{method} needs the head on one spiral at all times, not on several curves").format(
-                method=method
-            )
-        )
+        text = _("{method} needs the head on one spiral at all times, not on several curves")
+        raise InputError(text.format(method=method))
     return int(parts[0])
 
 
@@ -87,21 +81,15 @@ def head_angles(
         step: of "rk4", s, at most; legs between times and knots are cut into equal steps.
     """
     if method not in METHODS:
-        raise InputError(
-            _("method must be one of {known}, not {method}").format(
-                known=", ".join(METHODS), method=method
-            )
-        )
+        text = _("method must be one of {known}, not {method}")
+        raise InputError(text.format(known=", ".join(METHODS), method=method))
     positive("step", step, "s")
     advance, rate = _adaptive if method == "adaptive" else _rk4, _rate(spiral, profile)
     found = {0.0: float(spiral.angle(start))}
     stops = sorted({0.0, *times, *profile.times})
     if sum(abs(b - a) for a, b in itertools.pairwise(stops)) / step > MOST_STEPS:
-        raise InputError(
-            _("Runge-Kutta with a step of {step} s would take over {most} steps").format(
-                step=f"{step:g}", most=MOST_STEPS
-            )
-        )
+        text = _("Runge-Kutta with a step of {step} s would take over {most} steps")
+        raise InputError(text.format(step=f"{step:g}", most=MOST_STEPS))
     zero = stops.index(0.0)
     for way in (stops[zero:], stops[zero::-1]):
         for a, b in itertools.pairwise(way):

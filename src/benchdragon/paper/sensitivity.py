@@ -151,9 +151,8 @@ def drift(plan: Plan, keys: Sequence[str], motion: Motion) -> Drift:
     pose = np.tensordot(WEIGHTS, np.array(poses), 1) / step
     bench = np.tensordot(WEIGHTS, np.array(sizes), 1) / step
     if not np.isfinite(pose).all():
-        raise InputError(
-            _("{key}: the dragon cannot walk a little beside this size").format(key=keys[0])
-        )
+        text = _("{key}: the dragon cannot walk a little beside this size")
+        raise InputError(text.format(key=keys[0]))
     return Drift(pose[:, :2], pose[:, 2], bench, float(WEIGHTS @ np.array(heads)) / step)
 
 

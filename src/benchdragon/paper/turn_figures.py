@@ -247,11 +247,8 @@ def ratio_picture(whole: Motion, close: Motion, speed: Answer, limit: float, tit
         times, ratios = _joined(whole, close)
         wide.plot(times, ratios, color=BODY, lw=1.0)
         wide.set_ylabel(_("greatest speed ratio of all handles"))
-        wide.set_title(
-            _("{limit} m/s / {ratio} = {speed} m/s").format(
-                limit=f"{limit:g}", ratio=f"{peak:.6f}", speed=f"{speed.value:.6f}"
-            )
-        )
+        text = _("{limit} m/s / {ratio} = {speed} m/s")
+        wide.set_title(text.format(limit=f"{limit:g}", ratio=f"{peak:.6f}", speed=f"{speed.value:.6f}"))
         for n, (name, ratios) in enumerate(_near_ratios(close).items()):
             colour, _mark, dashes = SERIES[n % len(SERIES)]
             narrow.plot(close.times, ratios, color=colour, ls=dashes, lw=1.2, label=name)

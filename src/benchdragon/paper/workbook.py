@@ -135,12 +135,11 @@ def read_workbook(path: Path) -> Workbook:
     """
     found = [read for name, rows in _sheets(path) if (read := _table(name, rows))]
     if not (chosen := [sheet for sheet in found if sheet.times is not None] or found[:1]):
-        raise InputError(
-            _(
-                "{path}: no sheet is laid out as those of result1, result2 and result4: rows 龙头, "
-                "第1节龙身, ... (or Head, Body 1, ...), and columns of times, or x, y and speed"
-            ).format(path=path)
+        said = _(
+            "{path}: no sheet is laid out as those of result1, result2 and result4: rows 龙头, "
+            "第1节龙身, ... (or Head, Body 1, ...), and columns of times, or x, y and speed"
         )
+        raise InputError(said.format(path=path))
     own = [sheet.times for sheet in chosen if sheet.times is not None]
     times = np.unique(np.concatenate(own)) if own else None
     values = np.full((3, 1 if times is None else len(times), HANDLES), np.nan)
@@ -216,9 +215,8 @@ def _sheets(path: Path) -> list[tuple[str, Rows]]:
     except InputError:
         raise
     except (CalamineError, *BROKEN) as error:
-        raise InputError(
-            _("{path} cannot be read as an .xlsx workbook: {why}").format(path=path, why=error)
-        ) from None
+        text = _("{path} cannot be read as an .xlsx workbook: {why}")
+        raise InputError(text.format(path=path, why=error)) from None
 
 
 def _unpacked(path: Path) -> BytesIO:

@@ -164,12 +164,11 @@ def _check(ends: FloatArray, off: FloatArray, turn: FloatArray, gap: float, kink
     n = int(np.argmax(bad))
     place = f"({ends[n, 0]:.6g}, {ends[n, 1]:.6g})"
     if off[n] > gap:
-        raise InputError(
-            _(
-                "at {place} m two parts of the drawing are {gap} m apart, more than the {most} m "
-                "that are absorbed: join them in the drawing, or set route.joint_gap"
-            ).format(place=place, gap=f"{off[n]:.4g}", most=f"{gap:g}")
+        text = _(
+            "at {place} m two parts of the drawing are {gap} m apart, more than the {most} m "
+            "that are absorbed: join them in the drawing, or set route.joint_gap"
         )
+        raise InputError(text.format(place=place, gap=f"{off[n]:.4g}", most=f"{gap:g}"))
     raise InputError(
         _(
             "at {place} m the drawing has a kink of {kink} degrees, more than the {most} degrees "
@@ -190,12 +189,11 @@ def _pieces(curves: Sequence[AnyCurve], moved: BoolArray) -> list[AnyCurve]:
     counts = np.where(moved, np.maximum(1.0, np.ceil(turns / MOST_TURN)), 1.0)
     if not counts.sum() <= MOST_CURVES:
         n = int(np.argmax(counts))
-        raise InputError(
-            _(
-                "part {part} of the drawing winds round {turns} times, too often for its ends to be "
-                "moved to those beside it"
-            ).format(part=n + 1, turns=f"{turns[n] / (2.0 * math.pi):.4g}")
+        text = _(
+            "part {part} of the drawing winds round {turns} times, too often for its ends to be "
+            "moved to those beside it"
         )
+        raise InputError(text.format(part=n + 1, turns=f"{turns[n] / (2.0 * math.pi):.4g}"))
     pairs = zip(curves, counts.astype(np.int64).tolist(), strict=True)
     return [piece for curve, count in pairs for piece in _cut(curve, count)]
 

@@ -79,11 +79,8 @@ class Survey:
 
     def __post_init__(self) -> None:
         if self.unit is not None and self.unit not in UNITS:
-            raise InputError(
-                _("survey.unit must be one of {units}, not {unit}").format(
-                    units=", ".join(UNITS), unit=repr(self.unit)[:40]
-                )
-            )
+            text = _("survey.unit must be one of {units}, not {unit}")
+            raise InputError(text.format(units=", ".join(UNITS), unit=repr(self.unit)[:40]))
         if self.origin is not None and not all(math.isfinite(value) for value in self.origin):
             raise InputError(_("survey.origin must be two finite numbers"))
 
@@ -126,11 +123,8 @@ def system_of(crs: str) -> System:
         shown = gcj02_of_wgs84 if plain == GCJ02 else bd09_of_wgs84
         return System(True, shifted=shown, area=(west, south, east, north))
     if (code := code_of(crs)) is None:
-        raise InputError(
-            _("survey.crs must be {names} or a code like EPSG:4549, not {crs}").format(
-                names=", ".join((WGS84, GCJ02, BD09)), crs=repr(crs)[:40]
-            )
-        )
+        text = _("survey.crs must be {names} or a code like EPSG:4549, not {crs}")
+        raise InputError(text.format(names=", ".join((WGS84, GCJ02, BD09)), crs=repr(crs)[:40]))
     try:
         from pyproj import CRS
         from pyproj.exceptions import CRSError
@@ -146,9 +140,8 @@ def system_of(crs: str) -> System:
         inverse = axes.inverse_flattening
         return System(True, axes.semi_major_metre, 1.0 / inverse if inverse else 0.0, area=area)
     if not found.is_projected:
-        raise InputError(
-            _("{crs} is neither a map's system nor one of longitudes and latitudes").format(crs=crs)
-        )
+        text = _("{crs} is neither a map's system nor one of longitudes and latitudes")
+        raise InputError(text.format(crs=crs))
     worth = Decimal(repr(found.axis_info[0].unit_conversion_factor))
     return System(False, unit=worth, area=area, code=code)
 
@@ -185,19 +178,15 @@ def taken_near(
     if system.angular:
         return _projected(points, survey, system, name)
     if angular and all(abs(x) <= 180.0 and abs(y) <= 90.0 for x, y in points):
-        raise InputError(
-            _(
-                "{file} seems to hold degrees, but survey.crs = {crs} is in metres: set it to that "
-                "of the file"
-            ).format(file=name, crs=f'"{survey.crs}"')
+        text = _(
+            "{file} seems to hold degrees, but survey.crs = {crs} is in metres: set it to that "
+            "of the file"
         )
+        raise InputError(text.format(file=name, crs=f'"{survey.crs}"'))
     factor = UNITS[survey.unit] if survey.unit is not None else system.unit
     if factor is None and unit is None:
-        raise InputError(
-            _("{file} does not say its unit: set survey.unit to one of {units}").format(
-                file=name, units=", ".join(UNITS)
-            )
-        )
+        text = _("{file} does not say its unit: set survey.unit to one of {units}")
+        raise InputError(text.format(file=name, units=", ".join(UNITS)))
     if system.code:
         _check_map(points, survey, system, name)
     worth = UNITS[unit] if factor is None and unit else factor
@@ -216,13 +205,12 @@ def _check_map(
     if not lie:
         crossed = _in_area(_degrees(given[:, ::-1], system), system)
     if crossed:
-        raise InputError(
-            _(
-                "{file}: with x to the east and y to the north its points do not lie where {crs} is "
-                "meant for, and with both exchanged they do: name the columns east and north, or "
-                "exchange x and y in the file"
-            ).format(file=name, crs=survey.crs)
+        text = _(
+            "{file}: with x to the east and y to the north its points do not lie where {crs} is "
+            "meant for, and with both exchanged they do: name the columns east and north, or "
+            "exchange x and y in the file"
         )
+        raise InputError(text.format(file=name, crs=survey.crs))
     if not lie:
         raise InputError(_outside(survey, system, name))
 
@@ -275,11 +263,8 @@ def _subtracted(
         [(float(_decimal(x) * factor - x0), float(_decimal(y) * factor - y0)) for x, y in points]
     )
     if np.abs(found).max(initial=0.0) > most:
-        raise InputError(
-            _("{file}: points must lie within {most} m of survey.origin").format(
-                file=name, most=f"{most:g}".replace("+0", "")
-            )
-        )
+        text = _("{file}: points must lie within {most} m of survey.origin")
+        raise InputError(text.format(file=name, most=f"{most:g}".replace("+0", "")))
     return found, replace(survey, origin=(float(origin[0]), float(origin[1])))
 
 
@@ -300,23 +285,19 @@ def _projected(
     _check_finite(points, name)
     given = np.asarray(points, np.float64)
     if np.abs(given[:, 0]).max() > 180.0 or np.abs(given[:, 1]).max() > 89.0:
-        raise InputError(
-            _(
-                "{file}: longitudes lie within 180 degrees and latitudes within 89, longitude "
-                "first: is survey.crs right?"
-            ).format(file=name)
+        text = _(
+            "{file}: longitudes lie within 180 degrees and latitudes within 89, longitude "
+            "first: is survey.crs right?"
         )
+        raise InputError(text.format(file=name))
     if not _in_area(given, system):
         raise InputError(_outside(survey, system, name))
     origin = survey.origin
     if origin is None:
         origin = (round(float(given[0, 0]), 4), round(float(given[0, 1]), 4))
     if np.abs(given - origin).max() > MOST_DEGREES:
-        raise InputError(
-            _("{file}: points must lie within {most} degree of survey.origin").format(
-                file=name, most=f"{MOST_DEGREES:g}"
-            )
-        )
+        text = _("{file}: points must lie within {most} degree of survey.origin")
+        raise InputError(text.format(file=name, most=f"{MOST_DEGREES:g}"))
     centre = np.array([origin])
     if system.shifted is not None:
         given, centre = unshifted(given, system.shifted), unshifted(centre, system.shifted)

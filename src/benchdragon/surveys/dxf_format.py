@@ -53,18 +53,16 @@ def dxf_file(data: bytes, name: str, fineness: Fineness) -> RawFile:
         except InputError:
             raise
         except Exception:  # whatever a library makes of what strangers send
+            text = _("{file}: part {number} ({what} of layer {layer}) cannot be read")
             raise InputError(
-                _("{file}: part {number} ({what} of layer {layer}) cannot be read").format(
-                    file=name, number=number, what=entity.dxftype(), layer=_layer(entity)
-                )
+                text.format(file=name, number=number, what=entity.dxftype(), layer=_layer(entity))
             ) from None
         if line is None:
             passed.append(_not_read(entity))
             continue
         if _deep(entity):
-            passed.append(
-                _("{what} that is not level (read as seen from above)").format(what=entity.dxftype())
-            )
+            text = _("{what} that is not level (read as seen from above)")
+            passed.append(text.format(what=entity.dxftype()))
         lines.append(replace(line, hidden=_hidden(entity, document)))
     return RawFile(lines, False, unit, passed_over(passed), says_unit=True, unclear=True)
 
@@ -76,9 +74,8 @@ def _document(data: bytes, name: str) -> tuple[Any, bool]:
     except ImportError:
         raise MissingExtraError("survey") from None
     if data.startswith((BINARY, DWG)):
-        raise InputError(
-            _("{file} is a binary drawing: save it as DXF in text (ASCII)").format(file=name)
-        )
+        said = _("{file} is a binary drawing: save it as DXF in text (ASCII)")
+        raise InputError(said.format(file=name))
     try:
         # Its head is ASCII and says how the rest is written.
         told = dxf_stream_info(io.StringIO(LINE_END.sub("\n", text_of(data, name, "latin-1"))))
@@ -143,12 +140,11 @@ def _entity(entity: Any, tally: Tally) -> RawLine | None:
         return RawLine(layer, [(hand * (x + r), y, hand), (hand * (x - r), y, hand)], True)
     open_by = (start - end) % 360.0
     if not LEAST_OPEN < open_by:
-        raise InputError(
-            _(
-                "{file}: an ARC of layer {layer} about {place} ends where it starts, so that it is a "
-                "whole circle or nothing: draw a CIRCLE, or delete it"
-            ).format(file=tally.name, layer=layer, place=place_text((hand * x, y)))
+        text = _(
+            "{file}: an ARC of layer {layer} about {place} ends where it starts, so that it is a "
+            "whole circle or nothing: draw a CIRCLE, or delete it"
         )
+        raise InputError(text.format(file=tally.name, layer=layer, place=place_text((hand * x, y))))
     first, sweep = math.radians(start), math.radians(360.0 - open_by)
     ends = [(x + r * math.cos(a), y + r * math.sin(a)) for a in (first, first + sweep)]
     (x0, y0), (x1, y1) = ends
@@ -180,11 +176,8 @@ def _hand(entity: Any, name: str) -> float:
     """-1 for what is drawn on the plane as seen from below, where x runs to the left."""
     x, y, z = entity.dxf.extrusion
     if math.hypot(x, y) > 1e-9:
-        raise InputError(
-            _("{file}: {what} of layer {layer} does not lie in the plane of x and y").format(
-                file=name, what=entity.dxftype(), layer=_layer(entity)
-            )
-        )
+        text = _("{file}: {what} of layer {layer} does not lie in the plane of x and y")
+        raise InputError(text.format(file=name, what=entity.dxftype(), layer=_layer(entity)))
     return math.copysign(1.0, z)
 
 
@@ -202,11 +195,8 @@ def _ellipse(entity: Any, layer: str, tally: Tally) -> RawLine:
 def _spline(entity: Any, layer: str, tally: Tally) -> RawLine:
     tool = entity.construction_tool()
     if tool.is_rational:
-        raise InputError(
-            _("{file}: a spline of layer {layer} has weights: convert it to a polyline first").format(
-                file=tally.name, layer=layer
-            )
-        )
+        text = _("{file}: a spline of layer {layer} has weights: convert it to a polyline first")
+        raise InputError(text.format(file=tally.name, layer=layer))
     found: list[FloatArray] = []
     off = 0.0
     for control in tool.bezier_decomposition():

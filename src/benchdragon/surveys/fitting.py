@@ -85,22 +85,16 @@ def check_fewest(count: int, closed: bool) -> None:
     """Refuse fewer points than a line has."""
     wanted = 3 if closed else 2
     if count < wanted:
-        raise InputError(
-            _("a drawn line needs {wanted} different points at least, not {count}").format(
-                wanted=wanted, count=count
-            )
-        )
+        text = _("a drawn line needs {wanted} different points at least, not {count}")
+        raise InputError(text.format(wanted=wanted, count=count))
 
 
 def _check_line(line: DrawnLine) -> None:
     if not line.curves:
         check_fewest(len(line.corners), line.closed and not line.bent)
     if len(line.curves or line.corners) > MOST_CURVES:
-        raise InputError(
-            _("a drawn route may have {most} points at most, not {count}: leave some out").format(
-                most=MOST_CURVES, count=len(line.curves or line.corners)
-            )
-        )
+        text = _("a drawn route may have {most} points at most, not {count}: leave some out")
+        raise InputError(text.format(most=MOST_CURVES, count=len(line.curves or line.corners)))
 
 
 def _as_drawn(line: DrawnLine, gap: float, kink: float) -> Fit:
@@ -124,19 +118,15 @@ def rounded(points: FloatArray, off: float, closed: bool, smooth: Smooth, deviat
     if status in (FitStatus.ONE_PLACE, FitStatus.DOUBLES_BACK):
         raise unfit(status, n)
     if status == FitStatus.NO_ROOM:
-        raise InputError(
-            _(
-                "a deviation of {deviation} m leaves nothing to round corners with: the drawing "
-                "itself is known to {off} m"
-            ).format(deviation=f"{deviation:g}", off=f"{bound:.3g}")
+        text = _(
+            "a deviation of {deviation} m leaves nothing to round corners with: the drawing "
+            "itself is known to {off} m"
         )
+        raise InputError(text.format(deviation=f"{deviation:g}", off=f"{bound:.3g}"))
     if status == FitStatus.HAIRPIN:
         x, y = points.tolist()[n]
-        raise InputError(
-            _("at ({x}, {y}) m the drawing doubles straight back: no bend rounds that").format(
-                x=f"{x:.6g}", y=f"{y:.6g}"
-            )
-        )
+        text = _("at ({x}, {y}) m the drawing doubles straight back: no bend rounds that")
+        raise InputError(text.format(x=f"{x:.6g}", y=f"{y:.6g}"))
     joints = n - 1 if smooth != "none" or not closed else n
     return _fit(curves_of(parts[:n]), bound, Absorbed(joints))
 
@@ -150,12 +140,11 @@ def _fit(curves: tuple[AnyCurve, ...], deviation: float, absorbed: Absorbed) -> 
 def checked_fit(fit: Fit, deviation: float, least_radius: float) -> Fit:
     """A fit, if it is as near and as gentle as is wanted."""
     if fit.deviation > deviation:
-        raise InputError(
-            _(
-                "the route keeps within {bound} m of the drawing, not within the deviation of "
-                '{deviation} m: allow more, or round its corners by route.smooth = "G1"'
-            ).format(bound=f"{fit.deviation:.3g}", deviation=f"{deviation:g}")
+        text = _(
+            "the route keeps within {bound} m of the drawing, not within the deviation of "
+            '{deviation} m: allow more, or round its corners by route.smooth = "G1"'
         )
+        raise InputError(text.format(bound=f"{fit.deviation:.3g}", deviation=f"{deviation:g}"))
     if fit.least_radius < least_radius:
         x, y = fit.route.point(min(fit.s, fit.route.length)).tolist()
         raise InputError(

@@ -31,11 +31,8 @@ class Tally:
         """
         self.points += len(points)
         if self.points > MOST_CORNERS:
-            raise InputError(
-                _("{file}: its curves need more than the {most} points that are read at most").format(
-                    file=self.name, most=MOST_CORNERS
-                )
-            )
+            text = _("{file}: its curves need more than the {most} points that are read at most")
+            raise InputError(text.format(file=self.name, most=MOST_CORNERS))
         return points
 
 

@@ -84,17 +84,11 @@ def read_lines(path: Path, survey: Survey, tell: Tell = _untold) -> tuple[list[D
     if over:
         tell(_("{file}: passed over: {over}").format(file=path.name, over=over))
     if len(raw.lines) > MOST_LINES:
-        raise InputError(
-            _("{file} holds {count} lines, and {most} are read at most").format(
-                file=path.name, count=len(raw.lines), most=MOST_LINES
-            )
-        )
+        text = _("{file} holds {count} lines, and {most} are read at most")
+        raise InputError(text.format(file=path.name, count=len(raw.lines), most=MOST_LINES))
     if len(points) > MOST_CORNERS:
-        raise InputError(
-            _("{file} holds {count} points, and {most} are read at most").format(
-                file=path.name, count=len(points), most=MOST_CORNERS
-            )
-        )
+        text = _("{file} holds {count} points, and {most} are read at most")
+        raise InputError(text.format(file=path.name, count=len(points), most=MOST_CORNERS))
     _check_told(raw, survey, path.name, tell)
     near, known = taken_near(points, survey, path.name, raw.angular, raw.unit)
     scale = _scale(survey, raw.unit)
@@ -117,23 +111,19 @@ def _check_told(raw: RawFile, survey: Survey, name: str, tell: Tell) -> None:
         InputError: for another system.
     """
     if raw.crs is not None and (survey.crs is None or code_of(survey.crs) != code_of(raw.crs)):
-        raise InputError(
-            _(
-                '{file} says that its coordinates are those of {said}: set survey.crs to "{said}"'
-            ).format(file=name, said=raw.crs)
-        )
+        text = _('{file} says that its coordinates are those of {said}: set survey.crs to "{said}"')
+        raise InputError(text.format(file=name, said=raw.crs))
     points = np.array([point for line in raw.lines for point in _places(line)])
     low, high = points.min(axis=0), points.max(axis=0)
     metres = (survey.unit or raw.unit) == "m" and survey.crs is None
     northwards = NORTHINGS[0] <= low[0] <= high[0] <= NORTHINGS[1]
     eastwards = any(west <= low[1] <= high[1] <= east for west, east in EASTINGS)
     if raw.unclear and metres and northwards and eastwards:
-        raise InputError(
-            _(
-                "{file}: do x = {x} and y = {y} say north and east, as surveyors in China write them? "
-                "Name the columns east and north, exchange x and y in the file, or set survey.crs"
-            ).format(file=name, x=f"{points[0, 0]:.12g}", y=f"{points[0, 1]:.12g}")
+        text = _(
+            "{file}: do x = {x} and y = {y} say north and east, as surveyors in China write them? "
+            "Name the columns east and north, exchange x and y in the file, or set survey.crs"
         )
+        raise InputError(text.format(file=name, x=f"{points[0, 0]:.12g}", y=f"{points[0, 1]:.12g}"))
     if raw.says_unit and raw.unit and survey.unit and raw.unit != survey.unit:
         text = _("{file} says that its unit is {said}, and survey.unit says {unit}, which was taken")
         tell(text.format(file=name, said=raw.unit, unit=survey.unit))
@@ -142,15 +132,11 @@ def _check_told(raw: RawFile, survey: Survey, name: str, tell: Tell) -> None:
 def _raw(path: Path, survey: Survey) -> RawFile:
     ending = path.suffix.lower()
     if ending == ".dwg":
-        raise InputError(
-            _("{file} is a binary drawing: save it as DXF in text (ASCII)").format(file=path.name)
-        )
+        text = _("{file} is a binary drawing: save it as DXF in text (ASCII)")
+        raise InputError(text.format(file=path.name))
     if ending not in ENDINGS:
-        raise InputError(
-            _("{file}: drawings are read from {endings} files").format(
-                file=path.name, endings=", ".join(ENDINGS)
-            )
-        )
+        text = _("{file}: drawings are read from {endings} files")
+        raise InputError(text.format(file=path.name, endings=", ".join(ENDINGS)))
     data = _bytes(path)
 
     def fineness(unit: str | None) -> float:
@@ -171,10 +157,9 @@ def _bytes(path: Path) -> bytes:
             raise InputError(_("there is no file {file} beside the plan").format(file=path.name))
         size = path.stat().st_size
         if size > MOST_BYTES:
+            text = _("{file} is too large: {size} MB, at most {most} MB are read")
             raise InputError(
-                _("{file} is too large: {size} MB, at most {most} MB are read").format(
-                    file=path.name, size=size // 1_000_000, most=MOST_BYTES // 1_000_000
-                )
+                text.format(file=path.name, size=size // 1_000_000, most=MOST_BYTES // 1_000_000)
             )
         return path.read_bytes()
     except OSError as error:
@@ -230,15 +215,11 @@ def _check_curve(curve: RawCurve, made: AnyCurve, end: FloatArray, scale: float,
     """Refuse a surveyed part of which the file says two things."""
     said = made.length if curve.length is None else curve.length * scale
     if abs(made.length - said) > MISFIT + MISFIT_SHARE * said:
-        raise InputError(
-            _(
-                "{part}: the file says that it is {said} m long, and its points make it {length} m"
-            ).format(part=named, said=f"{said:.6g}", length=f"{made.length:.6g}")
-        )
+        text = _("{part}: the file says that it is {said} m long, and its points make it {length} m")
+        raise InputError(text.format(part=named, said=f"{said:.6g}", length=f"{made.length:.6g}"))
     if (off := math.dist(made.end_pose[0], end)) > MISFIT:
-        raise InputError(
-            _("{part}: it ends {off} m beside its End").format(part=named, off=f"{off:.4g}")
-        )
+        text = _("{part}: it ends {off} m beside its End")
+        raise InputError(text.format(part=named, off=f"{off:.4g}"))
 
 
 def _curve(curve: RawCurve, places: FloatArray, scale: float) -> AnyCurve | None:
@@ -313,16 +294,10 @@ def read_line(
     if not lines:
         raise InputError(_("{file} holds no line").format(file=path.name))
     if layer is None and len(names) > 1:
-        raise InputError(
-            _("{file} holds {count} lines: choose one by the key layer: {names}").format(
-                file=path.name, count=len(lines), names=_listed(names)
-            )
-        )
-    raise InputError(
-        _("{file} holds {count} lines that do not meet within {gap} m: join them, or leave one").format(
-            file=path.name, count=len(lines), gap=f"{GAP:g}"
-        )
-    )
+        text = _("{file} holds {count} lines: choose one by the key layer: {names}")
+        raise InputError(text.format(file=path.name, count=len(lines), names=_listed(names)))
+    text = _("{file} holds {count} lines that do not meet within {gap} m: join them, or leave one")
+    raise InputError(text.format(file=path.name, count=len(lines), gap=f"{GAP:g}"))
 
 
 def _asked_for(lines: list[DrawnLine], name: str, layer: str | None, tell: Tell) -> list[DrawnLine]:
@@ -331,21 +306,15 @@ def _asked_for(lines: list[DrawnLine], name: str, layer: str | None, tell: Tell)
     if layer is not None:
         found = [line for line in lines if line.name == layer]
         if not found:
-            raise InputError(
-                _("{file} has no line called {layer}; it has {names}").format(
-                    file=name, layer=repr(layer)[:60], names=_listed(names)
-                )
-            )
+            text = _("{file} has no line called {layer}; it has {names}")
+            raise InputError(text.format(file=name, layer=repr(layer)[:60], names=_listed(names)))
         return found
     hidden = [line for line in lines if line.hidden]
     if not hidden:
         return lines
     if len(hidden) == len(lines):
-        raise InputError(
-            _(
-                "{file}: all of its lines are on layers that are off: choose one by the key layer"
-            ).format(file=name)
-        )
+        text = _("{file}: all of its lines are on layers that are off: choose one by the key layer")
+        raise InputError(text.format(file=name))
     text = _("{file}: lines on layers that are off, passed over: {count}, on {names}")
     off = _listed(sorted({line.name for line in hidden}))
     tell(text.format(file=name, count=len(hidden), names=off))
@@ -381,17 +350,11 @@ def outline(
     if not line.closed and len(points) and math.dist(points[0], points[-1]) <= GAP:
         points, line = points[:-1], replace(line, closed=True)
     if not line.closed:
-        raise InputError(
-            _("{file}: the boundary is open: its ends are {gap} m apart").format(
-                file=path.name, gap=f"{math.dist(points[0], points[-1]):.3g}"
-            )
-        )
+        text = _("{file}: the boundary is open: its ends are {gap} m apart")
+        raise InputError(text.format(file=path.name, gap=f"{math.dist(points[0], points[-1]):.3g}"))
     if len(points) > MOST_EDGES:
-        raise InputError(
-            _("{file}: the boundary becomes {count} corners, and {most} are the most").format(
-                file=path.name, count=len(points), most=MOST_EDGES
-            )
-        )
+        text = _("{file}: the boundary becomes {count} corners, and {most} are the most")
+        raise InputError(text.format(file=path.name, count=len(points), most=MOST_EDGES))
     if len(points) < 3:
         raise InputError(_("{file}: a boundary needs three corners at least").format(file=path.name))
     return points, known

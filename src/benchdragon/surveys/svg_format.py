@@ -185,11 +185,8 @@ def _millimetres(root: Element, name: str) -> float | None:
         return across
     fitted = root.get("preserveAspectRatio", "").split()
     if fitted[:1] == ["none"]:
-        raise InputError(
-            _(
-                "{file}: its width, height and viewBox stretch the drawing: save it with equal scales"
-            ).format(file=name)
-        )
+        text = _("{file}: its width, height and viewBox stretch the drawing: save it with equal scales")
+        raise InputError(text.format(file=name))
     return max(across, up) if "slice" in fitted else min(across, up)
 
 

@@ -95,15 +95,13 @@ def _columns(rows: Iterator[list[str]], name: str) -> tuple[list[str], int, int]
         if sum(NUMERIC.fullmatch(cell) is not None for cell in header) > 1:
             break  # a row of the line itself is no title, to be left out
     if unclear:
-        raise InputError(
-            _(
-                "{file}: which of {columns} points north? With surveyors x does, in drawings y: name "
-                "the columns east and north (东坐标, 北坐标)"
-            ).format(file=name, columns=", ".join(cell.strip() for cell in unclear))
+        text = _(
+            "{file}: which of {columns} points north? With surveyors x does, in drawings y: name "
+            "the columns east and north (东坐标, 北坐标)"
         )
-    raise InputError(
-        _("{file}: the first row must name the columns x and y, or lon and lat").format(file=name)
-    )
+        raise InputError(text.format(file=name, columns=", ".join(cell.strip() for cell in unclear)))
+    text = _("{file}: the first row must name the columns x and y, or lon and lat")
+    raise InputError(text.format(file=name))
 
 
 def _heading(cell: str) -> str:
@@ -116,11 +114,8 @@ def _pair(row: list[str], east: int, north: int, name: str, number: int) -> tupl
     try:
         return float(row[east]), float(row[north])
     except (ValueError, IndexError):
-        raise InputError(
-            _("{file}, line {line}: wanted two numbers, not {cells}").format(
-                file=name, line=number, cells=repr(", ".join(row))[:60]
-            )
-        ) from None
+        text = _("{file}, line {line}: wanted two numbers, not {cells}")
+        raise InputError(text.format(file=name, line=number, cells=repr(", ".join(row))[:60])) from None
 
 
 def _closed(points: list[tuple[float, ...]]) -> bool:

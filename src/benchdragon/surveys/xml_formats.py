@@ -48,12 +48,11 @@ def xml_tree(data: bytes, name: str) -> Element:
 
     def declared(*_doctype: object) -> None:
         if ENTITY.search(data.replace(b"\0", b"")):  # of UTF-16, too
-            raise InputError(
-                _(
-                    "{file} uses entities, which are not read: save it without them (as plain SVG, not "
-                    "to be edited on by Illustrator)"
-                ).format(file=name)
+            text = _(
+                "{file} uses entities, which are not read: save it without them (as plain SVG, not "
+                "to be edited on by Illustrator)"
             )
+            raise InputError(text.format(file=name))
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         nonlocal depth
@@ -77,11 +76,8 @@ def xml_tree(data: bytes, name: str) -> Element:
         told = CHINESE.match(data)
         parser.Parse(data.decode(told[1].decode("ascii")) if told else data, True)
     except expat.ExpatError as error:
-        raise InputError(
-            _("{file} is not XML: line {line}, column {column}").format(
-                file=name, line=error.lineno, column=error.offset + 1
-            )
-        ) from None
+        text = _("{file} is not XML: line {line}, column {column}")
+        raise InputError(text.format(file=name, line=error.lineno, column=error.offset + 1)) from None
     except (LookupError, ValueError) as error:
         if isinstance(error, InputError):
             raise
@@ -101,15 +97,11 @@ def kmz_file(data: bytes, name: str) -> RawFile:
             with archive.open(inner) as packed:
                 found = packed.read(MOST_BYTES + 1)
     except (zipfile.BadZipFile, zlib.error, StopIteration, RuntimeError, OSError, EOFError, ValueError):
-        raise InputError(
-            _("{file} is no KMZ archive with a KML file in it that can be unpacked").format(file=name)
-        ) from None
+        text = _("{file} is no KMZ archive with a KML file in it that can be unpacked")
+        raise InputError(text.format(file=name)) from None
     if len(found) > MOST_BYTES:
-        raise InputError(
-            _("{file}: what it holds is too large: at most {most} MB are read").format(
-                file=name, most=MOST_BYTES // 1_000_000
-            )
-        )
+        text = _("{file}: what it holds is too large: at most {most} MB are read")
+        raise InputError(text.format(file=name, most=MOST_BYTES // 1_000_000))
     return kml_file(found, name)
 
 
@@ -166,12 +158,11 @@ def _positions(text: str, name: str) -> list[tuple[float, ...]]:
     for number, word in enumerate(text.split(), start=1):
         sizes = _numbers(word.replace(",", " "), name)
         if len(sizes) > 3 or len(sizes) != word.strip(",").count(",") + 1:
-            raise InputError(
-                _(
-                    "{file}: place {number} of a line must be longitude, latitude and maybe a height, "
-                    "then a space before the next, not {text}"
-                ).format(file=name, number=number, text=repr(word)[:60])
+            said = _(
+                "{file}: place {number} of a line must be longitude, latitude and maybe a height, "
+                "then a space before the next, not {text}"
             )
+            raise InputError(said.format(file=name, number=number, text=repr(word)[:60]))
         found.append((sizes[0], sizes[1]))
     return found
 
@@ -183,9 +174,8 @@ def _numbers(text: str, name: str) -> list[float]:
     except ValueError:
         found = []
     if len(found) < 2:
-        raise InputError(
-            _("{file}: wanted numbers, not {text}").format(file=name, text=repr(text.strip())[:60])
-        )
+        said = _("{file}: wanted numbers, not {text}")
+        raise InputError(said.format(file=name, text=repr(text.strip())[:60]))
     return found
 
 
@@ -224,26 +214,19 @@ def _curve(element: Element, points: dict[str, str], name: str) -> RawCurve:
     kinds = {"Line": "line", "Curve": "arc", "Spiral": "clothoid"}
     spiral = element.get("spiType", "clothoid").lower()
     if element.tag not in kinds or spiral != "clothoid":
+        text = _("{file}: an alignment may hold lines, arcs and clothoids, not {what}")
         raise InputError(
-            _("{file}: an alignment may hold lines, arcs and clothoids, not {what}").format(
-                file=name, what=element.tag if element.tag not in kinds else spiral
-            )
+            text.format(file=name, what=element.tag if element.tag not in kinds else spiral)
         )
     start, end = (_place(element, tag, points, name) for tag in ("Start", "End"))
     third = _place(element, "Center" if element.tag == "Curve" else "PI", points, name)
     if start is None or end is None or (element.tag == "Curve" and third is None):
-        raise InputError(
-            _("{file}: each {what} of an alignment needs Start, End, and an arc its Center").format(
-                file=name, what=element.tag
-            )
-        )
+        text = _("{file}: each {what} of an alignment needs Start, End, and an arc its Center")
+        raise InputError(text.format(file=name, what=element.tag))
     turns = element.get("rot", "").lower()
     if element.tag != "Line" and turns not in ("cw", "ccw"):
-        raise InputError(
-            _("{file}: the {what} at {place} does not say by rot whether it bends cw or ccw").format(
-                file=name, what=element.tag, place=place_text(start)
-            )
-        )
+        text = _("{file}: the {what} at {place} does not say by rot whether it bends cw or ccw")
+        raise InputError(text.format(file=name, what=element.tag, place=place_text(start)))
     radii = (_size(element, key, name) for key in ("radiusStart", "radiusEnd"))
     return RawCurve(
         kinds[element.tag], start, end, third, turns == "ccw", _length(element, name),
@@ -275,9 +258,6 @@ def _size(element: Element, key: str, name: str) -> float:
     except ValueError:
         value = math.nan
     if math.isnan(value) or (key == "length" and not 0.0 < value < math.inf) or value == 0.0:
-        raise InputError(
-            _("{file}: {key} of a {what} must be a positive number, not {value}").format(
-                file=name, key=key, what=element.tag, value=repr(text)[:40]
-            )
-        )
+        said = _("{file}: {key} of a {what} must be a positive number, not {value}")
+        raise InputError(said.format(file=name, key=key, what=element.tag, value=repr(text)[:40]))
     return value

@@ -219,11 +219,8 @@ def _check(folder: Path, about: Mapping[str, Any]) -> None:
         there = read_about(folder)
         other = next((text for key, text in OTHERS.items() if there[key] != about[key]), None)
         if other is not None and parts_in(folder):
-            raise FileRefusedError(
-                _("{folder} holds a sweep of {what}: choose another folder").format(
-                    folder=folder, what=_(other)
-                )
-            )
+            said = _("{folder} holds a sweep of {what}: choose another folder")
+            raise FileRefusedError(said.format(folder=folder, what=_(other)))
     elif any(path.name != LOCK and not _is_leftover(path) for path in folder.iterdir()):
         raise FileRefusedError(_("{folder} is not empty, and holds no sweep").format(folder=folder))
 

@@ -67,19 +67,15 @@ class Points:
         """
         for key in self.keys:
             if not KEY.fullmatch(key) or self.keys.count(key) > 1:
-                raise InputError(
-                    _("wanted keys of a plan such as route.pitch, each once, not {key}").format(key=key)
-                )
+                text = _("wanted keys of a plan such as route.pitch, each once, not {key}")
+                raise InputError(text.format(key=key))
         if any(len(column) > MOST_LISTED for column in self.columns):
             raise InputError(_("a key takes at most {most} values").format(most=MOST_LISTED))
         count = math.prod(self.shape) if self.columns else 0
         most = MOST_POINTS if self.grid else MOST_LISTED
         if not 0 < len(self.keys) <= MOST_KEYS or not 0 < count <= most:
-            raise InputError(
-                _("wanted 1 to {most} points of 1 to {keys} keys, not {count} of {given}").format(
-                    most=most, keys=MOST_KEYS, count=count, given=len(self.keys)
-                )
-            )
+            text = _("wanted 1 to {most} points of 1 to {keys} keys, not {count} of {given}")
+            raise InputError(text.format(most=most, keys=MOST_KEYS, count=count, given=len(self.keys)))
 
     @cached_property
     def shape(self) -> tuple[int, ...]:
@@ -149,9 +145,8 @@ def _columns(
     _check_mapping(columns)
     for key, values in columns.items():
         if isinstance(values, str) or not isinstance(values, Iterable):
-            raise InputError(
-                _("{key}: wanted a list of values, not {value}").format(key=key, value=values)
-            )
+            text = _("{key}: wanted a list of values, not {value}")
+            raise InputError(text.format(key=key, value=values))
     made = tuple(
         tuple(_value(key, one) for one in islice(values, MOST_LISTED + 1))
         for key, values in columns.items()
@@ -161,9 +156,8 @@ def _columns(
 
 def _check_mapping(columns: object) -> None:
     if not isinstance(columns, Mapping) or not all(isinstance(key, str) for key in columns):
-        raise InputError(
-            _("wanted values of keys such as route.pitch, not {value}").format(value=brief(columns))
-        )
+        text = _("wanted values of keys such as route.pitch, not {value}")
+        raise InputError(text.format(value=brief(columns)))
 
 
 def sampled_points(
@@ -208,11 +202,8 @@ def _ends(key: str, ends: Iterable[float]) -> tuple[float, float]:
         raise InputError(_("{key}: a sample needs a range LOW:HIGH").format(key=key))
     low, high = numbers
     if not low < high:
-        raise InputError(
-            _("{key}: wanted a range from a smaller value to a larger one, not {ends}").format(
-                key=key, ends=f"{low:g}:{high:g}"
-            )
-        )
+        text = _("{key}: wanted a range from a smaller value to a larger one, not {ends}")
+        raise InputError(text.format(key=key, ends=f"{low:g}:{high:g}"))
     return low, high
 
 
@@ -233,9 +224,8 @@ def read_points(path: Path) -> Points:
         table = read(path)
         keys = tuple(table.column_names)  # of which one may stand twice
     except (OSError, UnicodeDecodeError, pa.ArrowException) as error:
-        raise InputError(
-            _("{path} is no CSV or Parquet file of points: {why}").format(path=path, why=error)
-        ) from None
+        text = _("{path} is no CSV or Parquet file of points: {why}")
+        raise InputError(text.format(path=path, why=error)) from None
     if table.num_rows > MOST_LISTED:
         raise InputError(_("a key takes at most {most} values").format(most=MOST_LISTED))
     columns = tuple(
@@ -276,11 +266,10 @@ def parse_vary(texts: Sequence[str], *, ranges: bool = False) -> dict[str, Any]:
 
 
 def _unreadable(text: str) -> InputError:
-    return InputError(
-        _(
-            "wanted KEY=FIRST:LAST:STEP or KEY=VALUE,VALUE,... (route.pitch=0.45:0.6:0.01), not {text}"
-        ).format(text=repr(text))
+    said = _(
+        "wanted KEY=FIRST:LAST:STEP or KEY=VALUE,VALUE,... (route.pitch=0.45:0.6:0.01), not {text}"
     )
+    return InputError(said.format(text=repr(text)))
 
 
 def _number(text: str) -> Value:
@@ -302,11 +291,8 @@ def _steps(text: str, first: str, last: str, step: str) -> list[Value]:
     except ArithmeticError:
         raise _unreadable(text) from None
     if not sound or not 0 <= count < MOST_LISTED:
-        raise InputError(
-            _("{text}: wanted 1 to {most} steps from the first value to the last").format(
-                text=text, most=MOST_LISTED
-            )
-        )
+        said = _("{text}: wanted 1 to {most} steps from the first value to the last")
+        raise InputError(said.format(text=text, most=MOST_LISTED))
     exact = (low + n * by for n in range(int(count) + 1))
     return [
         int(value) if "." not in first + step and value == int(value) else float(value)
@@ -325,7 +311,6 @@ def _value(key: str, value: object) -> Value:
     sound = isinstance(value, str | float | int) and not isinstance(value, bool)
     large = isinstance(value, int) and abs(value) > LARGEST
     if not sound or large or (isinstance(value, float) and not math.isfinite(value)):
-        raise InputError(
-            _("{key}: wanted finite numbers or texts, not {value}").format(key=key, value=value)
-        )
+        text = _("{key}: wanted finite numbers or texts, not {value}")
+        raise InputError(text.format(key=key, value=value))
     return value  # type: ignore[return-value]

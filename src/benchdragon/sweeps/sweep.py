@@ -120,9 +120,8 @@ class Design:
             try:
                 self.plan.with_values({**values, key: between})
             except PlanError as error:
-                raise InputError(
-                    _("refine: {key} takes no value between others: {why}").format(key=key, why=error)
-                ) from None
+                text = _("refine: {key} takes no value between others: {why}")
+                raise InputError(text.format(key=key, why=error)) from None
 
 
 def _refinement(refinement: Refinement) -> dict[str, Any]:

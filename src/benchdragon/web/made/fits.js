@@ -21,14 +21,15 @@ class Fit {
   }
 }
 export function checkFewest(count, closed) {
-  let wanted;
+  let text, wanted;
   wanted = (py.truth(closed) ? 3 : 2);
   if ((count < wanted)) {
-    throw new InputError(py.filled(_("a drawn line needs {wanted} different points at least, not {count}"), { wanted: wanted, count: count }));
+    text = _("a drawn line needs {wanted} different points at least, not {count}");
+    throw new InputError(py.filled(text, { wanted: wanted, count: count }));
   }
 }
 export function rounded(points, off, closed, smooth, deviation) {
-  let bound, how, joints, n, parts, status, x, y;
+  let bound, how, joints, n, parts, status, text, x, y;
   parts = py.empty([(4 * py.len(points)), PART_COLUMNS]);
   how = py.at(Smoothing, py.upper(smooth));
   [status, n, bound] = py.list(py.entry("bd_fitting_fit_points", points, closed, how, deviation, off, parts));
@@ -36,11 +37,13 @@ export function rounded(points, off, closed, smooth, deviation) {
     throw unfit(status, n);
   }
   if (py.eq(status, FitStatus.NO_ROOM)) {
-    throw new InputError(py.filled(_("a deviation of {deviation} m leaves nothing to round corners with: the drawing itself is known to {off} m"), { deviation: `${py.format(deviation, `g`)}`, off: `${py.format(bound, `.3g`)}` }));
+    text = _("a deviation of {deviation} m leaves nothing to round corners with: the drawing itself is known to {off} m");
+    throw new InputError(py.filled(text, { deviation: `${py.format(deviation, `g`)}`, off: `${py.format(bound, `.3g`)}` }));
   }
   if (py.eq(status, FitStatus.HAIRPIN)) {
     [x, y] = py.list(py.at(py.tolist(points), n));
-    throw new InputError(py.filled(_("at ({x}, {y}) m the drawing doubles straight back: no bend rounds that"), { x: `${py.format(x, `.6g`)}`, y: `${py.format(y, `.6g`)}` }));
+    text = _("at ({x}, {y}) m the drawing doubles straight back: no bend rounds that");
+    throw new InputError(py.filled(text, { x: `${py.format(x, `.6g`)}`, y: `${py.format(y, `.6g`)}` }));
   }
   joints = (((smooth !== "none") || !py.truth(closed)) ? (n - 1) : n);
   return _fit(curvesOf(py.slice(parts, null, n)), bound, new Absorbed(joints));
@@ -52,9 +55,10 @@ function _fit(curves, deviation, absorbed) {
   return new Fit(route, deviation, (py.truth(bend) ? (1.0 / bend) : Infinity), s, absorbed);
 }
 export function checkedFit(fit, deviation, leastRadius) {
-  let x, y;
+  let text, x, y;
   if ((fit.deviation > deviation)) {
-    throw new InputError(py.filled(_("the route keeps within {bound} m of the drawing, not within the deviation of {deviation} m: allow more, or round its corners by route.smooth = \"G1\""), { bound: `${py.format(fit.deviation, `.3g`)}`, deviation: `${py.format(deviation, `g`)}` }));
+    text = _("the route keeps within {bound} m of the drawing, not within the deviation of {deviation} m: allow more, or round its corners by route.smooth = \"G1\"");
+    throw new InputError(py.filled(text, { bound: `${py.format(fit.deviation, `.3g`)}`, deviation: `${py.format(deviation, `g`)}` }));
   }
   if ((fit.least_radius < leastRadius)) {
     [x, y] = py.list(py.tolist(fit.route.point(py.min(fit.s, fit.route.length))));
