@@ -101,3 +101,24 @@ def test_the_whole_square_is_in_sight_and_obstacles_have_their_colour(
     around = [(box["x"] + x + dx, box["y"] + y + dy) for dx in range(-2, 3) for dy in range(-2, 3)]
     assert [0xCC, 0x79, 0xA7] in pixels(page, around)
     assert [0, 0, 0] in [[c if c > 60 else 0 for c in dot] for dot in pixels(page, around)]
+
+
+def test_margins_are_shaded_where_they_are(pages: Pages, tmp_path: Path) -> None:
+    page = page_of(pages, tmp_path, NEAR)
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+
+    def brightness(*places: tuple[float, float]) -> float:
+        to_screen = "(places) => places.map((at) => benchdragon.camera.toScreen(...at))"
+        at = [(box["x"] + x, box["y"] + y) for x, y in page.evaluate(to_screen, places)]
+        return float(np.median([sum(dot) for dot in pixels(page, at)]))
+
+    # The well's margin is 0.3 m wide, from 0.6 m of its centre on; the venue's 0.5 m, within its edge.
+    turns = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
+    within, beyond = (
+        brightness(*((6.2 + r * np.cos(a), 2.0 + r * np.sin(a)) for a in turns)) for r in (0.75, 1.3)
+    )
+    along = np.linspace(-10.0, 10.0, 9)
+    inside, outside = (brightness(*((x, -15.0 + way) for x in along)) for way in (0.3, -0.3))
+    assert within < beyond - 30.0
+    assert inside < outside - 30.0

@@ -116,7 +116,6 @@ class DrawnObstacle(Record):
         points: corners, m; of a circle the centre.
         radius: of a circle, m; else 0.
         margin: m.
-        rings: closed rings about it where benches are as near as they may be, m.
     """
 
     name: Words
@@ -124,7 +123,6 @@ class DrawnObstacle(Record):
     points: list[tuple[float, float]]
     radius: float
     margin: float
-    rings: list[list[tuple[float, float]]]
 
 
 class Nearest(Record):

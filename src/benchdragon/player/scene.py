@@ -23,7 +23,6 @@ from benchdragon.kernels.following import FINE, FIRST, NODES, Tables
 from benchdragon.kernels.frames import QUANTUM
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.model.outline import margin_rings
 from benchdragon.model.walk import Walk
 from benchdragon.plans.cues import cue_name
 from benchdragon.plans.people import PeopleTable, village
@@ -200,7 +199,6 @@ def _drawn(obstacle: Obstacle) -> messages.DrawnObstacle:
         points=_rounded(obstacle.outline),
         radius=obstacle.radius,
         margin=obstacle.margin,
-        rings=[_rounded(ring) for ring in margin_rings(obstacle)],
     )
 
 

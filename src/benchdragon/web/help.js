@@ -86,11 +86,7 @@ function pictureRows({ sent }) {
     [true, "trail", _("trails: the way of the last 20 seconds")],
     [stands, "obstacle", _("what stands on the square")],
     [kinds.has("venue"), "venue", _("the edge of the venue")],
-    [
-      obstacles.some(({ rings }) => rings.length > 0),
-      "near",
-      _("no bench may come nearer to it than this"),
-    ],
+    [obstacles.some(({ margin }) => margin > 0), "near", _("no bench may come nearer to it than this")],
     [ground.length > 0, "ground", _("ground that the dance covers")],
   ];
   return rows.filter(([there]) => there).map(([, name, text]) => [sample(name), text]);

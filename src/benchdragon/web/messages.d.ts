@@ -179,7 +179,6 @@ export interface DragonTable {
  *     points: corners, m; of a circle the centre.
  *     radius: of a circle, m; else 0.
  *     margin: m.
- *     rings: closed rings about it where benches are as near as they may be, m.
  */
 export interface DrawnObstacle {
   name: Words;
@@ -187,7 +186,6 @@ export interface DrawnObstacle {
   points: Array<[number, number]>;
   radius: number;
   margin: number;
-  rings: Array<Array<[number, number]>>;
 }
 
 /**

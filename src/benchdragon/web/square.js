@@ -146,6 +146,7 @@ export class Square {
    */
   paint(ctx, camera, inks, dots) {
     for (const one of this.obstacles) {
+      shade(ctx, camera, one, inks.quiet);
       ctx.beginPath();
       outline(ctx, camera, one);
       if (one.kind !== "line" && one.kind !== "venue") {
@@ -159,13 +160,6 @@ export class Square {
       ctx.lineWidth = one.kind === "venue" ? 3 : one.kind === "line" ? 4 : 1.2;
       ctx.stroke();
     }
-    ctx.strokeStyle = inks.quiet;
-    ctx.lineWidth = 1.2;
-    ctx.setLineDash([4, 4]);
-    ctx.beginPath();
-    for (const { rings } of this.obstacles) for (const ring of rings) chain(ctx, camera, ring, true);
-    ctx.stroke();
-    ctx.setLineDash([]);
   }
 
   /** Write the names, above what they name, towards the middle of all; where they stand. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks @param {string} font @returns {Tag[]} */
@@ -198,6 +192,21 @@ export class Square {
     ctx.lineJoin = "miter";
     return tags;
   }
+}
+
+/** Shade where benches would come nearer to an obstacle than they may: a margin about it, of the venue within. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {DrawnObstacle} one @param {string} colour */
+function shade(ctx, camera, one, colour) {
+  if (!one.margin) return;
+  ctx.save();
+  ctx.beginPath();
+  outline(ctx, camera, one);
+  if (one.kind === "venue") ctx.clip();
+  ctx.globalAlpha = 0.3;
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = 2 * one.margin * camera.scale;
+  ctx.lineJoin = ctx.lineCap = "round";
+  ctx.stroke();
+  ctx.restore();
 }
 
 /** Put an obstacle's outline into the path. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {DrawnObstacle} one */

@@ -17,7 +17,6 @@ import { foretold, frames } from "./frames.js";
 import { nearness } from "./nearness.js";
 import { general } from "./number_format.js";
 import { interpolated, rounded } from "./numbers.js";
-import { marginRings } from "./rings.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./follow.js").Following} Following */
@@ -269,6 +268,5 @@ function drawnObstacle(obstacle) {
   const { kind, outline, radius, margin } = obstacle;
   const drawn = (/** @type {Array<[number, number]>} */ points) =>
     points.map(([x, y]) => /** @type {[number, number]} */ ([rounded(x, 4), rounded(y, 4)]));
-  const rings = marginRings(obstacle).map(drawn);
-  return { name: both(() => shownName(obstacle)), kind, points: drawn(outline), radius, margin, rings };
+  return { name: both(() => shownName(obstacle)), kind, points: drawn(outline), radius, margin };
 }
