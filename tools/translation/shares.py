@@ -25,7 +25,8 @@ TWINS = {
         "obstacles", "ObstacleAnswers", "least_distance", "obstacle_answers", "touching",
     ),
     "analysis.records": ("records", "answer_of", "answer_or_none", "verdict_of"),
-    "analysis.room": ("room_levels", "ASKED", "Asked", "RoomLevel", "levels_asked", "shown_name"),
+    "analysis.room": ("room_levels", "Asked", "room_levels", "shown_name"),
+    "analysis.shortage": ("shortage", "shortage"),
     "analysis.speed": ("quantities", "QUANTITIES", "Quantity", "given_limits"),
     "analysis.unfinished": ("unfinished", "Unfinished"),
     "errors": ("advice", "advice"),
@@ -37,6 +38,7 @@ TWINS = {
     "model.base_curve": ("base_curve", "checked_size", "laid_rows"),
     "model.connections": ("connections", "programme"),
     "model.curves": ("curves", "Route"),
+    "model.dragon": ("dragon", "count_text", "fault_of"),
     "model.formations": ("formations", "FORMATIONS"),
     "model.holds": ("holds", "Hold"),
     "model.numbering": ("numbering", "handle_words"),
@@ -99,7 +101,8 @@ GIVEN = {
     "analysis.left_open.speed_at_start": "../compute/left_open.js",
     "analysis.left_open.told_if_open": "../compute/left_open.js",
     "analysis.records.bracketed": "../compute/answer.js",
-    "analysis.room.room_levels": "../compute/room.js",
+    "analysis.room.with_people": "../compute/dragon.js",
+    "analysis.shortage._Seen": "../compute/shortage.js",
     "analysis.speed.greatest": "../compute/speed.js",
     "analysis.speed.greatest_speed": "../compute/speed.js",
     "analysis.stops.stops_of": "../compute/stops.js",
@@ -123,6 +126,8 @@ GIVEN = {
 }
 # Functions that check what Python is called with, and what they give where pages call.
 UNASKED = {
+    "analysis.proof.prove_obstacle": "() => null",
+    "analysis.room._proved": "() => null",
     "errors.as_number": "(_name, value) => value",
     "errors.of_kind": "() => null",
     "model.arrays.as_list": "(_name, values) => values",
@@ -134,7 +139,7 @@ UNASKED = {
 }
 # Functions of pages that give way between their steps: they take what is said by name as one object.
 WAITING = {
-    "analysis.room.room_levels", "analysis.speed.greatest", "analysis.speed.greatest_speed",
+    "analysis.speed.greatest", "analysis.speed.greatest_speed",
 }  # fmt: skip
 # Functions of pages in place of context managers: they give what takes errors.
 AROUND = {"analysis.contact.refined", "analysis.left_open.told_if_open"}

@@ -129,7 +129,8 @@ def room_levels(
             each += asked[0].value
         until = _until(level, span)
         margin = plan.limits.margin + 2.0 * each
-        found = first_sure_contact(line, *until, margin=margin, search=_proved if prove else None)
+        search = _proved if prove else None
+        found = first_sure_contact(line, until[0], until[1], margin=margin, search=search)
         stands = [replace(one, margin=one.margin + each) for one in plan.obstacles()]
         level = RoomLevel(name, asked, margin, found, _obstacles(line, stands, until, prove=prove))
         level = _measured(level, walk, end)
@@ -202,5 +203,8 @@ def _until(level: RoomLevel, span: tuple[float, float]) -> tuple[float, float]:
 def _obstacles(
     walk: Walk, stands: Sequence[Obstacle], span: tuple[float, float], *, prove: bool
 ) -> tuple[ObstacleAnswers, ...]:
-    found = [obstacle_answers(walk, one, *span, tolerances=TOLERANCES) for one in stands]
-    return tuple(prove_obstacle(walk, one, *span) for one in found) if prove else tuple(found)
+    found = []
+    for one in stands:
+        answers = obstacle_answers(walk, one, span[0], span[1], tolerances=TOLERANCES)
+        found.append(prove_obstacle(walk, answers, *span) if prove else answers)
+    return tuple(found)

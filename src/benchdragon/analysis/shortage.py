@@ -11,7 +11,6 @@ import numpy as np
 from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.kernels import box as kernel
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
@@ -53,26 +52,31 @@ class _Need:
     counted: float
     beside: float
 
-    def slack(self, seen: "_Seen", value: float) -> FloatArray:
+    def slack(self, seen: "_Seen", value: float) -> list[float]:
         """How much more than it must the pair keeps at each time, m; negative where it does not."""
         if self.key == "beside":
-            return seen.apart(value, 0.0) - self.margin
+            return [apart - self.margin for apart in seen.apart(value, 0.0)]
         if self.key == "ahead":
-            return seen.apart(self.beside, value) - self.margin
-        return seen.apart(0.0, 0.0) - self.margin + self.counted * (self.wanted - value)
+            return [apart - self.margin for apart in seen.apart(self.beside, value)]
+        more = self.counted * (self.wanted - value)
+        return [apart - self.margin + more for apart in seen.apart(0.0, 0.0)]
+
+    def kept(self, seen: "_Seen", value: float) -> bool:
+        """Whether the pair keeps more than it must at all times, with that value."""
+        return min(self.slack(seen, value)) > 0.0
 
 
 class _Seen:
     """A pair of benches (rows), or one and an obstacle, at some times, s."""
 
     def __init__(
-        self, walk: Walk, times: FloatArray, rows: Sequence[int], obstacle: Obstacle | None
+        self, walk: Walk, times: Sequence[float], rows: Sequence[int], obstacle: Obstacle | None
     ) -> None:
         motion = walk.motion(times)
-        self.times, self.obstacle, self.headed = times, obstacle, rows[0] == 0
+        self.obstacle, self.headed = obstacle, rows[0] == 0
         self.boards = np.array([boxes(motion, t)[list(rows)] for t in range(len(times))])
 
-    def apart(self, beside: float, ahead: float) -> FloatArray:
+    def apart(self, beside: float, ahead: float) -> list[float]:
         """How far the two are apart at each time with so much room on both sides and ahead, m."""
         table = self.boards.copy()
         table[:, :, kernel.HALF_WIDTH] += beside
@@ -84,11 +88,11 @@ class _Seen:
         if self.obstacle is not None:
             out = nearest_boxes(flat, self.obstacle)[0] - self.obstacle.radius
             out[self.obstacle.forbids(flat[:, [kernel.CX, kernel.CY]])] = -np.inf
-            return out
+            return list(out.tolist())
         gap, out = np.empty(count), np.empty(count)
         first = np.arange(0, 2 * count, 2)
         kernel.pair_distances(flat, first, first + 1, gap, out)
-        return out
+        return list(out.tolist())
 
 
 def shortage(
@@ -111,19 +115,20 @@ def shortage(
         return None
     start, rows = contact.value, [bench - 1 for bench in contact.witness.benches]
     kept = margin if obstacle is None else obstacle.margin
-    key = _lacking(_Seen(walk, np.array([start]), rows, obstacle), kept, asked)
+    key = _lacking(_Seen(walk, [start], rows, obstacle), kept, asked)
     counted = 2.0 if obstacle is None else 1.0
     need = _Need(key, asked[key], kept, counted, asked.get("beside", 0.0))
-    times = start + (end - start) * np.linspace(0.0, 1.0, SAMPLES) ** 2
+    shares = np.linspace(0.0, 1.0, SAMPLES).tolist()
+    times = [start + (end - start) * (share * share) for share in shares]
     _room, at = _least(need, _Seen(walk, times, rows, obstacle))
-    about = np.linspace(times[max(at - 1, 0)], times[min(at + 1, SAMPLES - 1)], CLOSER)
+    about = np.linspace(times[max(at - 1, 0)], times[min(at + 1, SAMPLES - 1)], CLOSER).tolist()
     _room, at = _least(need, _Seen(walk, about, rows, obstacle))
-    when = min(max(round(float(about[at]), DECIMALS), start), end)
-    tightest = _Seen(walk, np.array([when]), rows, obstacle)
+    when = min(max(round(about[at], DECIMALS), start), end)
+    tightest = _Seen(walk, [when], rows, obstacle)
     there, _at = _least(need, tightest)
     if there >= need.wanted:
         return None
-    return Shortage(key, need.wanted, when, float(tightest.apart(0.0, 0.0)[0]), there)
+    return Shortage(key, need.wanted, when, tightest.apart(0.0, 0.0)[0], there)
 
 
 def _lacking(seen: _Seen, margin: float, asked: Mapping[str, float]) -> str:
@@ -138,16 +143,17 @@ def _lacking(seen: _Seen, margin: float, asked: Mapping[str, float]) -> str:
 def _least(need: _Need, seen: _Seen) -> tuple[float, int]:
     """The greatest value with which the pair always keeps its room, and when it is the tightest."""
     kept, broken = 0.0, need.wanted
-    if (need.slack(seen, broken) > 0.0).all():
+    if need.kept(seen, broken):
         kept = broken
-    elif not (need.slack(seen, kept) > 0.0).all():
+    elif not need.kept(seen, kept):
         broken = kept
     else:
         for _halving in range(HALVINGS):
             middle = 0.5 * (kept + broken)
-            if (need.slack(seen, middle) > 0.0).all():
+            if need.kept(seen, middle):
                 kept = middle
             else:
                 broken = middle
     slack = need.slack(seen, broken)
-    return kept, int(np.argmax(slack <= slack.min() + LEVEL))
+    least = min(slack)
+    return kept, next(n for n, more in enumerate(slack) if more <= least + LEVEL)

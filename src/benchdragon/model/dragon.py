@@ -1,6 +1,6 @@
 """Bench, Dragon, the contest's dragon: sizes only."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from operator import index
@@ -129,7 +129,7 @@ class Dragon:
         except TypeError:
             sound = False
         if not sound:
-            raise InputError(_count_text(benches))
+            raise InputError(count_text(benches))
         length = np.full(benches, as_number("body_length", body_length))
         length[-1] = as_number("tail_length", tail_length)
         length[0] = as_number("head_length", head_length)
@@ -139,7 +139,7 @@ class Dragon:
         arrays = [np.array(column, dtype=np.float64) for column in columns]
         self.__dict__.update(zip(_SIZES, arrays, strict=True))
         if not 1 <= len(self) <= MOST_BENCHES:
-            raise InputError(_count_text(len(self)))
+            raise InputError(count_text(len(self)))
         self._check()
         for array in arrays:
             array.flags.writeable = False
@@ -161,27 +161,8 @@ class Dragon:
         if not sound.all():
             wrong = np.flatnonzero(~sound)
             _sizes, first = np.unique(sizes[:, wrong], axis=1, return_index=True)
-            raise SizeError([self._fault(int(i)) for i in wrong[np.sort(first)[:MOST_FAULTS]]])
-
-    def _fault(self, i: int) -> tuple[int, str, str]:
-        where = _("bench {number}: {size}")
-        for name in _SIZES:
-            check = positive if name in ("length", "width") else not_negative
-            label, value = where.format(number=i + 1, size=name), float(getattr(self, name)[i])
-            try:
-                check(label, value, "m")
-            except InputError as error:
-                return i, name, str(error)
-            if value > LONGEST_BENCH:
-                text = _("{name} must be at most {most} m, not {value} m")
-                return i, name, text.format(name=label, most=f"{LONGEST_BENCH:g}", value=f"{value:g}")
-        text = _(
-            "bench {number}: its insets ({front} m and {rear} m) leave no link "
-            "in a length of {length} m"
-        )
-        said = (f"{getattr(self, name)[i]:g}" for name in ("front_inset", "rear_inset", "length"))
-        front, rear, length = said
-        return i, "length", text.format(number=i + 1, front=front, rear=rear, length=length)
+            some = wrong[np.sort(first)[:MOST_FAULTS]].tolist()
+            raise SizeError([fault_of(i, sizes[:, i].tolist()) for i in some])
 
     def __len__(self) -> int:
         """Number of benches."""
@@ -243,7 +224,27 @@ class Dragon:
 _SIZES = ("length", "width", "front_inset", "rear_inset")
 
 
-def _count_text(count: object) -> str:
+def fault_of(i: int, sizes: Sequence[float]) -> tuple[int, str, str]:
+    """What is wrong with bench i (a row, from 0) of sizes, m, that cannot be: as in `SizeError`."""
+    for name, value in zip(_SIZES, sizes, strict=True):
+        check = positive if name in ("length", "width") else not_negative
+        label = _("bench {number}: {size}").format(number=i + 1, size=name)
+        try:
+            check(label, value, "m")
+        except InputError as error:
+            return i, name, str(error)
+        if value > LONGEST_BENCH:
+            text = _("{name} must be at most {most} m, not {value} m")
+            return i, name, text.format(name=label, most=f"{LONGEST_BENCH:g}", value=f"{value:g}")
+    length, _width, front, rear = (f"{value:g}" for value in sizes)
+    text = _(
+        "bench {number}: its insets ({front} m and {rear} m) leave no link in a length of {length} m"
+    )
+    return i, "length", text.format(number=i + 1, front=front, rear=rear, length=length)
+
+
+def count_text(count: object) -> str:
+    """What is wrong with so many benches."""
     return _("a dragon has 1 to {most} benches, not {count}").format(
         most=MOST_BENCHES, count=brief(count)
     )

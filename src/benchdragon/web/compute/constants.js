@@ -249,10 +249,6 @@ export const ANALYSIS_NEARBY = { FAR: 100, SPREADS: 4, NOWHERE: [0, 0] };
 
 export const ANALYSIS_NOT_LOOKED_AT = { DUST: 1e-6 };
 
-export const ANALYSIS_ROOM = { TOLERANCES: [0.001] };
-
-export const ANALYSIS_SHORTAGE = { SAMPLES: 200, CLOSER: 50, DECIMALS: 2, LEVEL: 1e-6, HALVINGS: 50 };
-
 export const ANALYSIS_SPEED = {
   TOLERANCE: 1e-10,
   LEAST_TOLERANCE: 1e-12,

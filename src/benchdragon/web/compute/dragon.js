@@ -1,10 +1,9 @@
 // A dragon's sizes: twin of model/dragon.py.
 
-import { _ } from "../words.js";
+import { countText, faultOf } from "../made/dragon.js";
+import { arena, copied } from "./arena.js";
 import { BOX, MODEL_DRAGON } from "./constants.js";
-import { InputError, notNegative, positive } from "./errors.js";
-import { general } from "./number_format.js";
-import { linkLength } from "./numbers.js";
+import { InputError } from "./errors.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("../engine.js").Numbers} Numbers */
@@ -38,13 +37,13 @@ export class Dragon {
     this.benches = this.size = length.length;
     if (this.benches < 1 || this.benches > MODEL_DRAGON.MOST_BENCHES)
       throw new InputError(countText(this.benches));
-    /** Between the holes of each bench, m. */
-    this.link = length.map((whole, i) => linkLength(whole, front_inset[i], rear_inset[i]));
-    this.#check();
-    /** The same for kernels, (benches,). @type {Numbers} */
-    this.links = arena.vector(this.link);
     /** Length, width, front inset and rear inset for kernels, (4, benches). @type {Numbers} */
     this.sizes = arena.table([length, width, front_inset, rear_inset], this.benches);
+    /** Between the holes of each bench for kernels, m, (benches,). @type {Numbers} */
+    this.links = arena.array("d", this.benches);
+    arena.engine.call("bd_links_links_of", this.sizes, this.links);
+    this.link = copied(this.links);
+    this.#check();
   }
 
   /**
@@ -78,19 +77,6 @@ export class Dragon {
     return new Dragon(arena, { length, width, front_inset, rear_inset });
   }
 
-  /** The dragon of one bench alone (a row, from 0). @param {Arena} arena @param {number} bench */
-  only(arena, bench) {
-    const [length, width, front_inset, rear_inset] = SIZE_NAMES.map((name) =>
-      this[name].slice(bench, bench + 1),
-    );
-    return new Dragon(arena, { length, width, front_inset, rear_inset });
-  }
-
-  /** The same in another arena. @param {Arena} arena */
-  in(arena) {
-    return this.first(arena, this.benches);
-  }
-
   /** The most that any point of a bench moves when both its handles move by at most 1. */
   get lever() {
     let most = 0;
@@ -112,14 +98,14 @@ export class Dragon {
   }
 
   #check() {
-    /** @type {Array<[number, string, string]>} */
+    /** @type {any[]} */
     const faults = [];
     const seen = new Set();
     for (let i = 0; i < this.benches && faults.length < MODEL_DRAGON.MOST_FAULTS; i++) {
       if (this.#sound(i)) continue;
-      const sizes = SIZE_NAMES.map((name) => this[name][i]).join();
-      if (!seen.has(sizes)) faults.push(this.#fault(i));
-      seen.add(sizes);
+      const sizes = SIZE_NAMES.map((name) => this[name][i]);
+      if (!seen.has(sizes.join())) faults.push(faultOf(i, sizes));
+      seen.add(sizes.join());
     }
     if (faults.length) throw new SizeError(faults);
   }
@@ -133,41 +119,15 @@ export class Dragon {
       front >= 0 && front <= most && rear >= 0 && rear <= most && this.link[i] >= BOX.SHORTEST_LINK
     ); // prettier-ignore
   }
-
-  /** @param {number} i @returns {[number, string, string]} */
-  #fault(i) {
-    for (const name of SIZE_NAMES) {
-      const label = _("bench {number}: {size}", { number: i + 1, size: name });
-      const value = this[name][i];
-      const check = name === "length" || name === "width" ? positive : notNegative;
-      try {
-        check(label, value, "m");
-      } catch (error) {
-        if (!(error instanceof InputError)) throw error;
-        return [i, name, error.message];
-      }
-      if (value > BOX.LONGEST_BENCH) {
-        const values = { name: label, most: general(BOX.LONGEST_BENCH), value: general(value) };
-        return [i, name, _("{name} must be at most {most} m, not {value} m", values)];
-      }
-    }
-    const text = _(
-      "bench {number}: its insets ({front} m and {rear} m) leave no link in a length of {length} m",
-      {
-        number: i + 1,
-        front: general(this.front_inset[i]),
-        rear: general(this.rear_inset[i]),
-        length: general(this.length[i]),
-      },
-    );
-    return [i, "length", text];
-  }
 }
 
-/** What is wrong with so many benches. @param {number} count */
-export function countText(count) {
-  const most = MODEL_DRAGON.MOST_BENCHES;
-  return _("a dragon has 1 to {most} benches, not {count}", { most, count });
+/** The dragon with room for bearers on both sides of all benches, and before the head's bench. @param {Dragon} dragon @param {{ beside: number, ahead: number }} people */
+export function withPeople(dragon, { beside, ahead }) {
+  const [length, front_inset] = [dragon.length.slice(), dragon.front_inset.slice()];
+  length[0] += ahead;
+  front_inset[0] += ahead;
+  const width = dragon.width.map((wide) => wide + 2 * beside);
+  return new Dragon(arena(), { length, width, front_inset, rear_inset: dragon.rear_inset });
 }
 
 /**

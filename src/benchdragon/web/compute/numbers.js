@@ -41,21 +41,6 @@ export function interpolated(x, xs, values) {
   return slope * (x - xs[low]) + values[low];
 }
 
-/** a - b, and what its rounding left out. @param {number} a @param {number} b */
-function difference(a, b) {
-  const whole = a - b;
-  const taken = a - whole;
-  const kept = whole + taken;
-  return [whole, taken - b + (a - kept)];
-}
-
-/** A bench's link, m, from its length and insets, rounded once: twin of kernels/links.py. @param {number} length @param {number} front @param {number} rear */
-export function linkLength(length, front, rear) {
-  const [whole, lost] = difference(length, front);
-  const [link, more] = difference(whole, rear);
-  return link + (lost + more);
-}
-
 const SHOWN = new Float64Array(1);
 const STORED = new BigInt64Array(SHOWN.buffer);
 

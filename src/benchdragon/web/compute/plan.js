@@ -1,12 +1,13 @@
 // A whole plan: what it says, its hash, its walk and its span. Twin of plans/schema.py.
 
+import { countText } from "../made/dragon.js";
 import { Paced, outside, paced } from "../made/cues.js";
 import { builtObstacles } from "../made/square.js";
 import { drop, dropReplaced, idleKeys } from "../made/idle.js";
 import { _, language } from "../words.js";
 import { within } from "./arrays.js";
 import { MODEL_DRAGON, PLANS_SOURCE } from "./constants.js";
-import { Dragon, SizeError, countText } from "./dragon.js";
+import { Dragon, SizeError } from "./dragon.js";
 import { Fault, Faults, InputError, KeyedError, PlanError, keyed } from "./errors.js";
 import { withHolds } from "./holds.js";
 import { checkedTables, filledTable, jsonOfTable, withoutDefaults } from "./plan_check.js";

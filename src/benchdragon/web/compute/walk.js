@@ -180,7 +180,7 @@ export class Walk {
    */
   first_failure(at) {
     const { length } = this.route;
-    const placed = this.#tried(Array.from(at, (s) => Math.min(s, length)));
+    const placed = this.tried_(Array.from(at, (s) => Math.min(s, length)));
     const n = placed.firstFailed;
     if (n < 0) {
       const end = new WalkError(Status.AFTER_ROUTE, 0, length, length, metres(length));
@@ -191,7 +191,7 @@ export class Walk {
     for (;;) {
       const middle = 0.5 * (stands + fails);
       if (!(stands < middle && middle < fails - 0.5 * FAILURE_NEAR)) break;
-      if (this.#tried([middle]).firstFailed >= 0) fails = middle;
+      if (this.tried_([middle]).firstFailed >= 0) fails = middle;
       else stands = middle;
     }
     return withArena(this.engine, (arena) => {
@@ -200,7 +200,7 @@ export class Walk {
   }
 
   /** How placements end; their tables are given back. @param {number[]} at */
-  #tried(at) {
+  tried_(at) {
     return withArena(this.engine, (arena) => {
       const { headS, firstFailed } = this.placement(arena, at, { throws: false });
       return { headS, firstFailed };

@@ -3,7 +3,6 @@
 
 import { speedAtStart, toldIfOpen } from "../compute/left_open.js";
 import { py } from "../compute/python.js";
-import { roomLevels } from "../compute/room.js";
 import { greatest, greatestSpeed } from "../compute/speed.js";
 import { stopsOf } from "../compute/stops.js";
 import { unfinished } from "../compute/walk_facts.js";
@@ -17,7 +16,7 @@ import { seconds } from "./number_format.js";
 import { obstacleAnswers } from "./obstacles.js";
 import { called } from "./people.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
-import { ASKED, levelsAsked, shownName } from "./room_levels.js";
+import { ASKED, levelsAsked, roomLevels, shownName } from "./room_levels.js";
 import { silent, stages } from "./stages.js";
 
 const ROUNDING = 1e-11;
@@ -72,7 +71,7 @@ export async function checked(plan, walk, span, progress = silent, prover = /** 
     {
       const caught = toldIfOpen(left, py.at(asked, -1));
       try {
-        (await roomLevels(plan, walk, span, [contact, obstacles], room, { progress: told, prove: py.bool(prover) }));
+        (await roomLevels(plan, walk, span, [contact, obstacles], room, py.bool(prover), told));
       } catch (error) {
         caught(error);
       } finally {
