@@ -38,9 +38,7 @@ if TYPE_CHECKING:
     help=N_("Seconds of the dance in a second of the film; 0.5 is slow motion. Default: 1."),
 )
 @click.option(
-    "--fps",
-    type=click.IntRange(1, 120),
-    help=N_("Frames a second. Default: 30, for a GIF 20."),
+    "--fps", type=click.IntRange(1, 120), help=N_("Frames a second. Default: 30, for a GIF 20.")
 )
 @click.option(
     "--at",
@@ -51,9 +49,7 @@ if TYPE_CHECKING:
     ),
 )
 @click.option(
-    "--sheet",
-    metavar="COLUMNSxROWS",
-    help=N_("Stills side by side in one picture, for example 4x3."),
+    "--sheet", metavar="COLUMNSxROWS", help=N_("Stills side by side in one picture, for example 4x3.")
 )
 @click.option(
     "--size",

@@ -180,10 +180,7 @@ def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
 def _asked(questions: Sequence[Question], said: dict[str, Any]) -> set[str]:
     """Add what is answered to what was said; the names of what was not just the value shown."""
     if questions:
-        click.echo(
-            _("Press Enter to take the value shown. Ctrl-C leaves, to begin again."),
-            err=True,
-        )
+        click.echo(_("Press Enter to take the value shown. Ctrl-C leaves, to begin again."), err=True)
     given = set()
     for one in questions:
         usual = None if one.usual is None else one.usual(said)

@@ -27,8 +27,7 @@ def planner(
     from benchdragon.planner.page import write_planner
 
     refuse_strays(
-        ("settings", plan is not None, WITHOUT, "PLAN"),
-        ("force", output is not None, WITHOUT, "-o"),
+        ("settings", plan is not None, WITHOUT, "PLAN"), ("force", output is not None, WITHOUT, "-o")
     )
     path = output or Path(tempfile.mkdtemp(prefix="benchdragon-")) / "planner.html"
     check_ending("-o", path, [".html"])

@@ -55,10 +55,7 @@ METHODS = ("latin-hypercube", "sobol")
     "--sample", type=click.IntRange(1, 1_000_000), help=N_("Number of points drawn from the ranges.")
 )
 @click.option(
-    "--method",
-    type=click.Choice(METHODS),
-    default=METHODS[0],
-    help=N_("How --sample draws."),
+    "--method", type=click.Choice(METHODS), default=METHODS[0], help=N_("How --sample draws.")
 )
 @click.option(
     "--ask",

@@ -103,10 +103,7 @@ def _walked(
     given = given_deviations(options)
     cases = {"given": Case(N_("as given"), Deviations(**given))} if given else CASES
     found = {}
-    with (
-        shown_progress(quiet) as progress,
-        kept(place(options["on"], options["workers"])) as executor,
-    ):
+    with shown_progress(quiet) as progress, kept(place(options["on"], options["workers"])) as executor:
         stage = stages(progress, len(cases))
         for name, case in cases.items():
             found[name] = tolerance(

@@ -154,9 +154,7 @@ def _echo_turn(best: "BestTurn", objective: str) -> None:
 
     click.echo(
         _("{name}: {value} {unit}  (best found)").format(
-            name=_(OBJECTIVES[objective]),
-            value=f"{best.objective.value:.6f}",
-            unit=best.objective.unit,
+            name=_(OBJECTIVES[objective]), value=f"{best.objective.value:.6f}", unit=best.objective.unit
         )
     )
     for line in turn_lines(best):

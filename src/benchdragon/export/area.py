@@ -201,7 +201,4 @@ def _feature(layer: str, shape: Shape, about: dict[str, Any]) -> dict[str, Any]:
     return {"type": "Feature", "properties": {"layer": layer, **about}, "geometry": geometry}
 
 
-WRITERS: dict[str, Callable[[AreaDrawing, str], bytes]] = {
-    ".dxf": dxf_bytes,
-    ".geojson": geojson_bytes,
-}
+WRITERS: dict[str, Callable[[AreaDrawing, str], bytes]] = {".dxf": dxf_bytes, ".geojson": geojson_bytes}

@@ -165,11 +165,7 @@ def film_path(path: Path) -> Path:
         return path
     other = path.with_suffix(".gif")
     text = _("no ffmpeg is here, so the film becomes {name}; for MP4: pip install 'benchdragon[video]'")
-    warnings.warn(
-        text.format(name=other.name),
-        FilmWarning,
-        stacklevel=2,
-    )
+    warnings.warn(text.format(name=other.name), FilmWarning, stacklevel=2)
     return other
 
 

@@ -65,10 +65,7 @@ class Theme:
     route: str
 
 
-THEMES = {
-    "light": Theme("#FFFFFF", "#1A1A1A", ROUTE),
-    "dark": Theme("#14171C", "#ECECEC", "#70767F"),
-}
+THEMES = {"light": Theme("#FFFFFF", "#1A1A1A", ROUTE), "dark": Theme("#14171C", "#ECECEC", "#70767F")}
 
 
 @dataclass(frozen=True)

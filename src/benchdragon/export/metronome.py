@@ -22,12 +22,7 @@ MOST_SECONDS, SLICE_SECONDS = 4 * 3600.0, 30
 # How long each sound is, s, its pitch, Hz, and its loudness, as a share of what a file holds; those
 # of a beat, the first of a bar, a beat that counts in, and a stroke of the drum at a cue.
 LENGTH = 0.12
-SOUNDS = {
-    "beat": (1000.0, 0.45),
-    "bar": (1500.0, 0.6),
-    "count": (2400.0, 0.35),
-    "drum": (110.0, 0.95),
-}
+SOUNDS = {"beat": (1000.0, 0.45), "bar": (1500.0, 0.6), "count": (2400.0, 0.35), "drum": (110.0, 0.95)}
 FADING = 0.03
 LOUDEST = 32_767
 

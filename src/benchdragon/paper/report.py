@@ -31,10 +31,7 @@ from benchdragon.paper.derivations import (
 )
 from benchdragon.paper.evidence import conditioning, errors, left_out, people
 from benchdragon.paper.questions import questions
-from benchdragon.paper.results import (
-    Results,
-    table,
-)
+from benchdragon.paper.results import Results, table
 from benchdragon.plans.routes import TurnRoute
 from benchdragon.version import __version__
 
@@ -298,8 +295,7 @@ def _equations(found: Results) -> Iterable[Block]:
         "paper's d:"
     )
     yield Formula(
-        r"\cos\theta = \dfrac{d_1^2 + r_1^2 - L_1^2}{2\,d_1 r_1}",
-        "cos θ = (d1² + r1² - L1²)/(2 d1 r1)",
+        r"\cos\theta = \dfrac{d_1^2 + r_1^2 - L_1^2}{2\,d_1 r_1}", "cos θ = (d1² + r1² - L1²)/(2 d1 r1)"
     )
     columns = (
         _("equation"), _("gives"), _("as printed"), _("exact value"), _("difference"), _("remark"),
