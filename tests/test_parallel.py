@@ -168,7 +168,7 @@ def test_no_more_blocks_are_sent_than_keep_the_workers_busy() -> None:
 
         def submit(self, _fn: Callable[..., Any], /, *args: Any, **_named: Any) -> "Future[Any]":
             self.sent.append(Future())
-            self.sent[-1].set_result((list(args[0]), 10.0)) if len(self.sent) == 1 else None
+            self.sent[-1].set_result((list(args[0]), None, 10.0)) if len(self.sent) == 1 else None
             return self.sent[-1]
 
     executor = Waiting()

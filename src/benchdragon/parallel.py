@@ -234,16 +234,6 @@ class WorkerError(RuntimeError):
 
 
 @dataclass(frozen=True)
-class _Raised:
-    error: BenchDragonError
-
-
-@dataclass(frozen=True)
-class _Crashed:
-    traceback: str
-
-
-@dataclass(frozen=True)
 class _Task(Generic[T, R]):
     """Work as it is sent: with the language, timed, and with its exceptions as results.
 
@@ -253,17 +243,18 @@ class _Task(Generic[T, R]):
     work: Callable[[Sequence[T]], R]
     language: str
 
-    def __call__(self, items: Sequence[T]) -> tuple[R | _Raised | _Crashed, float]:
+    def __call__(self, items: Sequence[T]) -> tuple[R | None, Exception | None, float]:
         began = time.perf_counter()
-        found: R | _Raised | _Crashed
+        found: R | None = None
+        wrong: Exception | None = None
         try:
             with spoken_in(self.language):
                 found = self.work(items)
         except BenchDragonError as error:
-            found = _Raised(error)
+            wrong = error
         except Exception:
-            found = _Crashed(traceback.format_exc())
-        return found, time.perf_counter() - began
+            wrong = WorkerError(traceback.format_exc())
+        return found, wrong, time.perf_counter() - began
 
 
 @dataclass(eq=False)
@@ -337,11 +328,9 @@ class _Run(Generic[T, R]):
 
     def _received(self, future: "Future[Any]") -> tuple[Sequence[T], R]:
         block = self.running.pop(future)
-        found, seconds = future.result()
-        if isinstance(found, _Raised):
-            raise found.error
-        if isinstance(found, _Crashed):
-            raise WorkerError(found.traceback)
+        found, wrong, seconds = future.result()
+        if wrong is not None:
+            raise wrong
         cost = max(seconds / len(block.items), 1e-9)
         # The first blocks of a worker load what it needs: they count as little as they can.
         settled = self.longest > 1

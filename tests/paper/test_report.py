@@ -4,6 +4,7 @@ import json
 import math
 import multiprocessing
 import re
+from contextlib import suppress
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -33,7 +34,8 @@ from benchdragon.i18n import spoken_in, use_language
 from benchdragon.model.numbering import handle_text
 from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import pages_from, reproduce
-from benchdragon.paper.results import Results, _beside
+from benchdragon.paper.results import Results, searched
+from benchdragon.parallel import PATIENCE
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.tolerance import CASES
 from tests.test_number_format import SIGNED_ZERO
@@ -403,14 +405,16 @@ def test_a_written_report_leads_to_pages_that_are_there(
 
 def test_a_search_that_dies_is_told_and_none_outlives_the_run() -> None:
     plan = read_plan("turn")
-    with _beside(plan, (1.3,), "en") as better:
+    with searched(plan, (1.3,)) as better:
         (child,) = multiprocessing.active_children()
         child.kill()
         with pytest.raises(UnsureError, match="died"):
             better()
-    with _beside(plan, (1.3,), "en"):
+    with suppress(KeyboardInterrupt), searched(plan, (1.3,)):
         (child,) = multiprocessing.active_children()
+        raise KeyboardInterrupt
+    child.join(PATIENCE)
     assert not child.is_alive()
     free = plan.model_copy(update={"limits": plan.limits.model_copy(update={"speed": None})})
-    with _beside(free, (1.3,), "en") as better, pytest.raises(InputError, match="limit of speed"):
+    with searched(free, (1.3,)) as better, pytest.raises(InputError, match="limit of speed"):
         better()

@@ -109,11 +109,6 @@ class Document:
         """Headings of all levels, in order."""
         return [block for block in self.blocks if isinstance(block, Heading)]
 
-    @property
-    def chapters(self) -> list[Heading]:
-        """Headings of the first level."""
-        return [heading for heading in self.headings if heading.level == 1]
-
     @cached_property
     def labels(self) -> dict[str, str]:
         """What tables and pictures are called, "Figure 3", by their names; kinds are numbered apart."""

@@ -58,8 +58,7 @@ def draw_square(
 
 
 def _draw_ground(panel: Axes, ground: Sequence[FloatArray]) -> None:
-    codes = [code for ring in ground for code in _codes(len(ring))]
-    path = MatplotlibPath(np.concatenate(list(ground)), codes)
+    path = MatplotlibPath.make_compound_path(*(MatplotlibPath(ring, closed=True) for ring in ground))
     panel.add_patch(
         PathPatch(path, label=_("ground covered"), fc=GROUND, alpha=0.3, lw=0.0, zorder=0.5)
     )
@@ -92,12 +91,6 @@ def _edges(obstacles: Sequence[Obstacle], ink: str, mark: float) -> Iterator[Col
         yield PolyCollection(
             margins, fc="none", ec=ink, lw=0.8 * mark, ls=(0, (2, 2)), zorder=1.6, label=_("margin")
         )
-
-
-def _codes(count: int) -> list[int]:
-    """What a path does at each point of a closed line of so many."""
-    move, line, close = MatplotlibPath.MOVETO, MatplotlibPath.LINETO, MatplotlibPath.CLOSEPOLY
-    return [int(move), *[int(line)] * (count - 2), int(close)]
 
 
 def _write_names(panel: Axes, obstacles: Sequence[Obstacle], ink: str, paper: str, size: float) -> None:

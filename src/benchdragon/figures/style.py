@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import matplotlib
+import numpy as np
 from matplotlib import font_manager
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -15,6 +16,7 @@ from matplotlib.ft2font import FT2Font
 
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.version import __version__
 
 FONT_FOLDER = Path(__file__).parents[1] / "fonts"
@@ -109,6 +111,20 @@ def drawn_panel(width: float, height: float, title: str) -> Iterator[tuple[Figur
     """The same with one panel."""
     with drawn_panels(width, height, title, 1, 1) as (figure, (panel,)):
         yield figure, panel
+
+
+def cell_edges(at: FloatArray) -> FloatArray:
+    """Borders of cells about increasing values; a lone one gets a cell of one unit."""
+    if len(at) == 1:
+        return np.array([at[0] - 0.5, at[0] + 0.5])
+    middle = 0.5 * (at[1:] + at[:-1])
+    return np.concatenate([[2.0 * at[0] - middle[0]], middle, [2.0 * at[-1] - middle[-1]]])
+
+
+def spread_over(count: int, most: int) -> list[int]:
+    """At most so many places of a list of `count`, evenly spread, first and last among them."""
+    places = np.linspace(0, count - 1, min(count, most)).round().astype(int)
+    return [int(place) for place in places]
 
 
 def lay_out(figure: Figure) -> None:

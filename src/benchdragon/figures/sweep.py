@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from benchdragon.errors import InputError
-from benchdragon.figures.style import PAGE_WIDTH, STYLE, drawable, named_figure
+from benchdragon.figures.style import PAGE_WIDTH, STYLE, drawable, named_figure, spread_over
 from benchdragon.figures.sweep_curve import draw_curve, name_stretches
 from benchdragon.figures.sweep_map import draw_map, scale
 from benchdragon.figures.sweep_rows import (
@@ -69,15 +69,8 @@ def layout(found: Answered) -> Layout:
     grid = math.prod(len(set(column)) for column in columns) == len(combinations)
     if len(combinations) > MOST_PANELS and (not grid or len(combinations) > 0.5 * len(found.value)):
         return Layout((), (), tuple((float(n),) for n in range(min(len(found.keys), MOST_PANELS))), 0)
-    chosen = _spread(combinations, MOST_PANELS)
+    chosen = [combinations[n] for n in spread_over(len(combinations), MOST_PANELS)]
     return Layout(axes, others, tuple(chosen), len(combinations) - len(chosen))
-
-
-def _spread(values: list[tuple[float, ...]], most: int) -> list[tuple[float, ...]]:
-    """At most so many, evenly spread, first and last among them."""
-    if len(values) <= most:
-        return values
-    return [values[n] for n in np.linspace(0, len(values) - 1, most).round().astype(int)]
 
 
 def sweep_picture(sweep: Sweep, name: str, title: str = "") -> Figure:

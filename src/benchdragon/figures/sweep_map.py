@@ -12,7 +12,7 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
-from benchdragon.figures.style import LEAST_TEXT
+from benchdragon.figures.style import LEAST_TEXT, cell_edges
 from benchdragon.figures.sweep_curve import runs
 from benchdragon.figures.sweep_rows import HATCHES, Answered, Ints, said
 from benchdragon.i18n import _
@@ -66,7 +66,7 @@ def _draw_grid(
     """Every combination of x and y: cells about them, and contours between them."""
     shape = (len(y), len(x))
     value, why = found.value[order].reshape(shape), found.why[order].reshape(shape)
-    columns, rows = _edges(x), _edges(y)
+    columns, rows = cell_edges(x), cell_edges(y)
     panel.pcolormesh(
         columns, rows, np.ma.masked_invalid(value), cmap=colours.cmap, norm=_norm(colours),
         rasterized=True,
@@ -104,12 +104,6 @@ def _label(panel: Axes, lines: ContourSet) -> None:
         text.remove()
     for text in panel.clabel(lines, fontsize=LEAST_TEXT, manual=kept) if kept else ():
         text.set_path_effects([withStroke(linewidth=1.5, foreground="#333333")])
-
-
-def _edges(at: FloatArray) -> FloatArray:
-    """Borders of cells about increasing values."""
-    middle = 0.5 * (at[1:] + at[:-1])
-    return np.concatenate([[2.0 * at[0] - middle[0]], middle, [2.0 * at[-1] - middle[-1]]])
 
 
 def _hatch(panel: Axes, cells: dict[str, list[Any]]) -> None:

@@ -26,8 +26,10 @@ from benchdragon.figures.style import (
     LEAST_TEXT,
     PAGE_WIDTH,
     ROUTE,
+    cell_edges,
     drawn_panel,
     drawn_panels,
+    spread_over,
 )
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
@@ -208,7 +210,7 @@ def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> 
     """
     with drawn_panel(0.85 * PAGE_WIDTH, 3.3, title) as (figure, panel):
         panel.grid(False)
-        times = _edges(motion.times)
+        times = cell_edges(motion.times)
         handles = np.arange(motion.x.shape[1] + 1) - 0.5
         low, high = speed_scale(motion.speed)
         colours = matplotlib.colormaps["cividis"].with_extremes(under=BELOW, over=ABOVE)
@@ -270,15 +272,6 @@ def _beyond(motion: Motion, low: float, high: float) -> dict[str, str]:
     return texts
 
 
-def _edges(times: FloatArray) -> FloatArray:
-    """Borders of cells around increasing times; a lone time gets a second."""
-    if len(times) == 1:
-        return np.array([times[0] - 0.5, times[0] + 0.5])
-    middles = 0.5 * (times[1:] + times[:-1])
-    first, last = 2.0 * times[0] - middles[0], 2.0 * times[-1] - middles[-1]
-    return np.concatenate([[first], middles, [last]])
-
-
 def head_angle_picture(motion: Motion, title: str = "") -> Figure:
     """Polar angle and radius of the head about the first spiral's centre, over time."""
     cx, cy = motion.walk.route.centre
@@ -306,7 +299,7 @@ def walk_pictures(
     if len(walk.dragon) > MOST_BENCHES:
         text = _("a picture shows at most {most} benches, not {count}; leave pictures out")
         raise InputError(text.format(most=MOST_BENCHES, count=len(walk.dragon)))
-    instants = walk.motion(_spread(times, MOST_PANELS), throw=throw)
+    instants = walk.motion(times[spread_over(len(times), MOST_PANELS)], throw=throw)
     shown = range(len(instants.times))
     stood = instants.times[instants.status == 0]
     ground = drawn_ground(walk, stood.min(), stood.max()) if obstacles and len(stood) else ()
@@ -317,11 +310,3 @@ def walk_pictures(
         figures["speeds"] = speed_map(overview, title)
         figures["head-angle"] = head_angle_picture(overview, title)
     return figures
-
-
-def _spread(times: FloatArray, most: int) -> FloatArray:
-    """At most so many of `times`, evenly spread, first and last among them."""
-    if len(times) <= most:
-        return times
-    chosen: FloatArray = times[np.linspace(0, len(times) - 1, most).round().astype(int)]
-    return chosen

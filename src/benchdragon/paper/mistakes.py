@@ -107,7 +107,7 @@ def scaled(case: Case) -> Iterator[Guess]:
             continue
         unit = next((u for f, u in UNITS[n].items() if abs(factor - f) < SAME_FACTOR * f), "")
         values, said = np.array(case.ours), (meant if unit else texts)[n]
-        values[slice(0, 2) if n == 0 else slice(2, 3)] *= factor
+        values[SHEETS[n]] *= factor
         yield Guess("unit", values, said.format(factor=f"{factor:.6g}", unit=unit), factor, "times")
 
 

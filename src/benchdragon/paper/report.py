@@ -90,7 +90,8 @@ def _claims(found: Results) -> Iterable[Block]:
     columns = (
         _("section"), _("claim"), _("paper"), _("here"), _("difference"), _("why"), _("how known"),
     )  # fmt: skip
-    rows = [*_walk_claims(found), *_contact_claims(found), *_turn_claims(found), *_other_claims(found)]
+    rows = [*_walk_claims(found), *_contact_claims(found), *_turn_claims(found)]
+    rows += [_method_claim(found), _reliability_claim(found), _people_claim(found)]
     yield say("{claims} holds each claim of the paper beside what comes out here.")
     yield Table(
         "claims", _("The paper's claims, and what comes out here."), columns,
@@ -214,12 +215,6 @@ def _deeper_text(found: Results) -> str:
         gap=f"{found.deeper.clearance.lower:.4f}",
         way=f"{turn.way(TurnRoute.disc(found.turn)):.4f}",
     )
-
-
-def _other_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
-    yield _method_claim(found)
-    yield _reliability_claim(found)
-    yield _people_claim(found)
 
 
 def _method_claim(found: Results) -> tuple[Inline, ...]:

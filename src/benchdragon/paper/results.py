@@ -1,17 +1,17 @@
 """The paper again, as numbers: what its report, tables and pictures are made from."""
 
-import multiprocessing
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from concurrent.futures import BrokenExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from benchdragon.analysis.check import Report, check, clearance_over, moment
 from benchdragon.analysis.contact import ClearanceCurve, contact_windows, first_contact
-from benchdragon.errors import BenchDragonError, UnsureError
+from benchdragon.errors import UnsureError
 from benchdragon.i18n import _, language, use_language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
@@ -32,7 +32,7 @@ from benchdragon.paper.random_dances import Run, kept_run, walked_again
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.sensitivity import contact_rates, limit_rates, sizes_of, speed_rates
 from benchdragon.paper.traversal import PitchCurve, first_overlap, pitch_curve, traversed_pitch
-from benchdragon.parallel import Worker, begin_worker
+from benchdragon.parallel import processes
 from benchdragon.plans.routes import TurnRoute
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.progress import Progress, silent, stages
@@ -42,9 +42,6 @@ from benchdragon.solve.tolerance import CASES
 from benchdragon.solve.turn import BestTurn, pareto_front, undominated
 from benchdragon.solve.turn_goal import TurnGoal
 from benchdragon.version import __version__
-
-if TYPE_CHECKING:
-    from multiprocessing.connection import Connection
 
 # The contest's own times and handles.
 TABLE_TIMES = (0.0, 60.0, 120.0, 180.0, 240.0, 300.0)
@@ -198,11 +195,7 @@ def results(progress: Progress = silent) -> Results:
     spiral, turn = read_plan("spiral-in"), read_plan("turn")
     disc = read_plan("spiral-in", [f"disc.radius={turn.disc.radius}"])
     prove = find_spec("flint") is not None
-    with ExitStack() as searches:
-        better = [
-            searches.enter_context(_beside(turn, speeds, language()))
-            for speeds in _halves(FRONT_SPEEDS)
-        ]
+    with searched(turn, FRONT_SPEEDS) as better:
         stage(_("walking"))
         walk = spiral.build()
         motion = walk.motion(np.arange(301.0))
@@ -232,7 +225,7 @@ def results(progress: Progress = silent) -> Results:
         dances = kept_run()
         again = walked_again(dances, AGAIN)
         stage(_("better turns"))
-        front = undominated([best for found in better for best in found()])
+        front = undominated(better())
     stage(_("equations"))
     return Results(
         spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, deeper,
@@ -242,46 +235,28 @@ def results(progress: Progress = silent) -> Results:
     )  # fmt: skip
 
 
-def _halves(speeds: Sequence[float]) -> list[Sequence[float]]:
-    """The slower and the faster ones, each with its own process; one list where there is one speed."""
-    middle = len(speeds) // 2
-    return [half for half in (speeds[:middle], speeds[middle:]) if half]
-
-
 @contextmanager
-def _beside(plan: Plan, speeds: Sequence[float], spoken: str) -> Iterator[Callable[[], list[BestTurn]]]:
-    """`better_turns` in a process that ends with the block, or with this process, however that ends.
+def searched(plan: Plan, speeds: Sequence[float]) -> Iterator[Callable[[], list[BestTurn]]]:
+    """What gives `better_turns`, of the slower speeds and the faster ones in a process each.
+
+    These end when the block is left in haste, or with this process, however that ends.
 
     Raises:
-        UnsureError: from what the block gets, if the process died.
+        UnsureError: from what the block gets, if a process died.
     """
-    ours, theirs = multiprocessing.Pipe(duplex=False)
-    process = Worker(target=_search_beside, args=(theirs, plan, speeds, spoken), daemon=True)
-    process.start()
-    theirs.close()
+    middle, spoken = len(speeds) // 2, language()
+    with processes(2).opened() as executor:
+        halves = [half for half in (speeds[:middle], speeds[middle:]) if half]
+        searches = [executor.submit(better_turns, plan, half, spoken) for half in halves]
 
-    def found() -> list[BestTurn]:
-        try:
-            answer: list[BestTurn] | BenchDragonError = ours.recv()
-        except EOFError:
-            raise UnsureError(_("the search for better turns died; is there enough memory?")) from None
-        if isinstance(answer, BenchDragonError):
-            raise answer
-        return answer
+        def found() -> list[BestTurn]:
+            try:
+                return [best for search in searches for best in search.result()]
+            except BrokenExecutor:
+                text = _("the search for better turns died; is there enough memory?")
+                raise UnsureError(text) from None
 
-    try:
         yield found
-    finally:
-        process.kill()
-        process.join()
-
-
-def _search_beside(pipe: "Connection", plan: Plan, speeds: Sequence[float], spoken: str) -> None:
-    begin_worker()
-    try:
-        pipe.send(better_turns(plan, speeds, spoken))
-    except BenchDragonError as error:
-        pipe.send(error)
 
 
 def better_turns(plan: Plan, speeds: Sequence[float], spoken: str) -> list[BestTurn]:

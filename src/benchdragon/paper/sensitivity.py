@@ -143,7 +143,7 @@ def drift(plan: Plan, keys: Sequence[str], motion: Motion) -> Drift:
     ahead = motion.s[0] - motion.walk.start
     poses, sizes, heads = [], [], []
     for offset in OFFSETS:
-        walk = _with(plan, keys, value + offset * step).build()
+        walk = plan.with_values(dict.fromkeys(keys, value + offset * step)).build()
         at = walk.start + ahead
         poses.append(np.column_stack([walk.route.point(at), walk.route.heading(at)]))
         sizes.append(walk.dragon.sizes)
@@ -154,12 +154,6 @@ def drift(plan: Plan, keys: Sequence[str], motion: Motion) -> Drift:
         text = _("{key}: the dragon cannot walk a little beside this size")
         raise InputError(text.format(key=keys[0]))
     return Drift(pose[:, :2], pose[:, 2], bench, float(WEIGHTS @ np.array(heads)) / step)
-
-
-def _with(plan: Plan, keys: Sequence[str], value: float) -> Plan:
-    for key in keys:
-        plan = plan.with_value(key, value)
-    return plan
 
 
 @dataclass(frozen=True)
@@ -191,9 +185,9 @@ class Touch:
         )
 
 
-def distance_rate(configuration: Configuration, change: Change, drift: Drift, touch: Touch) -> float:
+def distance_rate(configuration: Configuration, drift: Drift, touch: Touch) -> float:
     """How the distance of a corner of one bench from a side of another changes, m per unit."""
-    i, j = touch.owner, touch.other
+    i, j, change = touch.owner, touch.other, changed(configuration, drift)
     length, width, front, _rear = configuration.sizes[:, i]
     d_length, d_width, d_front, _d_rear = drift.sizes[:, i]
     u, turn = configuration.bench[i], change.turn[i]
@@ -205,22 +199,19 @@ def distance_rate(configuration: Configuration, change: Change, drift: Drift, to
     corner_at = configuration.place[i] + tip
     v = configuration.bench[j]
     normal = {"left": 1j * v, "right": -1j * v, "front": v, "rear": -v}[touch.side]
-    half = {
-        "left": 0.5 * drift.sizes[1, j],
-        "right": 0.5 * drift.sizes[1, j],
-        "front": drift.sizes[2, j],
-        "rear": drift.sizes[0, j] - drift.sizes[2, j],
-    }[touch.side]
+    long, aside, before = drift.sizes[0, j], 0.5 * drift.sizes[1, j], drift.sizes[2, j]
+    half = {"left": aside, "right": aside, "front": before, "rear": long - before}[touch.side]
     arm = corner_at - configuration.place[j]
     swing = dot(1j * change.turn[j] * normal, arm)
     return swing + dot(normal, d_corner - change.place[j]) - float(half)
 
 
-def log_ratio_rate(configuration: Configuration, change: Change, drift: Drift, handle: int) -> float:
+def log_ratio_rate(configuration: Configuration, drift: Drift, handle: int) -> float:
     """How the logarithm of a handle's speed ratio changes, 1 per unit.
 
     The ratio is a product of (t_i . u) / (t_i+1 . u) over the benches before the handle.
     """
+    change = changed(configuration, drift)
     swing = configuration.bend * change.along + drift.heading
     total = 0.0
     for i in range(handle):
@@ -259,11 +250,7 @@ def contact_rates(plan: Plan, contact: Answer) -> dict[str, float]:
     touch, walk = Touch.of(witness), plan.build()
     motion = walk.motion([contact.value])
     configuration = Configuration.of(motion)
-    forward = walking(configuration)
-    closing = (
-        distance_rate(configuration, changed(configuration, forward), forward, touch)
-        * motion.head_speed[0]
-    )
+    closing = distance_rate(configuration, walking(configuration), touch) * motion.head_speed[0]
     rates = _distance_rates(plan, motion, configuration, touch)
     return {key: -rate / float(closing) for key, rate in rates.items()}
 
@@ -281,19 +268,17 @@ def limit_rates(plan: Plan, name: str, limit: Answer) -> dict[str, float]:
     """
     keys = question(name).keys
     touch = Touch.of(_known(limit))
-    there = _with(plan, keys, limit.value)
+    there = plan.with_values(dict.fromkeys(keys, limit.value))
     walk = there.build()
     time = walk.time_at(_known(limit).s)
 
     def closing(t: float) -> float:
         configuration = Configuration.of(walk.motion([t]))
-        forward = walking(configuration)
-        return distance_rate(configuration, changed(configuration, forward), forward, touch)
+        return distance_rate(configuration, walking(configuration), touch)
 
     motion = walk.motion([_level(closing, time)])
     configuration = Configuration.of(motion)
-    own = drift(there, keys, motion)
-    slope = distance_rate(configuration, changed(configuration, own), own, touch)
+    slope = distance_rate(configuration, drift(there, keys, motion), touch)
     rates = _distance_rates(there, motion, configuration, touch)
     return {key: -rate / slope for key, rate in rates.items() if key not in keys}
 
@@ -317,22 +302,18 @@ def speed_rates(plan: Plan, head_speed: Answer) -> dict[str, float]:
 
     motion = still.motion([_level(rise, witness.s - walk.start)])
     configuration = Configuration.of(motion)
-    rates = {}
-    for key in sizes_of(plan):
-        moved = drift(plan, (key,), motion)
-        change = changed(configuration, moved)
-        rates[key] = -head_speed.value * log_ratio_rate(configuration, change, moved, handle)
-    return rates
+    return {
+        key: -head_speed.value * log_ratio_rate(configuration, drift(plan, (key,), motion), handle)
+        for key in sizes_of(plan)
+    }
 
 
 def _distance_rates(
     plan: Plan, motion: Motion, configuration: Configuration, touch: Touch
 ) -> dict[str, float]:
-    rates = {}
-    for key in sizes_of(plan):
-        moved = drift(plan, (key,), motion)
-        rates[key] = distance_rate(configuration, changed(configuration, moved), moved, touch)
-    return rates
+    return {
+        key: distance_rate(configuration, drift(plan, (key,), motion), touch) for key in sizes_of(plan)
+    }
 
 
 def _known(answer: Answer) -> Witness:
