@@ -4,10 +4,7 @@ Rows are known by their labels and columns by their headers, wherever they stand
 in Chinese or English, with titles above, numbers as text, sheets in any order.
 """
 
-import lzma
 import re
-import zipfile
-import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from io import BytesIO
@@ -21,35 +18,22 @@ import numpy as np
 from benchdragon.errors import InputError, reason
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.rosters.extent import Limits, locked, measure, torn
 
 Quantity = Literal["x", "y", "speed"]
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
 # Handles of the contest's dragon.
 HANDLES = 224
-# What is read: bytes of the file and of what it unpacks to, cells of its sheets with the empty ones
-# between, signs of cells that share a text, and times.
-MOST_BYTES, MOST_UNPACKED = 32 * 2**20, 192 * 2**20
-MOST_CELLS, MOST_SIGNS, MOST_TIMES = 1_000_000, 500_000_000, 1001
+# What is read: bytes of the file, and times.
+MOST_BYTES, MOST_TIMES = 32 * 2**20, 1001
 # Numbers beyond are slips of the pen, s and m.
 MOST_SECONDS, MOST_METRES = 1e4, 1e6
 # Columns in which labels are sought: an index may stand before them.
 LABEL_COLUMNS = 3
 
-# What archives raise that are torn, or packed in a way that is not known.
-BROKEN = (
-    zipfile.BadZipFile, zlib.error, lzma.LZMAError, OSError, EOFError, ValueError, RuntimeError,
-)  # fmt: skip
-MARKS = {b"\xd0\xcf\x11\xe0": "ole", b"PK": "zip"}
+# What .xlsx files begin with, and workbooks under a password.
+ZIP, OLE = b"PK", b"\xd0\xcf\x11\xe0"
 ENCRYPTED = "EncryptedPackage".encode("utf-16-le")
-# Cells and rows that are formatted but hold nothing, however far out.
-EMPTY_CELL = re.compile(
-    rb"<(?:\w+:)?c(?=[\s/>])(?:[^<>]*/>|[^<>]*>\s*(?:<(?:\w+:)?v\s*/>\s*)?</(?:\w+:)?c\s*>)"
-)
-EMPTY_ROW = re.compile(rb"<(?:\w+:)?row(?=[\s/>])(?:[^<>]*/>|[^<>]*>\s*</(?:\w+:)?row\s*>)")
-CELL = re.compile(rb"<(?:\w+:)?c(?=[\s/>])")
-ROW = re.compile(rb"<(?:\w+:)?row(?=[\s/>])(?:[^>]*?\sr\s*=\s*[\"'](\d{1,9}))?")
-REFERENCE = re.compile(rb"<(?:\w+:)?c\s[^>]*?\br\s*=\s*[\"']([A-Z]{1,3})(\d{1,9})")
-SHARED = re.compile(rb"<(?:\w+:)?c\s[^>]*?\bt\s*=\s*[\"']s[\"']")
 
 LABEL = re.compile(
     r"(?P<head>龙头|head)|(?:第(?P<body>\d{1,3})节龙身|body(?P<number>\d{1,3}))"
@@ -208,108 +192,44 @@ def _sheets(path: Path) -> list[tuple[str, Rows]]:
     """Names and rows of all sheets."""
     from python_calamine import CalamineError, CalamineWorkbook
 
+    content = _content(path)
+    measure(content, str(path), LIMITS)
     try:
-        with CalamineWorkbook.from_filelike(_unpacked(path)) as book:
+        with CalamineWorkbook.from_filelike(BytesIO(content)) as book:
             names = book.sheet_names
             return [(name, book.get_sheet_by_name(name).to_python()) for name in names]
-    except InputError:
-        raise
-    except (CalamineError, *BROKEN) as error:
-        text = _("{path} cannot be read as an .xlsx workbook: {why}")
-        raise InputError(text.format(path=path, why=error)) from None
-
-
-def _unpacked(path: Path) -> BytesIO:
-    """The parts of a workbook that hold cells, checked for size, as an archive of their own.
-
-    Raises:
-        InputError: for another kind of file, or too much.
-    """
-    content = _content(path)
-    copy, size = BytesIO(), 0
-    with zipfile.ZipFile(BytesIO(content)) as archive, zipfile.ZipFile(copy, "w") as out:
-        for member in archive.infolist():
-            if not member.filename.endswith((".xml", ".rels")):
-                continue
-            size += member.file_size
-            if size > MOST_UNPACKED:
-                raise _too_much(path, _("it unpacks to over {most} MB"), MOST_UNPACKED // 2**20)
-            # Reading ends where the archive says that the member does.
-            data = archive.read(member)
-            out.writestr(member.filename, _without_empty(data))
-    _check_cells(path, copy)
-    copy.seek(0)
-    return copy
-
-
-def _without_empty(data: bytes) -> bytes:
-    """A sheet without cells and rows that are formatted but hold nothing, however far out they are.
-
-    Where cells or rows do not say their places, the others are counted by these: they stay.
-    """
-    cells = sum(1 for _found in CELL.finditer(data))
-    rows = [found[1] for found in ROW.finditer(data)]
-    if not cells or cells != sum(1 for _found in REFERENCE.finditer(data)) or not all(rows):
-        return data
-    return EMPTY_ROW.sub(b"", EMPTY_CELL.sub(b"", data))
+    except (CalamineError, OSError, ValueError, OverflowError):
+        raise InputError(torn(str(path))) from None
 
 
 def _content(path: Path) -> bytes:
     """The bytes of a file that begins as an .xlsx workbook does."""
     try:
-        large = path.stat().st_size > MOST_BYTES
-        content = path.read_bytes() if path.is_file() and not large else b""
+        if path.stat().st_size > MOST_BYTES:
+            raise _too_large(str(path))
+        content = path.read_bytes() if path.is_file() else b""
     except OSError as error:
         raise InputError(f"{path}: {reason(error)}") from None
-    except ValueError:  # signs that no name of a file holds
+    except UnicodeEncodeError:  # signs that no name of a file holds
         raise InputError(f"{str(path)!r}: {_('there is no such file or folder')}") from None
-    if large:
-        raise _too_much(path, _("it is over {most} MB large"), MOST_BYTES // 2**20)
-    kind = next((kind for mark, kind in MARKS.items() if content.startswith(mark)), "")
-    if kind == "ole" and ENCRYPTED in content:
-        raise InputError(_("{path} is encrypted: save it without a password").format(path=path))
-    if kind != "zip":
+    if content.startswith(OLE) and ENCRYPTED in content:
+        raise InputError(locked(str(path)))
+    if not content.startswith(ZIP):
         raise InputError(_("{path} is no .xlsx workbook: save it as one").format(path=path))
     return content
 
 
-def _too_much(path: Path, text: str, most: int) -> InputError:
-    why = text.format(most=most)
-    return InputError(_("{path} is no workbook of the contest: {why}").format(path=path, why=why))
+def _too_large(name: str) -> InputError:
+    text = _(
+        "{file} is too large for a workbook of the contest: at most {megabytes} MB, {rows} rows, "
+        "{columns} columns, {cells} cells of a sheet and {signs} signs in a cell are read"
+    )
+    most = LIMITS._asdict() | {"megabytes": MOST_BYTES // 2**20}
+    return InputError(text.format(file=name, **most))
 
 
-def _check_cells(path: Path, copy: BytesIO) -> None:
-    """Refuse sheets that reach too far: empty cells between others take memory, too."""
-    cells, shared, longest = 0, 0, 0
-    with zipfile.ZipFile(copy) as archive:
-        for member in archive.infolist():
-            data = archive.read(member)
-            cells += _extent(data)
-            shared += sum(1 for _found in SHARED.finditer(data))
-            if "sharedstrings" in member.filename.lower():
-                longest = max(map(len, re.split(rb"<(?:\w+:)?si\b", data)))
-    if cells > MOST_CELLS or shared * longest > MOST_SIGNS:
-        raise _too_much(path, _("its sheets reach over more than {most} cells"), MOST_CELLS)
-
-
-def _extent(data: bytes) -> int:
-    """Rows by columns of the rectangle that a sheet's cells lie in; 0 for what is no sheet."""
-    count = sum(1 for _found in CELL.finditer(data))
-    if not count or count > MOST_CELLS:
-        return count
-    lines = [int(found[1] or 0) for found in ROW.finditer(data)]
-    places = [found.groups() for found in REFERENCE.finditer(data)]
-    rows = max([len(lines), *lines, *{int(row) for _column, row in places}])
-    columns = max([_number_of(column) for column in {column for column, _row in places}], default=0)
-    # Cells that do not say where they stand may all stand side by side.
-    return rows * (columns if len(places) == count else count)
-
-
-def _number_of(letters: bytes) -> int:
-    number = 0
-    for letter in letters:
-        number = 26 * number + letter - ord("A") + 1
-    return number
+# More than the contest's numbers at MOST_TIMES times, and little enough to be read.
+LIMITS = Limits(2000, 2000, 700_000, 500, _too_large)
 
 
 def _plain(cell: object) -> str:

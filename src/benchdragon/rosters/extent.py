@@ -5,10 +5,13 @@ none: two cells in far corners of a sheet are enough. Hence files of strangers a
 """
 
 import io
+import lzma
 import re
 import struct
 import zipfile
 import zlib
+from collections.abc import Callable
+from typing import NamedTuple
 from xml.parsers import expat
 
 from benchdragon.errors import InputError
@@ -21,36 +24,58 @@ MOST_DEPTH = 200
 # Of a list: rows and columns with anything in them, cells of all sheets, signs of a cell.
 MOST_ROWS, MOST_COLUMNS, MOST_CELLS, MOST_SIGNS = 20_000, 100, 100_000, 1000
 # What a part says beforehand of how many texts, formats, merged cells follow.
-MOST_COUNTED, NONSENSE = 1_000_000, 1_000_000_000
+COUNTS, MOST_COUNTED, NONSENSE = ("count", "uniqueCount"), 1_000_000, 1_000_000_000
 CHUNK = 1 << 16
 # What the standard library raises for archives that are not sound.
 BROKEN = (
-    zipfile.BadZipFile, zlib.error, struct.error, EOFError, OSError, ValueError, RuntimeError,
+    zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, EOFError, OSError, ValueError,
+    RuntimeError,
 )  # fmt: skip
 # Rows and cells of XLSX and of OpenDocument.
 ROWS, CELLS = ("row", "table-row"), ("c", "table-cell", "covered-table-cell")
 PLACE = re.compile(r"([A-Z]{1,3})([0-9]{1,7})")
 
 
-def measure(data: bytes, name: str) -> None:
-    """Check that the parts of a workbook are sound and within the limits.
+class Limits(NamedTuple):
+    """How much a workbook may hold, and what is said of one beyond that.
+
+    Attributes:
+        rows: with anything in them.
+        columns: likewise.
+        cells: of a sheet.
+        signs: of a cell.
+        beyond: of its name, what is said.
+    """
+
+    rows: int
+    columns: int
+    cells: int
+    signs: int
+    beyond: Callable[[str], InputError]
+
+
+def measure(data: bytes, name: str, limits: Limits | None = None) -> None:
+    """Check that the parts of a workbook are sound and within limits, those of a list if none are said.
 
     Raises:
         InputError: if not.
     """
+    limits = limits or Limits(MOST_ROWS, MOST_COLUMNS, MOST_CELLS, MOST_SIGNS, too_large)
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             parts = archive.infolist()
             if len(parts) > MOST_PARTS:
-                raise too_large(name)
+                raise limits.beyond(name)
             left = MOST_UNPACKED
             for part in parts:
                 if part.flag_bits & 1:
                     raise InputError(locked(name))
-                text = _unpacked(archive, part, left, name)
+                text = _unpacked(archive, part, left)
+                if text is None:
+                    raise limits.beyond(name)
                 left -= len(text)
                 if text[:100].lstrip(b"\xef\xbb\xbf \r\n\t").startswith(b"<") and not _drawing(part):
-                    _Extent(name).read(text)
+                    _Extent(name, limits).read(text)
     except InputError:
         raise
     except BROKEN as error:
@@ -62,15 +87,15 @@ def _drawing(part: zipfile.ZipInfo) -> bool:
     return part.filename.startswith("xl/drawings/") and part.filename.endswith(".vml")
 
 
-def _unpacked(archive: zipfile.ZipFile, part: zipfile.ZipInfo, left: int, name: str) -> bytes:
-    """What a part holds, whatever it says of its size."""
+def _unpacked(archive: zipfile.ZipFile, part: zipfile.ZipInfo, left: int) -> bytes | None:
+    """What a part holds, whatever it says of its size; None where that is more than so many bytes."""
     chunks, size = [], 0
     with archive.open(part) as packed:
         while chunk := packed.read(CHUNK):
             chunks.append(chunk)
             size += len(chunk)
             if size > left:
-                raise too_large(name)
+                return None
     return b"".join(chunks)
 
 
@@ -99,8 +124,8 @@ def too_large(name: str) -> InputError:
 class _Extent:
     """Rows, columns and cells of one part of an XLSX or ODS file, as they would be expanded."""
 
-    def __init__(self, name: str) -> None:
-        self._name = name
+    def __init__(self, name: str, limits: Limits) -> None:
+        self._name, self._limits = name, limits
         self._depth = self._cells = self._row = self._column = 0
         self._row_cells = self._last_column = self._signs = 0
         self._row_repeated = self._cell_repeated = 1
@@ -126,9 +151,10 @@ class _Extent:
         tag = tag.rpartition("}")[2]
         self._depth += 1
         if self._depth > MOST_DEPTH:
-            raise too_large(self._name)
-        if any(_number(attributes.get(key, "0")) > MOST_COUNTED for key in ("count", "uniqueCount")):
-            raise InputError(torn(self._name))
+            raise self._limits.beyond(self._name)
+        for key in COUNTS:
+            if key in attributes and _number(attributes[key]) > MOST_COUNTED:
+                raise InputError(torn(self._name))
         if tag in CELLS or tag == "si":
             self._start_text(attributes)
         if tag == "table":
@@ -167,8 +193,8 @@ class _Extent:
     def _end(self, tag: str) -> None:
         tag = tag.rpartition("}")[2]
         self._depth -= 1
-        if tag == "si" and self._signs > MOST_SIGNS:
-            raise too_large(self._name)
+        if tag == "si" and self._signs > self._limits.signs:
+            raise self._limits.beyond(self._name)
         if tag == "f":
             self._within_formula = False
         if tag in CELLS and self._formula and not self._told:
@@ -192,9 +218,9 @@ class _Extent:
         return text.format(file=self._name, row=self._row, column=self._column)
 
     def _check(self, cells: int, signs: int) -> None:
-        within = self._row <= MOST_ROWS and self._last_column <= MOST_COLUMNS
-        if not within or cells > MOST_CELLS or signs > MOST_SIGNS:
-            raise too_large(self._name)
+        within = self._row <= self._limits.rows and self._last_column <= self._limits.columns
+        if not within or cells > self._limits.cells or signs > self._limits.signs:
+            raise self._limits.beyond(self._name)
 
 
 def _repeated(attributes: dict[str, str], key: str) -> int:
