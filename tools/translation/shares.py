@@ -15,6 +15,7 @@ TWINS = {
     ),
     "analysis.ground": ("ground", "Ground"),
     "analysis.head_times": ("head_times", "HeadTimes"),
+    "analysis.marks": ("marks", "Trail", "among", "usual_gap"),
     "analysis.nearby": ("nearby", "checked_off"),
     "analysis.rounds": ("rounds", "Rounds", "repeats", "returns"),
     "analysis.tables": ("bench_tables", "beginnings", "in_columns", "kinds_of", "walk_tables"),
@@ -155,6 +156,7 @@ AS_FUNCTIONS = {
 # What only Python has of records, of one or of all of a module.
 LEFT_OUT = {
     "analysis.beats.Run": ("beats", "time"),
+    "analysis.marks.Trail": ("of",),
     "analysis.obstacle_search.ObstacleSearch": ("ways",),
     "analysis.ground.Ground": ("of", "seen"),
     "model.answer.Answer": ("as_json", *AS_FUNCTIONS),

@@ -5,7 +5,9 @@ its lengths from the peg and from one of them meet. None rests on another mark, 
 add up; the length from the mark before it is a check.
 """
 
+import itertools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, Self
@@ -173,6 +175,11 @@ class Marks:
         return way
 
     @cached_property
+    def usual(self) -> float:
+        """What most of them are apart along the route, m."""
+        return usual_gap(self.s.tolist())
+
+    @cached_property
     def offsets(self) -> FloatArray:
         """From the peg along the base line and to its left, m, (M, 2)."""
         return self.ground.seen(self.points)
@@ -311,17 +318,27 @@ def between(marks: Marks, s: float) -> tuple[int, float] | None:
     None where the marks about it are not its neighbours on the ground: where a closed line is walked
     again, it has those of the first round.
     """
-    last = len(marks) - 1
-    n = min(max(int(np.searchsorted(marks.s, s + SAME_MARK, side="right")) - 1, 0), last)
-    past = rounded(s - float(marks.s[n]), 0.01)
+    return among(marks.s, marks.usual, s)
+
+
+def among(places: FloatArray | Sequence[float], usual: float, s: float) -> tuple[int, float] | None:
+    """The same of marks at these places along the route, m, most of them `usual` apart, m."""
+    last = len(places) - 1
+    n = min(max(int(np.searchsorted(places, s + SAME_MARK, side="right")) - 1, 0), last)
+    past = rounded(s - places[n], 0.01)
     if abs(past) < AT_MARK:
         return n + 1, 0.0
-    gap = float(marks.s[n + 1] - marks.s[n]) if n < last else 0.0
-    if n < last and float(marks.s[n + 1]) - s < AT_MARK:
+    gap = places[n + 1] - places[n] if n < last else 0.0
+    if n < last and places[n + 1] - s < AT_MARK:
         return n + 2, 0.0
-    if past < 0.0 or gap > FARTHEST * float(np.median(np.diff(marks.s))):
-        return None
-    return n + 1, past
+    return None if past < 0.0 or gap > FARTHEST * usual else (n + 1, past)
+
+
+def usual_gap(places: Sequence[float]) -> float:
+    """What most marks at these places along the route, m, are apart, m: the median; of one 0."""
+    gaps = sorted(b - a for a, b in itertools.pairwise(places)) or [0.0]
+    half = len(gaps) // 2
+    return gaps[half] if len(gaps) % 2 else 0.5 * (gaps[half - 1] + gaps[half])
 
 
 def nearest_mark(marks: Marks, point: Point) -> tuple[int, float]:

@@ -165,10 +165,10 @@ function phonesOf(people, asked) {
   return { own, home: home.map((phone) => _("phone of the household: {phone}", { phone })) };
 }
 
-/** Where a front handle starts by the chalk plan's marks: `mark_line` of sheets/benches.py. @param {import("./compute/marks.js").MarkPlace | null} place */
+/** Where a front handle starts by the chalk plan's marks: `mark_line` of sheets/benches.py. @param {[number, number] | null} place */
 export function markLine(place) {
   if (!place) return "";
-  const { n, past } = place;
+  const [n, past] = place;
   if (!past) return _("Your front handle starts at mark {n} of the chalk plan.", { n });
   return _(
     "Your front handle starts between marks {n} and {next} of the chalk plan, {past} m past mark {n} along the line.",

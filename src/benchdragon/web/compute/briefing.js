@@ -5,15 +5,16 @@ import { cueName } from "../made/cues.js";
 import { named, shownName } from "../made/findings.js";
 import { Ground } from "../made/ground.js";
 import { sentence } from "../made/check.js";
+import { Trail, among, usualGap } from "../made/marks.js";
 import { part } from "../made/stages.js";
 import { _, both } from "../words.js";
-import { copied, rowOf, withArenaAsync } from "./arena.js";
+import { copied, rowOf, withArena, withArenaAsync, within } from "./arena.js";
 import { benchWalks } from "./bench_walks.js";
 import { check } from "./check.js";
 import { BOX } from "./constants.js";
 import { InputError } from "./errors.js";
-import { Marks } from "./marks.js";
 import { evenly } from "./lists.js";
+import { py } from "./python.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("./bench_walks.js").BenchWalk} BenchWalk */
@@ -48,7 +49,7 @@ import { evenly } from "./lists.js";
  * @property {Words} verdict a sentence
  * @property {BenchWalk[]} benches the head's first
  * @property {Near[]} landmarks near the place where each starts
- * @property {Array<import("./marks.js").MarkPlace | null>} marks between which each starts
+ * @property {Array<[number, number] | null>} marks the mark, from 1, at or behind which each starts, and how far, m
  * @property {Ground} ground from which places are told
  * @property {number} start of the dance, s
  * @property {string} clock the time of day then; ""
@@ -132,8 +133,14 @@ function ownPeg({ route: { centre } }, at) {
 function marksOf(walk, [start, end], starts, every) {
   const [head, last] = [start, end].map((time) => walk.headPosition(time));
   const high = Math.min(last, walk.route.length);
-  const marks = new Marks(walk.route, starts[starts.length - 1], head, high, every);
-  return starts.slice(0, -1).map((s) => marks.place(s));
+  const trail = new Trail(walk.route, starts[starts.length - 1], head, high);
+  const places = withArena(walk.engine, (arena) =>
+    within(arena, () => py.tolist(trail.marked(trail.every(every))[0])),
+  );
+  const usual = usualGap(places);
+  return starts
+    .slice(0, -1)
+    .map((s) => /** @type {[number, number] | null} */ (among(places, usual, s)));
 }
 
 /** What is nearest to each bench when the dance starts: see `_steps_line` of explain/bench_text.py. @param {Arena} arena @param {Obstacle[]} obstacles @param {BenchWalk[]} benches @param {Ground} ground @returns {Near[]} */

@@ -88,8 +88,6 @@ export const HOLDS = {
   FINE: 0,
 };
 
-export const MARKS = { SAME_MARK: 1e-6 };
-
 export const OBSTACLE = { CIRCLE: 0, BODY: 1, LINE: 2, VENUE: 3 };
 
 export const OWN_ROOM = {
@@ -242,8 +240,6 @@ export const ANALYSIS_CONTACT_SEARCH = {
 };
 
 export const ANALYSIS_LEFT_OPEN = { REST: 0.25 };
-
-export const ANALYSIS_MARKS = { MOST_MARKS: 5000, FARTHEST: 1.5, AT_MARK: 0.01 };
 
 export const ANALYSIS_NEARBY = { FAR: 100, SPREADS: 4, NOWHERE: [0, 0] };
 
