@@ -3,6 +3,8 @@
 # Of which modules pages are given what: the file, and the names that are asked for.
 TWINS = {
     "analysis.beats": ("beats", "score_of"),
+    "analysis.bench_walks": ("bench_walks", "BenchWalk", "bench_walks"),
+    "analysis.bends": ("bends", "Bends"),
     "analysis.check": ("check", "checked", "in_one_coil", "peak_text", "sentence"),
     "analysis.clock": ("clock", "Clock"),
     "analysis.contact": (
@@ -94,6 +96,9 @@ OWN = {
 }  # fmt: skip
 # What single functions of the page do otherwise.
 GIVEN = {
+    "analysis.bench_walks._handles": "../compute/bench_walks.js",
+    "analysis.bench_walks._nearest": "../compute/bench_walks.js",
+    "analysis.bench_walks._seen": "../compute/bench_walks.js",
     "analysis.contact.refined": "../compute/budget.js",
     "analysis.distance.nearness_at": "../compute/distance.js",
     "analysis.nearby.must_stand": "../compute/nearby.js",
@@ -140,6 +145,7 @@ UNASKED = {
 }
 # Functions of pages that give way between their steps: they take what is said by name as one object.
 WAITING = {
+    "analysis.bench_walks._nearest", "analysis.bench_walks._seen",
     "analysis.speed.greatest", "analysis.speed.greatest_speed",
 }  # fmt: skip
 # Functions of pages in place of context managers: they give what takes errors.
@@ -156,6 +162,7 @@ AS_FUNCTIONS = {
 # What only Python has of records, of one or of all of a module.
 LEFT_OUT = {
     "analysis.beats.Run": ("beats", "time"),
+    "analysis.bends.Bends": ("turning",),
     "analysis.marks.Trail": ("of",),
     "analysis.obstacle_search.ObstacleSearch": ("ways",),
     "analysis.ground.Ground": ("of", "seen"),

@@ -1,7 +1,6 @@
 """What each bench does in a dance: where it starts, how it turns and how fast, what comes nearest."""
 
 import math
-from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -10,7 +9,6 @@ import numpy as np
 
 from benchdragon import budget
 from benchdragon.analysis.bends import Bends, Turning, turning_of
-from benchdragon.analysis.distance import boxes
 from benchdragon.errors import InputError, brief, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import bench_nearness as nearness
@@ -20,9 +18,11 @@ from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.spiral import LANES
+from benchdragon.model.dragon import Dragon
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import SLICE_PLACES, Motion, Walk
 from benchdragon.plans.schema import Plan
+from benchdragon.progress import Progress, part, silent
 
 Pace = Literal["wait", "walk", "hurry", "run"]
 PACES: tuple[Pace, ...] = ("wait", "walk", "hurry", "run")
@@ -114,7 +114,12 @@ class BenchWalk:
 
 @budget.question()
 def bench_walks(
-    plan: Plan, walk: Walk, span: tuple[float, float], *, apart: float = 0.0
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    *,
+    apart: float = 0.0,
+    progress: Progress = silent,
 ) -> tuple[BenchWalk, ...]:
     """What each bench of a plan's walk does over a span, s, the head's first.
 
@@ -135,15 +140,18 @@ def bench_walks(
     times, bends = _times(walk, start, end), Bends.of(walk.route)
     rows, dragon = walk.route.rows, walk.dragon
     line = kernel.Line(rows, dragon.links, dragon.sizes, bends.at, bends.sides, _gates(plan))
-    known = _seen(walk, line, times)
+    known = _seen(walk, line, times, part(progress, 0.0, 0.8))
     stretches = _stretches(bends, line, end, known)
-    first, last = (walk.motion([time]) for time in (start, end))
-    tightest, sides, table = _tightest(walk, line, times, apart, known), beside(last), boxes(first, 0)
+    nearest = _nearest(walk, line, times, apart, known, part(progress, 0.8, 1.0))
+    tightest = [_tightest(walk, times, row) for row in nearest]
+    (at, boxes, _sides), (_at, _boxes, sides) = (
+        _stood(dragon, *_handles(walk, time)) for time in (start, end)
+    )
     count = len(dragon)
     return tuple(
         BenchWalk(
-            k + 1, (float(first.x[0, k]), float(first.y[0, k])), float(first.heading[0, k]),
-            tuple(table[k].tolist()), tuple(stretches[k]), tightest[k], k or None,
+            k + 1, at[k], math.atan2(at[k][1] - at[k + 1][1], at[k][0] - at[k + 1][0]),
+            tuple(boxes[k]), tuple(stretches[k]), tightest[k], k or None,
             k + 2 if k + 1 < count else None, *sides[k],
         )
         for k in range(count)
@@ -171,7 +179,8 @@ def _times(walk: Walk, start: float, end: float) -> FloatArray:
     """Times from start to end, s, STEP apart or more, and those at which the head's speed bends."""
     count = min(math.ceil((end - start) / STEP), max(MOST_LOOKED // len(walk.dragon), 2))
     knots = [time for time in walk.profile.times if start < time < end]
-    return np.union1d(np.linspace(start, end, count + 1 if end > start else 1), knots)
+    even = np.linspace(start, end, count + 1).tolist() if end > start else [start]
+    return np.array(sorted({*even, *knots}))
 
 
 def _slices(walk: Walk, times: FloatArray) -> Iterator[tuple[int, Motion]]:
@@ -181,7 +190,7 @@ def _slices(walk: Walk, times: FloatArray) -> Iterator[tuple[int, Motion]]:
         yield first, walk.motion(times[first : first + per + 1])
 
 
-def _seen(walk: Walk, line: kernel.Line, times: FloatArray) -> kernel.Known:
+def _seen(walk: Walk, line: kernel.Line, times: FloatArray, progress: Progress) -> kernel.Known:
     """What is seen of a walk at these times, s."""
     count = len(walk.dragon)
     known = kernel.Known(
@@ -206,15 +215,14 @@ def _seen(walk: Walk, line: kernel.Line, times: FloatArray) -> kernel.Known:
             line, seen, first, REACH, nearness.STRAIGHT, walk.dragon.lever, known
         ):
             walk.placement(known.at[:1])  # raises
+        progress(first / len(times), "")
     return known
 
 
-def _stretches(
-    bends: Bends, line: kernel.Line, end: float, known: kernel.Known
-) -> dict[int, list[Stretch]]:
+def _stretches(bends: Bends, line: kernel.Line, end: float, known: kernel.Known) -> list[list[Stretch]]:
     """The stretches of each bench, from 0, of a walk up to its end, s."""
     out = np.empty((len(known.pieces), kernel.STRETCH_COLUMNS))
-    found = defaultdict[int, list[Stretch]](list)
+    found: list[list[Stretch]] = [[] for _bench in range(len(line.links))]
     for row in out[: kernel.tell_stretches(line.rows, bends.turned, end, known, out)].tolist():
         bench, start, until, turning, pace, way, angle, *speeds = row
         stretch = Stretch(
@@ -224,22 +232,26 @@ def _stretches(
     return found
 
 
-def _tightest(
-    walk: Walk, line: kernel.Line, times: FloatArray, apart: float, known: kernel.Known
-) -> list[Tightest | None]:
-    """The tightest moment of each bench; None where nothing comes within REACH."""
+def _nearest(
+    walk: Walk, line: kernel.Line, times: FloatArray, apart: float, known: kernel.Known,
+    progress: Progress,
+) -> list[list[float]]:  # fmt: skip
+    """What comes nearest to each bench, as rows of kernels/bench_nearness.py."""
     count, heads = len(walk.dragon), walk.head_position(times)
     out = np.empty((count, nearness.TIGHTEST_COLUMNS))
     nearness.find_tightest(line, heads, 0, count, apart, known, np.empty((2, BOX_COLUMNS)), out)
-    found = list[Tightest | None]()
-    for other, side, lower, upper, head, early, late, x, y in out.tolist():
-        if not other:
-            found.append(None)
-            continue
-        # Where the head stops for good, rounding may put its place beyond all that it comes to.
-        time = min(max(walk.time_at(head), times[int(early)]), times[int(late)])
-        found.append(Tightest(float(time), int(other), SIDES[int(side)], lower, upper, (x, y)))
-    return found
+    progress(1.0, "")
+    return list(out.tolist())
+
+
+def _tightest(walk: Walk, times: FloatArray, row: list[float]) -> Tightest | None:
+    """The tightest moment of a bench; None where nothing comes within REACH."""
+    other, side, lower, upper, head, early, late, x, y = row
+    if not other:
+        return None
+    # Where the head stops for good, rounding may put its place beyond all that it comes to.
+    time = min(max(walk.time_at(head), times[int(early)]), times[int(late)])
+    return Tightest(float(time), int(other), SIDES[int(side)], lower, upper, (x, y))
 
 
 def beside(placed: Placement) -> list[tuple[int | None, int | None]]:
@@ -248,8 +260,20 @@ def beside(placed: Placement) -> list[tuple[int | None, int | None]]:
     Of each line of benches that passes, no neighbours and no more than BESIDE metres away, that is the
     one most abreast, and of these the one of the nearest line; None where there is none.
     """
-    count = len(placed.dragon)
-    x, y = np.ascontiguousarray(placed.x.T), np.ascontiguousarray(placed.y.T)
-    found = np.empty((count, 2), dtype=np.int64)
-    nearness.find_beside(placed.dragon.sizes, x, y, np.empty((count, BOX_COLUMNS)), found)
-    return [(left or None, right or None) for left, right in found.tolist()]
+    return _stood(placed.dragon, *placed.tables[2:])[2]
+
+
+def _handles(walk: Walk, time: float) -> tuple[FloatArray, FloatArray]:
+    """x and y of all handles at a time, s, m, each (N + 1, 1)."""
+    return walk.motion([time]).tables[2:]
+
+
+def _stood(
+    dragon: Dragon, x: FloatArray, y: FloatArray
+) -> tuple[list[tuple[float, float]], list[list[float]], list[tuple[int | None, int | None]]]:
+    """Where handles stand, m, the benches' rectangles, and who is beside each: see `beside`."""
+    count = len(dragon)
+    table, found = np.empty((count, BOX_COLUMNS)), np.empty((count, 2), dtype=np.int64)
+    nearness.find_beside(dragon.sizes, x, y, table, found)
+    at = [(ax[0], ay[0]) for ax, ay in zip(x.tolist(), y.tolist(), strict=True)]
+    return at, table.tolist(), [(left or None, right or None) for left, right in found.tolist()]

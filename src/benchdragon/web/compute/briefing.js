@@ -4,20 +4,21 @@
 import { cueName } from "../made/cues.js";
 import { named, shownName } from "../made/findings.js";
 import { Ground } from "../made/ground.js";
+import { benchWalks } from "../made/bench_walks.js";
 import { sentence } from "../made/check.js";
 import { Trail, among, usualGap } from "../made/marks.js";
 import { part } from "../made/stages.js";
 import { _, both } from "../words.js";
 import { copied, rowOf, withArena, withArenaAsync, within } from "./arena.js";
-import { benchWalks } from "./bench_walks.js";
 import { check } from "./check.js";
 import { BOX } from "./constants.js";
 import { InputError } from "./errors.js";
 import { evenly } from "./lists.js";
 import { py } from "./python.js";
+import { places } from "./walk_facts.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
-/** @typedef {import("./bench_walks.js").BenchWalk} BenchWalk */
+/** @typedef {import("../made/bench_walks.js").BenchWalk} BenchWalk */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./questions.js").Asked} Asked */
@@ -90,7 +91,8 @@ export function briefing({ engine, plan, progress }) {
  * @param {Progress} progress
  */
 export async function briefed(arena, plan, walk, span, progress) {
-  const { benches, s } = await benchWalks(plan, walk, span, progress);
+  const benches = await benchWalks(plan, walk, span, 0, progress);
+  const s = places(walk, ...span);
   const { people, cues, chalk, route, survey, event } = plan.tables;
   const { points, low, high } = wayOf(walk, s);
   const obstacles = plan.obstacles();

@@ -11,9 +11,7 @@ export const BENCH_NEARNESS = {
   NEAR_COLUMNS: 3,
 };
 
-export const BENCH_WALKS = { PIECE_COLUMNS: 9, BENCH_COLUMNS: 7, STRETCH_COLUMNS: 9 };
-
-export const BENDS = { STRAIGHT: 1e-6, LEFT: 1, RIGHT: -1 };
+export const BENCH_WALKS = { PIECE_COLUMNS: 9, BENCH_COLUMNS: 7 };
 
 export const BOX = {
   CX: 0,
@@ -228,8 +226,6 @@ export const TURN_TRIAL = {
   TOLD: 15,
   MORE: 40,
 };
-
-export const ANALYSIS_BENCH_WALKS = { STILL: 0.05, STEP: 0.125, MOST_LOOKED: 20000000 };
 
 export const ANALYSIS_CONTACT_SEARCH = {
   SLACK: 1e-13,

@@ -142,7 +142,7 @@ export class Walk {
     return new Walk(this.dragon, route, this.profile, this.start);
   }
 
-  /** The same for several times. @param {number[]} times */
+  /** The same for several times. @param {ArrayLike<number>} times */
   head_position(times) {
     return Float64Array.from(times, (t) => this.headPosition(t));
   }
