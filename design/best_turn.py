@@ -20,6 +20,7 @@ from benchdragon.errors import InputError
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import S_START
+from benchdragon.kernels.turn_trial import FEW
 from benchdragon.model.turns import two_arcs
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
@@ -56,7 +57,7 @@ def sampled_way(family: TurnFamily, x: Point) -> float:
         turn = family.turn(x.tolist())
     except InputError:
         return 1e6
-    rows, links = turn.rows(lead=1.0, trail=1000.0), family.few.links
+    rows, links = turn.rows(lead=1.0, trail=1000.0), family.dragon.links[:FEW]
     first, last = float(rows[1, S_START]), float(rows[-1, S_START] + links.sum())
     at = np.arange(first, last, STEP)
     places = empty_placements(len(links) + 1, len(at))

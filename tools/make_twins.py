@@ -245,7 +245,7 @@ class Twin:
         return parameters
 
     def waits(self, name: str) -> str:
-        """How a function gives way: "given" by hand, "made"; or "around", "freed", "unasked"."""
+        """Whether a function gives way, "made"; or "around" or "freed" of a context; or "unasked"."""
         module, there = self.origins.get(name, (self.name, name))
         if UNASKED.get(f"{module}.{there}", "").endswith("=> null"):
             return "unasked"
@@ -256,7 +256,7 @@ class Twin:
         if asks or f"{module}.{there}" in FREED:
             return "freed"
         if f"{module}.{there}" in WAITING:
-            return "given"
+            return "made"
         return "made" if module in self.all and there in self.all[module].code.waiting else ""
 
     def plain(self, name: str) -> dict[str, tuple[str | None, str]] | None:

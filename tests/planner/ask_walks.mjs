@@ -13,8 +13,7 @@ const { BenchDragonError } = await load("compute/errors");
 const { HeadTimes } = await load("made/head_times");
 const { Obstacle } = await load("made/obstacle");
 const { obstacleAnswers } = await load("made/obstacles");
-const { QUANTITIES } = await load("made/quantities");
-const { greatest } = await load("compute/speed");
+const { QUANTITIES, greatest } = await load("made/speed");
 const { SpeedProfile } = await load("made/profile");
 const { within } = await load("compute/arrays");
 const { Curve } = await load("compute/curve");
@@ -51,8 +50,8 @@ const ASKED = {
   contact: (walk, start, end, { margin }) => firstSureContact(walk, start, end, margin),
   clearance: (walk, start, end, { within, tolerances }) =>
     leastClearance(walk, start, end, within, tolerances),
-  greatest: (walk, start, end, { quantity, ...options }) =>
-    greatest(walk, QUANTITIES.get(quantity), start, end, options),
+  greatest: (walk, start, end, { quantity, tolerance, limit }) =>
+    greatest(walk, QUANTITIES.get(quantity), start, end, tolerance, limit),
   obstacle: async (walk, start, end, { name, kind, outline, radius, margin }) => {
     const obstacle = new Obstacle(name, kind, outline, radius, margin);
     const { contact, distance, touch } = await obstacleAnswers(walk, obstacle, start, end);

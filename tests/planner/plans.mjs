@@ -35,7 +35,7 @@ function walked(arena, plan) {
     const tables = [placed.s, placed.x, placed.y, placed.ratio];
     return tables.map((table) => Array.from(doubles(table)));
   });
-  const boxes = plan.obstacles().map((one) => rowsOf(Array.from(doubles(one.boxes(arena)))));
+  const boxes = plan.obstacles().map((one) => rowsOf(Array.from(doubles(one.boxesIn(arena)))));
   const { times, speeds } = walk.profile;
   const moments = tried(() =>
     plan.moments().map(({ time, way, until }) => [time, way, until].map(String)),

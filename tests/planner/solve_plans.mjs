@@ -7,12 +7,14 @@ import { pathToFileURL } from "node:url";
 const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const { Engine } = await load("engine");
+const { withArenaAsync } = await load("compute/arena");
 const { useWords } = await load("words");
 const { checkedPlan } = await load("compute/plan");
 const { BenchDragonError } = await load("compute/errors");
 const size = await load("compute/size");
-const head = await load("compute/head_speed");
-const turning = await load("compute/turn");
+const head = await load("made/head_speed");
+const turning = await load("made/best_turn");
+const { TurnGoal } = await load("made/turn_goal");
 const margins = await load("compute/tolerance");
 const { MOST_HELD } = await load("compute/worker");
 const { QUESTIONS } = await load("compute/questions");
@@ -31,7 +33,8 @@ const ASKED = {
   limit: (plan, { size: name, ...options }) => size.limit(engine, plan, name, { ...options, progress }),
   sizes: (plan, { size: name, low, high, ...options }) =>
     size.feasibleSizes(engine, plan, name, low, high, { ...options, progress }),
-  speed: (plan, options) => head.greatestHeadSpeed(engine, plan, { ...options, progress }),
+  speed: (plan, { tolerance }) =>
+    withArenaAsync(engine, () => head.greatestHeadSpeed(plan, tolerance, progress)),
   pace: paced,
   turn: turned,
   margins: drawn,
@@ -40,13 +43,20 @@ const ASKED = {
 
 /** A pace, and the plan walked at it. */
 async function paced(plan) {
-  const pace = await head.slowed(engine, plan, { progress });
+  const pace = await withArenaAsync(engine, () => head.slowed(plan, progress));
   return { ...pace, sha256: head.withPace(plan, pace).sha256 };
 }
 
 /** The best turn, in plain data. */
 async function turned(plan, goal) {
-  const { plan: found, turn, ...rest } = await turning.bestTurn(engine, plan, goal, { progress });
+  const { objective, least_radius, longest, longest_way } = goal;
+  const {
+    plan: found,
+    turn,
+    ...rest
+  } = await withArenaAsync(engine, () =>
+    turning.bestTurn(plan, new TurnGoal(objective, least_radius, longest, longest_way), progress),
+  );
   return { ...rest, turn: found.tables.turn, pieces: turn.pieces, sha256: found.sha256 };
 }
 

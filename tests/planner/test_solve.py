@@ -159,7 +159,7 @@ def test_turns_are_as_good(sets: list[str], wish: dict[str, Any]) -> None:
     # What the page says of its turn is what Python says of it.
     sizes = ("entry_radius", "exit_radius", "ratio" if twin["turn"]["radii"] is None else "radii")
     again = whole.with_values({f"turn.{size}": twin["turn"][size] for size in sizes})
-    assert near(greatest_head_speed(again).value, twin["headSpeed"]["value"], 1e-9)
+    assert near(greatest_head_speed(again).value, twin["head_speed"]["value"], 1e-9)
     assert again.sha256 == twin["sha256"]
 
 

@@ -187,7 +187,7 @@ def test_what_touches_keeps_no_margin_of_a_turn() -> None:
     plan = read_plan(
         "turn", ["dragon.benches=12", 'obstacle=[{kind="line", points=[[0, -2], [0, 2]]}]']
     )
-    exact, _clearance = _exact_figures(plan, -np.ones(KINDS), ())
+    exact, _clearance = _exact_figures(plan, [-1.0] * KINDS, ())
     assert exact[BESIDE] > 0.0
     assert exact[APART] < 0.0
 

@@ -182,7 +182,7 @@ from benchdragon.solve.turn_question import TurnQuestion
 plan = read_plan("turn", ["dragon.benches=2", "turn.entry_radius=4.5", "turn.exit_radius=4.5"])
 with TurnQuestion(TurnFamily(plan, TurnGoal("speed"))) as question:
     seen = question.near([4.5, 4.5, 0.3], silent, "")
-print([seen.x, seen.figures.tolist(), seen.exceeds])
+print([seen.x, seen.figures, seen.exceeds])
 """
 
 

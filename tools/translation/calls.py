@@ -75,7 +75,7 @@ class Calls(Expressions):
         """A call of a function, or a record, of this module or taken from another."""
         self.use(name)
         if (how := self.waits(name)) and how not in ("freed", "unasked"):
-            return self._awaited(node, name, how)
+            return self._awaited(node, name)
         made = "new " if name.lstrip("_")[:1].isupper() else ""
         return f"{made}{camel(name)}({self._given(node, self.parameters(name))})"
 
@@ -149,15 +149,12 @@ class Calls(Expressions):
             raise UntranslatableError(node, f".{attr}: a method of nothing known")
         return f"{self.expr(value)}.{attr}({self._given(node, names)})"
 
-    def _awaited(self, node: ast.Call, name: str, how: str) -> str:
+    def _awaited(self, node: ast.Call, name: str) -> str:
         """A call that gives way between its steps, as does who calls."""
         if not self.waited or self.waited[-1] is None:
             raise UntranslatableError(node, "where nothing can wait")
         self.waited[-1] = True
-        if how == "made":
-            return f"(await {camel(name)}({self._given(node, self.parameters(name))}))"
-        given = [*map(self.expr, node.args), *([self._object(node.keywords)] if node.keywords else [])]
-        return f"(await {camel(name)}({', '.join(given)}))"
+        return f"(await {camel(name)}({self._given(node, self.parameters(name))}))"
 
     def _data(self, node: ast.Call, keys: dict[str, tuple[str | None, str]]) -> str:
         """A record that is plain data."""

@@ -35,8 +35,8 @@ class Expressions:
         function_for: what the function takes that stands for a method of that name; None if none does.
         plain: of records that are plain data the keys, with what each holds by default, and a function
             that changes what is said; None of any other.
-        waits: whether a function gives way between its steps: "given" by hand, which takes an object of
-            options for what is said by name, "made", or "".
+        waits: "made" of a function that gives way between its steps, "around" or "freed" of one that is
+            a context, "unasked" of one that checks what Python is called with, or "".
         entry: what the kernels' entry of that name, with points, is called, and whether it gives one
             number; None if it is none.
         group: the fields of a group of arrays of that name, with points; None if it is none.

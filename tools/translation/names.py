@@ -19,20 +19,21 @@ FUNCTIONS_SPELT = """
 FUNCTIONS = frozenset(FUNCTIONS_SPELT.split())
 METHODS_SPELT = """
     add append as_integer_ratio copy count decode endswith extend get index isalpha isprintable isspace
-    items join keys lower partition pop replace setdefault split splitlines strip tolist translate upper
-    values
+    items join keys lower partition pop replace reshape setdefault split splitlines strip tolist
+    translate upper values
 """
 METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
     answer at called distance first_failure head_position head_where_tail moment moments motion obstacle
-    obstacles point progress tell time time_at told tried witness
+    obstacles point profile progress span tell time time_at told tried with_value
+    with_values witness
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
 # Methods that give way between their steps.
 WAITED_SPELT = """
-    _found find least_distance step touches
+    _found _sought best find least_distance near rest step touches
 """
 WAITED = frozenset(WAITED_SPELT.split())
 # Functions of modules, by their own names.
@@ -47,7 +48,7 @@ OF_MODULES = {
     "math.degrees": "degrees", "math.remainder": "remainder", "itertools.islice": "islice",
     "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys", "math.radians": "radians",
     "clock.perf_counter": "perf_counter",
-    "math.isnan": "isnan", "np.linspace": "linspace",
+    "math.exp": "exp", "math.isnan": "isnan", "math.log": "log", "np.linspace": "linspace",
 }  # fmt: skip
 # Numbers of modules; and what kind of numbers arrays hold, which pages need not say.
 NUMBERS = {

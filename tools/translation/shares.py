@@ -30,7 +30,10 @@ TWINS = {
     "analysis.records": ("records", "answer_of", "answer_or_none", "verdict_of"),
     "analysis.room": ("room_levels", "Asked", "room_levels", "shown_name"),
     "analysis.shortage": ("shortage", "shortage"),
-    "analysis.speed": ("quantities", "QUANTITIES", "Quantity", "given_limits"),
+    "analysis.speed": (
+        "speed", "QUANTITIES", "Quantity", "fastest_handle", "given_limits", "greatest", "greatest_of",
+        "greatest_speed",
+    ),
     "analysis.unfinished": ("unfinished", "Unfinished"),
     "errors": ("advice", "advice"),
     "explain.bench_text": (
@@ -75,7 +78,11 @@ TWINS = {
     "surveys.alignment": ("absorbed", "Absorbed"),
     "surveys.clothoids": ("unfit", "unfit"),
     "surveys.fitting": ("fits", "check_fewest", "checked_fit", "rounded"),
+    "solve.head_speed": ("head_speed", "greatest_head_speed", "slowed", "with_pace"),
     "solve.random_dance": ("random_dance", "refuse"),
+    "solve.turn": ("best_turn", "best_turn"),
+    "solve.turn_goal": ("turn_goal", "TurnGoal"),
+    "solve.turn_question": ("turn_question", "TurnQuestion"),
     "rosters.names": ("roster_names", "like_two"),
     "rosters.words": (
         "roster_words", "NUMERALS", "numeral", "heading", "doubtful", "is_name", "is_other", "is_sum",
@@ -109,8 +116,6 @@ GIVEN = {
     "analysis.records.bracketed": "../compute/answer.js",
     "analysis.room.with_people": "../compute/dragon.js",
     "analysis.shortage._Seen": "../compute/shortage.js",
-    "analysis.speed.greatest": "../compute/speed.js",
-    "analysis.speed.greatest_speed": "../compute/speed.js",
     "analysis.stops.stops_of": "../compute/stops.js",
     "analysis.unfinished.unfinished": "../compute/walk_facts.js",
     "plans.toml._vast": "../compute/python_text.js",
@@ -123,6 +128,7 @@ GIVEN = {
     "analysis.not_looked_at.runs_on": "../compute/walk_facts.js",
     "kernels.chain.empty_placements": "../compute/arrays.js",
     "model.base_curve.Curve": "../compute/curve.js",
+    "model.profile._along": "../compute/stretches.js",
     "model.holds.HoldError": "../compute/holds.js",
     "model.obstacle.Standing": "../compute/obstacle.js",
     "model.obstacle._crossing": "../compute/obstacle.js",
@@ -143,11 +149,8 @@ UNASKED = {
     "model.connections._check_steps": "() => null",
     "model.curves._checked_curves": "(curves) => curves",
 }
-# Functions of pages that give way between their steps: they take what is said by name as one object.
-WAITING = {
-    "analysis.bench_walks._nearest", "analysis.bench_walks._seen",
-    "analysis.speed.greatest", "analysis.speed.greatest_speed",
-}  # fmt: skip
+# Functions of pages that give way between their steps.
+WAITING = {"analysis.bench_walks._nearest", "analysis.bench_walks._seen"}
 # Functions of pages in place of context managers: they give what takes errors.
 AROUND = {"analysis.contact.refined", "analysis.left_open.told_if_open"}
 # Functions whose results are freed where a context manager would end, as questions of the engine are.
@@ -171,7 +174,9 @@ LEFT_OUT = {
     "model.curves.Route": ("__getitem__", "__iter__", "__len__"),
     "model.curves.Spiral": ("angle",),
     "model.formations": ("chinese", "english", "pinyin", "shape", "source"),
-    "model.profile.SpeedProfile": ("__getitem__", "__iter__", "__len__", "exact_distance", "stretches"),
+    "model.profile.SpeedProfile": ("__getitem__", "__iter__", "__len__", "exact_distance"),
+    "solve.turn.BestTurn": ("as_json",),
+    "solve.turn_goal.TurnFamily": ("turn",),
     "plans.routes.Drawn": ("line",),
     "plans.square": ("about", "keys"),
     "plans.tables": ("about", "keys"),

@@ -232,13 +232,15 @@ def _obstacles(
 
 def _greatest_speed(plan: Plan, walk: Walk, span: tuple[float, float], progress: Progress) -> Answer:
     """The greatest speed over a span of the walk, s, asked again where its bracket holds a limit."""
+    start, end = span
     with told_if_open([]):
-        speed = greatest_speed(walk, *span, progress=progress)
+        speed = greatest_speed(walk, start, end, progress=progress)
         for limit in (plan.limits.speed, plan.people.most_speed):
             if limit is not None and speed.keeps(limit) is None:
-                speed = greatest(walk, QUANTITIES["speed"], *span, limit=limit * (1.0 + ROUNDING))
+                most = limit * (1.0 + ROUNDING)
+                speed = greatest(walk, QUANTITIES["speed"], start, end, limit=most)
         return speed
-    return speed_at_start(walk, span[0])
+    return speed_at_start(walk, start)
 
 
 def _limited_peaks(
@@ -249,12 +251,13 @@ def _limited_peaks(
     Brackets are as narrow as it takes to compare them with their limits (see `speed.greatest`).
     """
     limits = {name: limit for name, limit in given_limits(plan).items() if name != "speed"}
-    peaks = {}
+    peaks, (start, end) = {}, span
     for n, (name, limit) in enumerate(limits.items()):
         with told_if_open(left, name, limit):
             peaks[name] = greatest(
-                walk, QUANTITIES[name], *span, tolerance=RATE_TOLERANCE, limit=limit * (1.0 + ROUNDING)
-            )
+                walk, QUANTITIES[name], start, end, tolerance=RATE_TOLERANCE,
+                limit=limit * (1.0 + ROUNDING),
+            )  # fmt: skip
         progress((n + 1) / len(limits), "")
     return peaks
 

@@ -61,6 +61,9 @@ class EngineQuestion:
         told: list[float] = self.figures[list(columns)].tolist()
         return told
 
+    def rest(self) -> None:
+        """Let others go on, where pages hear their readers between steps."""
+
     def step(self, *said: float) -> int:
         """Go on for some hundredths of a second; how that ended.
 

@@ -6,9 +6,8 @@ where its acceleration jumps, a walk is searched over the head's place (see kern
 
 import math
 import time as clock
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -24,7 +23,6 @@ from benchdragon.kernels import peak_question as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.peak_question import STEP
 from benchdragon.kernels.question import MORE
-from benchdragon.kernels.route import IntArray
 from benchdragon.model.answer import ROUNDING, Answer, Witness
 from benchdragon.model.profile import SpeedProfile, Stretches
 from benchdragon.model.walk import Walk
@@ -170,27 +168,31 @@ class PeakQuestion(EngineQuestion):
     """A question about a walk, kernels/peak_question.py, whose head is driven so, as `sought` says."""
 
     def __init__(self, walk: Walk, drives: Stretches, asked: Asked = (), head: float = 0.0) -> None:
-        links, tolerances = walk.dragon.links, np.zeros(drive.QUANTITIES)
-        limits = np.full(drive.QUANTITIES, math.inf)
+        tolerances, limits = [0.0] * drive.QUANTITIES, [math.inf] * drive.QUANTITIES
         for quantity, tolerance, limit in asked:
             if not LEAST_TOLERANCE <= tolerance <= 1.0:
-                raise InputError(
-                    _("tolerance must lie between {least} and 1, not at {value}").format(
-                        least=f"{LEAST_TOLERANCE:g}", value=tolerance
-                    )
-                )
-            tolerances[quantity.kind], limits[quantity.kind] = tolerance, limit
-        kinds, group = np.unique(links, return_inverse=True)
-        driven = peak.Drives(drives.ways, np.square(drives.speeds), np.ascontiguousarray(drives.rates))
-        numbers = np.array([float(links.sum()), head, *ROOM])
+                text = _("tolerance must lie between {least} and 1, not at {value}")
+                raise InputError(text.format(least=f"{LEAST_TOLERANCE:g}", value=tolerance))
+            tolerances[quantity.kind] = tolerance
+            limits[quantity.kind] = limit
+        links = walk.dragon.links.tolist()
+        kinds = sorted(set(links))
+        numbers = {link: n for n, link in enumerate(kinds)}
+        group = np.array([numbers[link] for link in links], dtype=np.int64)
+        squares = np.array([(slow * slow, fast * fast) for slow, fast in drives.speeds.tolist()])
+        driven = peak.Drives(np.array(drives.ways), squares, np.array(drives.rates))
         handle = kernel.open_peak(
-            walk.route.rows, links, kinds, group.astype(np.int64), driven, tolerances, limits, numbers
-        )
+            walk.route.rows, walk.dragon.links, np.array(kinds), group, driven, np.array(tolerances),
+            np.array(limits), np.array([walk.dragon.extent, head, *ROOM]),
+        )  # fmt: skip
         super().__init__(handle, kernel.step_peak, kernel.read_peak, np.zeros(told.FIGURES))
 
-    def bound(self, *asked: Any) -> int:
+    def bound(
+        self, at: FloatArray, first: int, last: int, square: float, limits: FloatArray,
+        most: FloatArray, table: FloatArray,
+    ) -> int:  # fmt: skip
         """Fill tables of a pace, as `bound_peak` says; how that ended."""
-        return kernel.bound_peak(self._handle, *asked)
+        return kernel.bound_peak(self._handle, at, first, last, square, limits, most, table)
 
 
 def sought(
@@ -207,41 +209,40 @@ def sought(
     quantities, ending = list(QUANTITIES.values()), MORE
     drives, kept = _new(walk, stretches)
     with PeakQuestion(walk, drives, asked, head) as question:
-        figures = question.figures
         while ending == MORE:
             try:
                 ending = question.step()
             except OverBudgetError:
-                if not figures[told.GIVEN_UP]:
+                if not question.figures[told.GIVEN_UP]:
                     raise
                 ending = kernel.DONE
                 budget.allow(TOLD)
-            name = quantities[int(figures[told.QUANTITY])].text if head else ""
-            progress(float(figures[told.SHARE]), name and _(name))
-    if ending == kernel.FALLEN:
-        raise failure_within(walk, float(figures[told.LOW]), float(figures[told.HIGH]))
-    value, least, most, s, row, x, y, stretch, placed, lower, upper, decides = figures[
-        told.VALUE : told.QUANTITY
-    ].tolist()
-    time = stretches.time(int(kept[int(stretch)]), s)
+            share, number = question.tell(told.SHARE, told.QUANTITY)
+            progress(share, _(quantities[int(number)].text) if head else "")
+        if ending == kernel.FALLEN:
+            raise failure_within(walk, *question.tell(told.LOW, told.HIGH))
+        found = question.tell(*range(told.VALUE, told.QUANTITY))
+    value, least, most, s, row, x, y, stretch, placed, lower, upper, decides = found
+    time = stretches.time(kept[int(stretch)], s)
     seen = Peak(value, most, time, s, int(row), int(placed), least, (x, y))
     return Found(seen, lower, upper, quantities[int(decides)] if decides >= 0.0 else None)
 
 
-def _new(walk: Walk, stretches: Stretches) -> tuple[Stretches, IntArray]:
+def _new(walk: Walk, stretches: Stretches) -> tuple[Stretches, list[int]]:
     """The parts of stretches on which something new may be seen, and the number of each one's stretch.
 
     Who keeps one speed does what was done one round before.
     """
-    ways, kept = list[Span](), list[int]()
+    times, ways, speeds, rates = (table.tolist() for table in stretches)
     rounds = Rounds(walk, repeats(walk.route.rows))
-    steady = (stretches.rates == 0.0).tolist()
-    for n, (first, last) in enumerate(stretches.ways.tolist()):
-        spans = rounds.new(first, last)[0] if steady[n] else [(first, last)]
-        ways += spans
+    parts: list[Span] = []
+    kept: list[int] = []
+    for n, (first, last) in enumerate(ways):
+        spans = rounds.new(first, last)[0] if rates[n] == 0.0 else [(first, last)]
+        parts += spans
         kept += [n] * len(spans)
-    times, _ways, speeds, rates = (table[kept] for table in stretches)
-    return Stretches(times, np.array(ways), speeds, rates), np.array(kept)
+    of, fast, change = (np.array([table[n] for n in kept]) for table in (times, speeds, rates))
+    return Stretches(of, np.array(parts), fast, change), kept
 
 
 def witness_of(walk: Walk, quantity: Quantity, found: Peak) -> Witness:
@@ -253,20 +254,22 @@ def witness_of(walk: Walk, quantity: Quantity, found: Peak) -> Witness:
     )  # fmt: skip
 
 
-def fastest_handle(speeds: FloatArray) -> int:
+def fastest_handle(speeds: Sequence[float]) -> int:
     """The first handle that comes to the greatest of these speeds but for rounding.
 
     On one arc all handles are equally fast: rounding alone would name now this one and now that.
     """
-    return int((speeds >= speeds.max() * (1.0 - ROUNDING)).argmax())
+    most = max(speeds) * (1.0 - ROUNDING)
+    return next(n for n, speed in enumerate(speeds) if speed >= most)
 
 
 def failure_within(walk: Walk, low: float, high: float) -> Exception:
     """Why a dragon does not stand with its head somewhere in low..high, m."""
-    end, step = min(high, walk.route.length), STEP * float(walk.dragon.links.min())
-    count, per = math.ceil(max(end - low, 0.0) / step), max(2, PLACES // (len(walk.dragon) + 1))
+    end, step = max(low, min(high, walk.route.length)), STEP * min(walk.dragon.links.tolist())
+    count, per = math.ceil((end - low) / step), max(2, PLACES // (len(walk.dragon) + 1))
     for n in range(0, count + 1, per - 1):
-        error = walk.first_failure(np.minimum(low + step * np.arange(n, n + per), max(low, end)))
+        at = [min(low + step * k, end) for k in range(n, n + per)]
+        error = walk.first_failure(np.array(at))
         if error is not None:
             return error
     if (error := walk.first_failure(np.array([high]))) is not None:

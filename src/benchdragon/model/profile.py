@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 from typing import NamedTuple, Self, TypeVar
 
 import numpy as np
@@ -34,22 +35,25 @@ class Stretches(NamedTuple):
 
     def moved(self, way: float) -> Self:
         """The same with `way`, m, added to all ways."""
-        return self._replace(ways=self.ways + way)
+        return self._replace(ways=np.array([(a + way, b + way) for a, b in self.ways.tolist()]))
 
     def time(self, n: int, way: float) -> float:
         """When the head comes to `way` on stretch n, s."""
-        ahead, (slow, fast) = way - float(self.ways[n, 0]), self.speeds[n].tolist()
-        if ahead <= 0.0:
-            return float(self.times[n, 0])
-        length = float(self.ways[n, 1] - self.ways[n, 0])
-        speed = math.sqrt(slow * slow + min(ahead / length, 1.0) * (fast * fast - slow * slow))
-        start, end = self.times[n].tolist()
-        return float(min(start + 2.0 * ahead / (slow + speed), end))
+        (first, last), (slow, fast) = self.ways[n].tolist(), self.speeds[n].tolist()
+        (start, end), ahead = self.times[n].tolist(), way - first
+        share = min(ahead / (last - first), 1.0) if ahead > 0.0 else 0.0
+        speed = math.sqrt(slow * slow + share * (fast * fast - slow * slow))
+        return float(min(start + 2.0 * ahead / (slow + speed), end) if ahead > 0.0 else start)
 
 
 def _ends(values: FloatArray) -> FloatArray:
     """The values at the two ends of the spans between them, (spans, 2)."""
-    return np.column_stack([values[:-1], values[1:]])
+    return np.array([*pairwise(values.tolist())])
+
+
+def _along(profile: "SpeedProfile", times: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Ways walked by times, m, and speeds then; accelerations after all times but the last."""
+    return profile.distance(times), profile.speed(times), profile.acceleration(times[:-1])
 
 
 @dataclass(frozen=True)
@@ -144,12 +148,8 @@ class SpeedProfile:
     def stretches(self, start: float, end: float) -> Stretches:
         """The walk from start to end, s, in stretches of one acceleration: from knot to knot."""
         times = np.array([start, *(t for t in self.times if start < t < end), end])
-        return Stretches(
-            _ends(times),
-            _ends(self.distance(times)),
-            _ends(self.speed(times)),
-            self.acceleration(times[:-1]),
-        )
+        ways, speeds, rates = _along(self, times)
+        return Stretches(_ends(times), _ends(ways), _ends(speeds), rates)
 
     def time(self, distance: float) -> float:
         """The first time, s, by which `distance` (m, from time 0) is walked: inverse of `distance`.

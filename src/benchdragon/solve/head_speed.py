@@ -23,7 +23,6 @@ from benchdragon.errors import InputError, UnsureError, of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels import pacing
 from benchdragon.kernels import peak_question as kernel
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
 from benchdragon.model.profile import MOST_SPEED, SpeedProfile
 from benchdragon.model.walk import Walk
@@ -61,7 +60,7 @@ class Pace:
 
 
 def _limits_of(plan: Plan) -> dict[str, float]:
-    """The same, of a plan that has some."""
+    """The limits that a head speed must keep, by the names of their quantities."""
     found = given_limits(plan)
     if not found:
         raise InputError(
@@ -168,24 +167,24 @@ def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
         raise InputError(_("the walk has no length: set walk.start and walk.end apart"))
     even = min(steady.lower, plan.walk.speed)
     times, speeds = _fastest(plan, walk, first, last, progress)
-    if times[-1] >= (last - first) / even:
-        times, speeds = np.array([0.0, (last - first) / even]), np.array([even, even])
+    whole = (last - first) / even
+    if times[-1] >= whole:
+        times, speeds = [0.0, whole], [even, even]
     profile = SpeedProfile(tuple(times), tuple(speeds))
     zero = profile.time(walk.start - first)  # at time 0 the head stands at walk.start
-    profile = SpeedProfile(tuple(t - zero for t in profile.times), profile.speeds)
-    seconds = float(times[-1])
-    return Pace(profile, steady, seconds, (last - first) / even - seconds)
+    profile = SpeedProfile(tuple(t - zero for t in times), tuple(speeds))
+    return Pace(profile, steady, times[-1], whole - times[-1])
 
 
 def _fastest(
     plan: Plan, walk: Walk, first: float, last: float, progress: Progress
-) -> tuple[FloatArray, FloatArray]:
+) -> tuple[list[float], list[float]]:
     """Times, s, and the greatest speeds then, m/s, between which limits are kept too."""
-    link, handles = float(walk.dragon.links.min()), len(walk.dragon) + 1
+    link, handles = min(walk.dragon.links.tolist()), len(walk.dragon) + 1
     steps = max(1, math.ceil(min((last - first) / (kernel.STEP * link), MOST_KNOTS - 1)))
     budget.expect(kernel.BOUNDED * steps * FINER * handles)
     given = {**_limits_of(plan), "head": plan.limits.head_acceleration}
-    limits = (1.0 - PRUDENCE) * np.array([given.get(name, math.inf) for name in (*QUANTITIES, "head")])
+    limits = [(1.0 - PRUDENCE) * given.get(name, math.inf) for name in (*QUANTITIES, "head")]
     most, table = np.empty(steps), np.empty((steps, pacing.NODES, 2))
     at = np.linspace(first, last, steps * FINER + 1)
     per = max(1, AT_ONCE // (handles * FINER))
@@ -194,27 +193,26 @@ def _fastest(
             end = min(n + per, steps)
             budget.spend(kernel.BOUNDED * (end - n) * FINER * handles)
             square = plan.walk.speed**2
-            if question.bound(at, n, end, square, limits, most, table) == kernel.FALLEN:
+            if question.bound(at, n, end, square, np.array(limits), most, table) == kernel.FALLEN:
                 raise failure_within(walk, first, last)
             progress(end / steps, _("other limits"))
-    times, speeds = np.empty((2, steps + 1))
-    count = pacing.find_pace(table, most, at[::FINER].copy(), times, speeds)
+            question.rest()
+    ends = np.array([at[n * FINER] for n in range(steps + 1)])
+    times, speeds = np.empty(steps + 1), np.empty(steps + 1)
+    count = pacing.find_pace(table, most, ends, times, speeds)
     if count < 0:
-        raise UnsureError(
-            _("no speed of the head was found that keeps the limits at {s} m of the route").format(
-                s=f"{at[(-1 - count) * FINER]:.6g}"
-            )
-        )
-    return times[:count], speeds[:count]
+        text = _("no speed of the head was found that keeps the limits at {s} m of the route")
+        raise UnsureError(text.format(s=f"{ends[-1 - count]:.6g}"))
+    return times[:count].tolist(), speeds[:count].tolist()
 
 
 def with_pace(plan: Plan, pace: Pace) -> Plan:
     """The same plan walked at a pace."""
     knots = list(zip(pace.profile.times, pace.profile.speeds, strict=True))
-    times = {"start": knots[0][0]}
+    values = {"walk.profile": knots, "walk.start": knots[0][0]}
     if plan.walk.end is not None:
-        times["end"] = knots[0][0] + pace.seconds
-    return plan.with_table("walk", profile=knots, **times)
+        values["walk.end"] = knots[0][0] + pace.seconds
+    return plan.with_values(values)
 
 
 def with_head_speed(plan: Plan, speed: float) -> Plan:

@@ -17,7 +17,6 @@ from benchdragon.analysis.obstacles import least_distance
 from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_of
 from benchdragon.errors import InputError, NoSolutionError, of_kind, positive
 from benchdragon.i18n import _
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.turn_trial import APART, BESIDE
 from benchdragon.model.answer import Answer
 from benchdragon.model.turns import Turn
@@ -114,7 +113,7 @@ def _settled(
 ) -> BestTurn:
     """The best turn near one that was seen, by exact figures."""
     for narrowing in range(NARROWINGS):
-        if not seen.keeps:
+        if not seen.allowed:
             break
         best, exact = _exact(family, question, seen, began)
         if exact is None:
@@ -126,12 +125,12 @@ def _settled(
 
 def _exact(
     family: TurnFamily, question: TurnQuestion, seen: Seen, began: float
-) -> tuple[BestTurn, FloatArray | None]:
+) -> tuple[BestTurn, list[float] | None]:
     """A turn with its exact figures; these, too, if one of them exceeds a limit."""
     plan, goal = family.with_turn(seen.x), family.goal
     exact, clearance = _exact_figures(plan, seen.figures, _judged(family))
     exceeds = question.exceeded(exact)
-    value, unit = float(exact[SOUGHT[goal.objective]]), "m"
+    value, unit = exact[SOUGHT[goal.objective]], "m"
     if goal.objective == "disc":
         plan = plan.with_value("disc.radius", value)
     speed = greatest_head_speed(plan) if plan.limits.speed is not None else None
@@ -146,7 +145,7 @@ def _exact(
         (_("best that was found in this family; better ones may exist"),),
         question.tried, clock.perf_counter() - began,
     )  # fmt: skip
-    turn, disc = family.turn(seen.x), plan.disc.radius or family.disc
+    turn, disc = plan.turn.build(family.pitch, family.disc), plan.disc.radius or family.disc
     active = tuple(name for name, over in exceeds.items() if over >= -ACTIVE and name != goal.objective)
     best = BestTurn(plan, turn, answer, turn.length, turn.way(disc), speed, clearance, active)
     return best, exact if max(exceeds.values(), default=0.0) > EXCEEDED else None
@@ -159,25 +158,25 @@ def _judged(family: TurnFamily) -> list[str]:
     return [name for name, rate in QUANTITIES.items() if name in limited or rate.kind == sought]
 
 
-def _exact_figures(plan: Plan, seen: FloatArray, rates: Sequence[str]) -> tuple[FloatArray, Answer]:
+def _exact_figures(
+    plan: Plan, seen: Sequence[float], rates: Sequence[str]
+) -> tuple[list[float], Answer]:
     """What was seen made exact, on the safe side, and the least clearance."""
-    walk, exact = plan.build(), seen.copy()
-    ends = float(walk.route.joints[1]), walk.head_where_tail(float(walk.route.joints[-2]))
+    walk, exact = plan.build(), [*seen]
+    first, last = float(walk.route.joints[1]), walk.head_where_tail(float(walk.route.joints[-2]))
     for name in rates:
         quantity = QUANTITIES[name]
-        exact[quantity.kind] = greatest_of(walk, quantity, *ends, tolerance=RATE).upper
-    times = [walk.time_at(s) for s in ends]
+        exact[quantity.kind] = greatest_of(walk, quantity, first, last, tolerance=RATE).upper
+    start, end = walk.time_at(first), walk.time_at(last)
     # How far to look for the least clearance, m: somewhat farther than what was seen.
-    within = max(-1.2 * float(seen[APART]), plan.limits.margin, 0.05)
-    clearance = least_clearance(walk, *times, within=within, tolerances=(DISTANCE,))
+    within = max(-1.2 * seen[APART], plan.limits.margin, 0.05)
+    clearance = least_clearance(walk, start, end, within=within, tolerances=(DISTANCE,))
     exact[APART] = -_sure(clearance)
-    exact[BESIDE] = max(
-        (
-            obstacle.margin - _sure(least_distance(walk, obstacle, *times, tolerances=(DISTANCE,)))
-            for obstacle in plan.obstacles()
-        ),
-        default=math.nan,
-    )
+    lacking: list[float] = []
+    for obstacle in plan.obstacles():
+        distance = least_distance(walk, obstacle, start, end, tolerances=(DISTANCE,))
+        lacking.append(obstacle.margin - _sure(distance))
+    exact[BESIDE] = max(lacking, default=math.nan)
     return exact, clearance
 
 
@@ -231,7 +230,7 @@ def _seen(
             best = question.best(told, texts[n])
             for below in found[-1:]:
                 best = _better(best, question.near(below.x, silent, ""), family)
-        if not best.keeps:
+        if not best.allowed:
             break
         found.append(best)
     for n in range(len(found) - 2, -1, -1):
@@ -243,7 +242,7 @@ def _seen(
 def _better(one: Seen, other: Seen, family: TurnFamily) -> Seen:
     """The better of two turns."""
     sought = SOUGHT[family.goal.objective]
-    return other if other.keeps and not one.figures[sought] <= other.figures[sought] else one
+    return other if other.allowed and not one.figures[sought] <= other.figures[sought] else one
 
 
 def undominated(front: Sequence[BestTurn]) -> list[BestTurn]:

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from benchdragon.errors import InputError, finite, positive
 from benchdragon.i18n import N_, _
-from benchdragon.kernels.turn_trial import FEW, MORE
-from benchdragon.model.dragon import Dragon
 from benchdragon.model.turns import Turn
 from benchdragon.plans.routes import TurnRoute
 from benchdragon.plans.schema import Plan
@@ -47,11 +45,8 @@ class TurnGoal:
 
     def __post_init__(self) -> None:
         if self.objective not in OBJECTIVES:
-            raise InputError(
-                _("wanted one of {known}, not {name}").format(
-                    known=", ".join(OBJECTIVES), name=self.objective
-                )
-            )
+            text = _("wanted one of {known}, not {name}")
+            raise InputError(text.format(known=", ".join(OBJECTIVES), name=self.objective))
         finite("least_radius", self.least_radius, "m")
         for name in ("longest", "longest_way"):
             if math.isfinite(getattr(self, name)):
@@ -62,8 +57,7 @@ class TurnFamily:
     """The turns of a plan's family, by their unknowns.
 
     Attributes:
-        few: the dragon's first benches, at whose rates turns are judged.
-        more: those whose distances count.
+        dragon: that of the plan.
         narrowest: the least radius of a bend, m.
     """
 
@@ -72,13 +66,10 @@ class TurnFamily:
         if not isinstance(route, TurnRoute):
             raise InputError(_("a best turn is sought for plans whose route is a turn"))
         self.plan, self.goal = plan, goal
-        self.pitch, self.disc = route.pitch, route.disc(plan)
+        self.pitch, self.disc = route.pitch, TurnRoute.disc(plan)
         self.obstacles = [route.unplaced(obstacle) for obstacle in plan.obstacles()]
-        dragon = plan.dragon.build()
-        self.few, self.more = (
-            Dragon.of_sizes(*(size[:count] for size in dragon.sizes)) for count in (FEW, MORE)
-        )
-        self.narrowest = max(WIDER * 0.5 * float(dragon.links.max()), goal.least_radius)
+        self.dragon = plan.dragon.build()
+        self.narrowest = max(WIDER * 0.5 * self.dragon.longest_link, goal.least_radius)
 
     @property
     def bounds(self) -> list[tuple[float, float]]:
@@ -100,7 +91,7 @@ class TurnFamily:
     def table(self, x: Sequence[float]) -> dict[str, object]:
         """What the unknowns say in a plan's [turn]."""
         family = self.plan.turn.family
-        entry, exit_, *inner = (float(value) for value in x)
+        entry, exit_, *inner = x
         said: dict[str, object] = {"entry_radius": entry, "exit_radius": exit_}
         if self.goal.objective == "acceleration":
             said["ease"] = inner.pop()
@@ -121,18 +112,4 @@ class TurnFamily:
 
     def with_turn(self, x: Sequence[float]) -> Plan:
         """The plan with the turn of these unknowns."""
-        turn = self.plan.turn.model_copy(update=self.table(x))
-        return self.plan.model_copy(update={"turn": turn})
-
-    def unknowns(self, plan: Plan) -> list[float]:
-        """The unknowns of a plan's turn: inverse of `table`."""
-        table = plan.turn
-        if table.entry_radius is None or table.exit_radius is None:
-            raise AssertionError("a best turn says its joints")
-        x = [table.entry_radius, table.exit_radius]
-        if table.family == "arc-arc":
-            x.append(math.log(table.ratio))
-        elif table.radii is not None:
-            middle = [table.curvature] if table.family == "arc-arc-arc" else []
-            x += [table.radii[0], *middle, table.radii[1]]
-        return [*x, table.ease] if self.goal.objective == "acceleration" else x
+        return self.plan.with_values({f"turn.{name}": value for name, value in self.table(x).items()})

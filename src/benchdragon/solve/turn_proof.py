@@ -21,6 +21,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import S_START, FloatArray
+from benchdragon.kernels.turn_trial import FEW
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
@@ -246,7 +247,7 @@ class _Search:
             return
         rows = turn.rows(lead=1.0, trail=1000.0)
         start = float(rows[1, S_START])
-        for s, handle in _fast(rows, self.family.few.links, self._slow()):
+        for s, handle in _fast(rows, self.family.dragon.links[:FEW], self._slow()):
             ends = (True, s - start - turn.length, handle), (False, s - start, handle)
             for end in ends if s - start > 0.5 * turn.length else reversed(ends):
                 yield Witness(*end)

@@ -39,29 +39,36 @@ class Seen(NamedTuple):
     """A turn that was found: its unknowns, and what was seen of each of turn_trial.KINDS; else NaN."""
 
     x: list[float]
-    figures: FloatArray
+    figures: list[float]
     exceeds: float  # by what share a limit at most
 
     @property
-    def keeps(self) -> bool:
+    def allowed(self) -> bool:
         """Whether limits seem kept."""
         return self.exceeds <= EXCEEDED
 
 
 def told_of_limits(family: TurnFamily) -> FloatArray:
     """What the engine is told of a family, as kernels/turn_trial.py says."""
-    plan, goal, told = family.plan, family.goal, np.full(told_of.TOLD, math.inf)
-    told[told_of.FAMILY] = FAMILIES[plan.turn.family]
-    told[told_of.EASE] = math.nan if goal.objective == "acceleration" else plan.turn.ease
-    told[told_of.PITCH], told[told_of.DISC] = family.pitch, family.disc
-    told[told_of.NARROWEST], told[told_of.HEAD] = family.narrowest, plan.walk.speed
-    told[told_of.LONGEST], told[told_of.LONGEST_WAY] = goal.longest, goal.longest_way
-    told[told_of.MARGIN], told[told_of.SOUGHT] = plan.limits.margin, SOUGHT[goal.objective]
+    plan, goal, told = family.plan, family.goal, [math.inf] * told_of.TOLD
+    known = {
+        told_of.FAMILY: FAMILIES[plan.turn.family],
+        told_of.EASE: math.nan if goal.objective == "acceleration" else plan.turn.ease,
+        told_of.PITCH: family.pitch,
+        told_of.DISC: family.disc,
+        told_of.NARROWEST: family.narrowest,
+        told_of.HEAD: plan.walk.speed,
+        told_of.LONGEST: goal.longest,
+        told_of.LONGEST_WAY: goal.longest_way,
+        told_of.MARGIN: plan.limits.margin,
+        told_of.SOUGHT: SOUGHT[goal.objective],
+    }
     for name, limit in given_limits(plan).items():
-        told[told_of.LIMIT + QUANTITIES[name].kind] = limit
-    if SOUGHT[goal.objective] < told_of.RATES:
-        told[told_of.LIMIT + SOUGHT[goal.objective]] = math.inf
-    return told
+        if QUANTITIES[name].kind != SOUGHT[goal.objective]:
+            known[told_of.LIMIT + QUANTITIES[name].kind] = limit
+    for column, value in known.items():
+        told[column] = value
+    return np.array(told)
 
 
 def _side(obstacle: Obstacle) -> float:
@@ -77,20 +84,28 @@ class TurnQuestion(EngineQuestion):
     """
 
     def __init__(self, family: TurnFamily) -> None:
-        low, high = np.array(family.bounds).T.copy()
-        boxes = [np.zeros((0, BOX_COLUMNS)), *(obstacle.boxes for obstacle in family.obstacles)]
-        keep = [(obstacle.radius + obstacle.margin, _side(obstacle)) for obstacle in family.obstacles]
-        budget.hold(8 * sum(map(np.size, boxes)))
+        low, high = (np.array([pair[n] for pair in family.bounds]) for n in (0, 1))
+        standing: list[list[float]] = []
+        border = [0]
+        for obstacle in family.obstacles:
+            standing += obstacle.boxes.tolist()
+            border.append(len(standing))
+        keep = [(one.radius + one.margin, _side(one)) for one in family.obstacles]
+        budget.hold(8 * BOX_COLUMNS * len(standing))
+        sizes = np.array([row[: told_of.MORE] for row in family.dragon.sizes.tolist()])
         handle = kernel.open_turn(
-            told_of_limits(family), low, high, family.more.sizes, family.more.links,
-            np.concatenate(boxes), np.cumsum([len(some) for some in boxes]),
+            told_of_limits(family), low, high, sizes, family.dragon.links[: told_of.MORE],
+            np.array(standing).reshape(-1, BOX_COLUMNS), np.array(border, dtype=np.int64),
             np.array(keep).reshape(-1, 2),
         )  # fmt: skip
-        told = np.zeros(kernel.FIGURES), low.copy(), np.empty(told_of.KINDS)
-        super().__init__(handle, kernel.step_turn, kernel.read_turn, *told)
-        self.factors = np.ones(told_of.KINDS)
-        self.factors[: told_of.RATES] += PRUDENCE
-        self.factors[[told_of.APART, told_of.BESIDE]] = 0.0
+        found, seen = np.zeros(len(low)), np.zeros(told_of.KINDS)
+        super().__init__(
+            handle, kernel.step_turn, kernel.read_turn, np.zeros(kernel.FIGURES), found, seen
+        )
+        self._found_at, self._seen = found, seen
+        self.factors = [1.0 + PRUDENCE] * told_of.RATES + [1.0] * (told_of.KINDS - told_of.RATES)
+        for kind in (told_of.APART, told_of.BESIDE):
+            self.factors[kind] = 0.0
 
     @property
     def tried(self) -> int:
@@ -99,29 +114,32 @@ class TurnQuestion(EngineQuestion):
 
     def best(self, progress: Progress, text: str) -> Seen:
         """The best turn that is found all over the family."""
-        return self._sought(kernel.ALL, self._told[1], progress, text)
+        return self._sought(kernel.ALL, self._found_at.tolist(), progress, text)
 
     def near(self, x: Sequence[float], progress: Progress, text: str) -> Seen:
         """The best turn downhill from these unknowns."""
-        return self._sought(kernel.NEAR, np.array(x), progress, text)
+        return self._sought(kernel.NEAR, x, progress, text)
 
-    def _sought(self, what: int, x: FloatArray, progress: Progress, text: str) -> Seen:
-        kernel.seek_turn(self._handle, what, x, self.factors)
+    def _sought(self, what: int, x: Sequence[float], progress: Progress, text: str) -> Seen:
+        kernel.seek_turn(self._handle, what, np.array(x), np.array(self.factors))
         while self.step() == MORE:
             progress(float(self.figures[kernel.SHARE]), text)
-        _figures, found, seen = self._told
-        return Seen(found.tolist(), seen.copy(), float(self.figures[kernel.EXCEEDS]))
+        exceeds = float(self.figures[kernel.EXCEEDS])
+        return Seen(self._found_at.tolist(), self._seen.tolist(), exceeds)
 
-    def correct(self, seen: FloatArray, exact: FloatArray, prudence: float) -> None:
+    def correct(self, seen: Sequence[float], exact: Sequence[float], prudence: float) -> None:
         """Tell the engine by how much what is seen flatters a turn like this, and somewhat more."""
-        for kind in np.flatnonzero(np.isfinite(seen) & np.isfinite(exact)):
+        for kind, (one, other) in enumerate(zip(seen, exact, strict=True)):
+            if not math.isfinite(one) or not math.isfinite(other):
+                continue
             if kind < told_of.RATES:
-                self.factors[kind] = exact[kind] / seen[kind] * (1.0 + prudence)
+                self.factors[kind] = other / one * (1.0 + prudence)
             elif kind in (told_of.APART, told_of.BESIDE):
-                self.factors[kind] = max(exact[kind] - seen[kind] + prudence, 0.0)
+                self.factors[kind] = max(other - one + prudence, 0.0)
 
-    def exceeded(self, exact: FloatArray) -> dict[str, float]:
+    def exceeded(self, exact: Sequence[float]) -> dict[str, float]:
         """By what share exact figures exceed their limits, by the names of those that there are."""
-        exceeds = np.empty(told_of.KINDS)
-        kernel.judge_turn(self._handle, exact, exceeds)
-        return {name: float(exceeds[kind]) for kind, name in LIMITS.items() if exceeds[kind] > -1.0}
+        exceeds = np.zeros(told_of.KINDS)
+        kernel.judge_turn(self._handle, np.array(exact), exceeds)
+        shares = exceeds.tolist()
+        return {name: shares[kind] for kind, name in LIMITS.items() if shares[kind] > -1.0}

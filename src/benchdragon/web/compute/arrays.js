@@ -94,6 +94,17 @@ function placeOf({ shape }, at) {
   return (row < 0 ? row + shape[0] : row) * (shape[1] ?? 1) + column;
 }
 
+/** The same numbers in rows of so many. @param {any} table @param {number} _rows @param {number} columns */
+function reshape(table, _rows, columns) {
+  const all = tolist(table).flat();
+  return arena().table(
+    Array.from({ length: all.length / columns }, (_row, n) =>
+      all.slice(n * columns, (n + 1) * columns),
+    ),
+    columns,
+  );
+}
+
 /** A number of an array, or a row. @param {Numbers} table @param {number | number[]} at as in `placeOf` @returns {any} */
 export function cell(table, at) {
   if (table.shape[1] !== undefined && !Array.isArray(at))
@@ -147,5 +158,5 @@ Object.assign(
   py,
   { isTable, entry, entered, array, copy, tolist, zeros, empty: zeros, concatenate, cell, put, rows },
   ofOne,
-  { searchsorted, interp, scoped },
+  { searchsorted, interp, reshape, scoped },
 );

@@ -31,8 +31,6 @@ export const DANCE_MEMORY = { NEEDED: 0, TOUCHES: 1, RESULT: 2, FIGURES: 25 };
 
 export const DRAWN_ROUTE = { STRETCH_ERROR: 2e-5, MOST_NODES: 4097 };
 
-export const DRIVE = { TURNING: 1, QUANTITIES: 5 };
-
 export const FAMILY = {
   PITCH: 0,
   DISC: 1,
@@ -98,24 +96,9 @@ export const OWN_ROOM = {
   PLACES: 6,
 };
 
-export const PACING = { NODES: 65 };
-
-export const PEAK_MEMORY = {
-  VALUE: 2,
-  QUANTITY: 14,
-  SHARE: 15,
-  GIVEN_UP: 16,
-  LOW: 17,
-  HIGH: 18,
-  FIGURES: 27,
-};
-
-export const PEAK_QUESTION = { STEP: 0.1, BOUNDED: 4, DONE: 1, FALLEN: 2 };
-
 export const QUESTION = {
   SPENT: 0,
   WANTED: 1,
-  TOLD: 2,
   MORE: 8,
   OVER_MEMORY: 20,
   OUT_OF_MEMORY: 21,
@@ -192,41 +175,6 @@ export const Status = {
 
 export const TURN_FAMILIES = { MOST_PIECES: 7, ARCS: 3 };
 
-export const TURN_QUESTION = {
-  APART: 0.1,
-  ALL: 0,
-  NEAR: 1,
-  EXCEEDS: 2,
-  TRIED: 3,
-  SHARE: 4,
-  FIGURES: 7,
-};
-
-export const TURN_TRIAL = {
-  RATES: 5,
-  APART: 5,
-  BESIDE: 6,
-  REACH: 7,
-  BEND: 8,
-  LONG: 9,
-  WAY: 10,
-  KINDS: 11,
-  TWO_ARCS: 0,
-  FAMILY: 0,
-  EASE: 1,
-  PITCH: 2,
-  DISC: 3,
-  NARROWEST: 4,
-  LONGEST: 5,
-  LONGEST_WAY: 6,
-  HEAD: 7,
-  MARGIN: 8,
-  SOUGHT: 9,
-  LIMIT: 10,
-  TOLD: 15,
-  MORE: 40,
-};
-
 export const ANALYSIS_CONTACT_SEARCH = {
   SLACK: 1e-13,
   WIDTH: 1e-13,
@@ -240,15 +188,6 @@ export const ANALYSIS_LEFT_OPEN = { REST: 0.25 };
 export const ANALYSIS_NEARBY = { FAR: 100, SPREADS: 4, NOWHERE: [0, 0] };
 
 export const ANALYSIS_NOT_LOOKED_AT = { DUST: 1e-6 };
-
-export const ANALYSIS_SPEED = {
-  TOLERANCE: 1e-10,
-  LEAST_TOLERANCE: 1e-12,
-  RATE_TOLERANCE: 1e-6,
-  ROOM: [500000, 1024, 5000000, 100000, 24, 0.8, 0.1, 1e-11],
-  PLACES: 1000000,
-  TOLD: 0.001,
-};
 
 export const ANALYSIS_TABLES = {
   MOST_SIZES: 2000,
@@ -274,8 +213,6 @@ export const MODEL_DRAGON = { MOST_BENCHES: 1000000, MOST_FAULTS: 20 };
 export const MODEL_HOLDS = { KNOTS: 6 };
 
 export const MODEL_PLACEMENT = { PLACE: 40 };
-
-export const MODEL_PROFILE = { MOST_SPEED: 100 };
 
 export const NUMBER_FORMAT = { FIGURES: 5 };
 
@@ -329,8 +266,6 @@ export const ROSTERS_GRID = { MOST_BYTES: 20000000 };
 
 export const SHEETS_BRIEFING = { MOST_NAMED: 4 };
 
-export const SOLVE_HEAD_SPEED = { PRUDENCE: 1e-9, MOST_KNOTS: 5000, FINER: 8, AT_ONCE: 1000000 };
-
 export const SOLVE_SIZE = { MOST_COUNT: 10000, QUICK_SIZE: 1e-5 };
 
 export const SOLVE_SIZE_FAMILY = { TOLERANCE: 1e-12 };
@@ -341,24 +276,6 @@ export const SOLVE_TOLERANCE = {
   CONFIDENCE: 0.95,
   RISKS: [0.5, 0.1, 0.05, 0.02],
   ALL: [0.02, 0.02, 0.01, 0.1, 0.02, 0.005],
-};
-
-export const SOLVE_TURN = {
-  SEARCHED: 0.7,
-  NARROWINGS: 8,
-  DEEP: 0.001,
-  ACTIVE: 0.002,
-  RATE: 1e-7,
-  DISTANCE: 1e-5,
-};
-
-export const SOLVE_TURN_GOAL = {
-  EXCEEDED: 1e-7,
-  PRUDENCE: 1e-8,
-  DEEPEST: 0.3,
-  WIDEST: 0.75,
-  LONGEST_EASE: 4,
-  WIDER: 1.001,
 };
 
 export const SURVEYS_LINES = { SAME: 1e-9 };

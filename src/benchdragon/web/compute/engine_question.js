@@ -40,6 +40,11 @@ export class EngineQuestion {
     return columns.map((column) => py.at(this.figures, column));
   }
 
+  /** Let go, so that a Worker hears what it is told. */
+  rest() {
+    return tick();
+  }
+
   /** Go on for some hundredths of a second; how that ended. @param {number[]} said what else the entry takes */
   async step(...said) {
     const ending = this.entries.step(this._handle, left(), ...said);

@@ -2,12 +2,12 @@
 // analysis/left_open.py.
 
 import { DEAR, HIDDEN, openFinding } from "../made/left_open.js";
+import { fastestHandle } from "../made/speed.js";
 import { answered } from "./answer.js";
 import { doubles, withArena } from "./arena.js";
 import { OverBudgetError, allow } from "./budget.js";
 import { ANALYSIS_LEFT_OPEN, MODEL_ANSWER } from "./constants.js";
 import { UnsureError } from "./errors.js";
-import { fastestHandle } from "./speed.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("../made/findings.js").Finding} Finding */

@@ -1,13 +1,12 @@
 // Answers that are searched for, as records that pages take: the models of planner/messages.py.
 
 import { answerOf, answerOrNone } from "../made/records.js";
+import { bestTurn } from "../made/best_turn.js";
+import { greatestHeadSpeed, slowed, withPace } from "../made/head_speed.js";
 import { TurnRoute } from "../made/plan_routes.js";
-import { withArena } from "./arena.js";
-import { within } from "./arrays.js";
+import { withArena, withArenaAsync } from "./arena.js";
 import { SOLVE_SIZE } from "./constants.js";
-import { greatestHeadSpeed, slowed, withPace } from "./head_speed.js";
 import { limit } from "./size.js";
-import { bestTurn } from "./turn.js";
 
 /** @typedef {import("../messages").Answer} Answer */
 /** @typedef {import("../messages").PaceFound} PaceFound */
@@ -24,52 +23,44 @@ export async function limited(name, asked) {
 }
 
 /** How fast the head may walk. @param {Asked} asked @returns {Promise<Answer>} */
-export async function headSpeed(asked) {
-  const { engine, plan, progress } = asked;
-  return answerOf(await greatestHeadSpeed(engine, plan, { progress }), plan);
+export function headSpeed({ engine, plan, progress }) {
+  return withArenaAsync(engine, async () =>
+    answerOf(await greatestHeadSpeed(plan, undefined, progress), plan),
+  );
 }
 
 /** A pace that slows down only where it must. @param {Asked} asked @returns {Promise<PaceFound>} */
-export async function pace(asked) {
-  const { engine, plan, progress } = asked;
-  const found = await slowed(engine, plan, { progress });
-  const { steady, seconds, saved } = found;
-  return {
-    plan: withPace(plan, found).data(),
-    steady: answerOf(steady, plan),
-    seconds,
-    saved,
-  };
+export function pace({ engine, plan, progress }) {
+  return withArenaAsync(engine, async () => {
+    const found = await slowed(plan, progress);
+    const { steady, seconds, saved } = found;
+    return { plan: withPace(plan, found).data(), steady: answerOf(steady, plan), seconds, saved };
+  });
 }
 
 /** The best turn. @param {Asked} asked @returns {Promise<TurnFound>} */
-export async function turn(asked) {
-  const { engine, plan, progress } = asked;
-  const found = await bestTurn(engine, plan, {}, { progress });
-  return {
-    plan: found.plan.data(),
-    objective: answerOf(found.objective, plan),
-    length: found.length,
-    way: found.way,
-    way_before: wayOf(asked),
-    least_radius: found.turn.least_radius,
-    head_speed: answerOrNone(found.headSpeed, plan),
-    clearance: answerOf(found.clearance, plan),
-    active: found.active,
-  };
+export function turn({ engine, plan, progress }) {
+  return withArenaAsync(engine, async (arena) => {
+    const wayBefore = plan.ownTurn(arena).way(TurnRoute.disc(plan.tables));
+    const found = await bestTurn(plan, undefined, progress);
+    return {
+      plan: found.plan.data(),
+      objective: answerOf(found.objective, plan),
+      length: found.length,
+      way: found.way,
+      way_before: wayBefore,
+      least_radius: found.turn.least_radius,
+      head_speed: answerOrNone(found.head_speed, plan),
+      clearance: answerOf(found.clearance, plan),
+      active: found.active,
+    };
+  });
 }
 
 /** The plan's own turn. @param {Asked} asked @returns {TurnShape} */
 export function shape({ engine, plan }) {
   return withArena(engine, (arena) => {
-    const { length, least_radius } = plan.turn(arena);
+    const { length, least_radius } = plan.ownTurn(arena);
     return { length, least_radius };
   });
-}
-
-/** The way inside the disc of the plan's own turn, m. @param {Asked} asked */
-function wayOf({ engine, plan }) {
-  return withArena(engine, (arena) =>
-    within(arena, () => plan.turn(arena).way(TurnRoute.disc(plan.tables))),
-  );
 }

@@ -1,6 +1,6 @@
 // What stands on the square, as kernels see it; and which sides of an outline meet.
 
-import { doubles, wholes } from "./arena.js";
+import { arena as arenaHere, doubles, wholes } from "./arena.js";
 import { BOX, OBSTACLE } from "./constants.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
@@ -32,8 +32,13 @@ export class Standing {
     );
   }
 
+  /** The same boxes in the arena of what is built. */
+  get boxes() {
+    return this.boxesIn(arenaHere());
+  }
+
   /** Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py. @param {Arena} arena */
-  boxes(arena) {
+  boxesIn(arena) {
     const count = this.outline.length - (this.kind === "line" ? 1 : 0);
     const made = arena.array("d", count, BOX.BOX_COLUMNS);
     arena.engine.call("bd_obstacle_fill_boxes", this.sort, this.corners(arena), made);
@@ -57,7 +62,7 @@ export class Standing {
   nearest(arena, table) {
     const [count] = table.shape;
     const [out, which] = [arena.array("d", count), arena.array("q", count)];
-    const [boxes, near] = [this.boxes(arena), arena.array("d", 2, BOX.BOX_COLUMNS)];
+    const [boxes, near] = [this.boxesIn(arena), arena.array("d", 2, BOX.BOX_COLUMNS)];
     arena.engine.call("bd_standing_distances_to", table, boxes, near, out, which);
     return { apart: doubles(out).slice(), which: wholes(which), boxes };
   }

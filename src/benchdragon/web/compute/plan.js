@@ -5,7 +5,7 @@ import { Paced, outside, paced } from "../made/cues.js";
 import { builtObstacles } from "../made/square.js";
 import { drop, dropReplaced, idleKeys } from "../made/idle.js";
 import { _, language } from "../words.js";
-import { within } from "./arrays.js";
+import { arena as arenaHere, within } from "./arena.js";
 import { MODEL_DRAGON, PLANS_SOURCE } from "./constants.js";
 import { Dragon, SizeError } from "./dragon.js";
 import { Fault, Faults, InputError, KeyedError, PlanError, keyed } from "./errors.js";
@@ -13,6 +13,7 @@ import { withHolds } from "./holds.js";
 import { checkedTables, filledTable, jsonOfTable, withoutDefaults } from "./plan_check.js";
 import { setValue, withBase } from "./plan_tables.js";
 import { SpeedProfile } from "../made/profile.js";
+import { py } from "./python.js";
 import { sha256 } from "./sha256.js";
 import { Walk } from "./walk.js";
 
@@ -49,6 +50,8 @@ export class Plan {
     this.people = this.tables.people;
     this.cues = this.tables.cues;
     this.walk = this.tables.walk;
+    this.disc = this.tables.disc;
+    this.turn = this.tables.turn;
     this.route = this.tables.route;
   }
 
@@ -134,6 +137,11 @@ export class Plan {
     return checkedPlan(data, this.source);
   }
 
+  /** The same for a dict of Python. @param {Map<string, unknown>} values */
+  with_values(values) {
+    return this.withValues(py.object(values));
+  }
+
   /** The same plan without its venue and its obstacles. */
   withoutSquare() {
     const { venue: _venue, obstacle: _obstacle, ...data } = withoutNulls(this.said);
@@ -159,6 +167,22 @@ export class Plan {
     }
     if (typeof at !== "number") throw new PlanError(_("the plan does not say {key}: set it", { key }));
     return at;
+  }
+
+  /** What it says of the dragon, which is built of it. */
+  get dragon() {
+    const { dragon } = this.tables;
+    return { ...dragon, build: () => builtDragon(arenaHere(), dragon) };
+  }
+
+  /** The head's speed over time. */
+  profile() {
+    return this.pace(arenaHere().engine).profile;
+  }
+
+  /** The same with one value. @param {string} key @param {unknown} value */
+  with_value(key, value) {
+    return this.withValues({ [key]: value });
   }
 
   /** When the dance starts, s. */
@@ -229,10 +253,10 @@ export class Plan {
 
   /**
    * The walk that the plan describes.
-   * @param {Arena} arena which holds its arrays
+   * @param {Arena} [arena] which holds its arrays
    * @returns {Walk}
    */
-  build(arena) {
+  build(arena = arenaHere()) {
     const faults = new Faults();
     const dragon = faults.tried("dragon", () => builtDragon(arena, this.tables.dragon));
     const placed = faults.tried("route", () => this.#placed(arena, dragon));
@@ -257,7 +281,7 @@ export class Plan {
   }
 
   /** The turn of its route, checked: its own walk's, or whatever the benches. @param {Arena} arena @returns {import("../made/turns.js").Turn} */
-  turn(arena) {
+  ownTurn(arena) {
     return within(arena, () => this.route.turn({ ...this.tables, chain: null }));
   }
 

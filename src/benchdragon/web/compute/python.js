@@ -322,6 +322,8 @@ export const py = {
   lcm,
   as_integer_ratio: integerRatio,
   isnan: Number.isNaN,
+  exp: Math.exp,
+  log: Math.log,
   linspace,
   sqrt: Math.sqrt,
   copysign: (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a)),

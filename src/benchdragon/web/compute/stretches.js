@@ -19,11 +19,10 @@ export function stretchesOf(profile, start, end) {
   });
 }
 
-/** When the head comes to `way`, m, on a stretch, s: `Stretches.time`. @param {PaceStretch} stretch @param {number} way */
-export function timeOnStretch({ times, ways, speeds: [slow, fast] }, way) {
-  const ahead = way - ways[0];
-  if (ahead <= 0) return times[0];
-  const share = Math.min(ahead / (ways[1] - ways[0]), 1);
-  const speed = Math.sqrt(slow * slow + share * (fast * fast - slow * slow));
-  return Math.min(times[0] + (2 * ahead) / (slow + speed), times[1]);
+/** What stretches are made of: `_along` of model/profile.py. @param {SpeedProfile} profile @param {Float64Array} times @returns {Float64Array[]} */
+export function _along(profile, times) {
+  const [ways, speeds] = [profile.distance, profile.speed].map((one) =>
+    times.map((t) => one.call(profile, t)),
+  );
+  return [ways, speeds, times.slice(0, -1).map((t) => profile.acceleration(t))];
 }

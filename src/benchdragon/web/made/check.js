@@ -3,7 +3,6 @@
 
 import { speedAtStart, toldIfOpen } from "../compute/left_open.js";
 import { py } from "../compute/python.js";
-import { greatest, greatestSpeed } from "../compute/speed.js";
 import { stopsOf } from "../compute/stops.js";
 import { unfinished } from "../compute/walk_facts.js";
 import { N_, _ } from "../words.js";
@@ -15,8 +14,8 @@ import { notLookedAt } from "./not_looked_at.js";
 import { seconds } from "./number_format.js";
 import { obstacleAnswers } from "./obstacles.js";
 import { called } from "./people.js";
-import { QUANTITIES, givenLimits } from "./quantities.js";
 import { ASKED, levelsAsked, roomLevels, shownName } from "./room_levels.js";
+import { QUANTITIES, givenLimits, greatest, greatestSpeed } from "./speed.js";
 import { silent, stages } from "./stages.js";
 
 const ROUNDING = 1e-11;
@@ -141,14 +140,16 @@ async function _obstacles(plan, walk, span, prover, left, progress) {
   return py.tuple(found);
 }
 async function _greatestSpeed(plan, walk, span, progress) {
-  let limit, speed;
+  let end, limit, most, speed, start;
+  [start, end] = py.list(span);
   {
     const caught = toldIfOpen([]);
     try {
-      speed = (await greatestSpeed(walk, ...py.iter(span), { progress: progress }));
+      speed = (await greatestSpeed(walk, start, end, undefined, progress));
       for (limit of py.iter([plan.limits.speed, plan.people.most_speed])) {
         if (((limit != null) && (keeps(speed, limit) == null))) {
-          speed = (await greatest(walk, py.at(QUANTITIES, "speed"), ...py.iter(span), { limit: (limit * (1.0 + ROUNDING)) }));
+          most = (limit * (1.0 + ROUNDING));
+          speed = (await greatest(walk, py.at(QUANTITIES, "speed"), start, end, undefined, most));
         }
       }
       return speed;
@@ -158,17 +159,17 @@ async function _greatestSpeed(plan, walk, span, progress) {
       caught.ended?.();
     }
   }
-  return speedAtStart(walk, py.at(span, 0));
+  return speedAtStart(walk, start);
 }
 async function _limitedPeaks(plan, walk, span, left, progress) {
-  let limit, limits, n, name, peaks;
+  let end, limit, limits, n, name, peaks, start;
   limits = py.dict(py.list(py.items(givenLimits(plan))).flatMap(([name, limit]) => (((name !== "speed")) ? [[name, limit]] : [])));
-  peaks = py.dict([]);
+  [peaks, [start, end]] = py.list([py.dict([]), span]);
   for ([n, [name, limit]] of py.iter(py.enumerate(py.items(limits)))) {
     {
       const caught = toldIfOpen(left, name, limit);
       try {
-        py.set(peaks, name, (await greatest(walk, py.at(QUANTITIES, name), ...py.iter(span), { tolerance: RATE_TOLERANCE, limit: (limit * (1.0 + ROUNDING)) })));
+        py.set(peaks, name, (await greatest(walk, py.at(QUANTITIES, name), start, end, RATE_TOLERANCE, (limit * (1.0 + ROUNDING)))));
       } catch (error) {
         caught(error);
       } finally {

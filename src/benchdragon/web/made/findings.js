@@ -7,7 +7,7 @@ import { N_, _ } from "../words.js";
 import { keeps, shown } from "./answer.js";
 import { known, seconds } from "./number_format.js";
 import { handleWords } from "./numbering.js";
-import { QUANTITIES, givenLimits } from "./quantities.js";
+import { QUANTITIES, givenLimits } from "./speed.js";
 
 const ROUNDING = 1e-11;
 const NAMELESS = py.pattern("obstacle (\\p{Nd}+)", "");

@@ -5,7 +5,7 @@ import { py } from "../compute/python.js";
 import { N_ } from "../words.js";
 import { Finding, nameWords } from "./findings.js";
 import { Obstacle } from "./obstacle.js";
-import { QUANTITIES } from "./quantities.js";
+import { QUANTITIES } from "./speed.js";
 
 export const DEAR = N_("that takes more work than a question may");
 export const HIDDEN = N_("rounding hides it");

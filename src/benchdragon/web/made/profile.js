@@ -3,12 +3,38 @@
 
 import { InputError, finite, notNegative } from "../compute/errors.js";
 import { py } from "../compute/python.js";
+import { _along } from "../compute/stretches.js";
 import { _ } from "../words.js";
 
 const asList = (_name, values) => values;
 const asNumbers = (_name, values) => values;
 const asNumber = (_name, value) => value;
 const MOST_SPEED = 100.0;
+export class Stretches {
+  constructor(times, ways, speeds, rates) {
+    this.times = times;
+    this.ways = ways;
+    this.speeds = speeds;
+    this.rates = rates;
+  }
+  *[Symbol.iterator]() {
+    yield* [this.times, this.ways, this.speeds, this.rates];
+  }
+  moved(way) {
+    return py.replaced(this, { ways: py.array(py.list(py.tolist(this.ways)).map(([a, b]) => [py.add(a, way), py.add(b, way)])) });
+  }
+  time(n, way) {
+    let ahead, end, fast, first, last, share, slow, speed, start;
+    [[first, last], [slow, fast]] = py.list([py.tolist(py.at(this.ways, n)), py.tolist(py.at(this.speeds, n))]);
+    [[start, end], ahead] = py.list([py.tolist(py.at(this.times, n)), py.sub(way, first)]);
+    share = ((ahead > 0.0) ? py.min((ahead / py.sub(last, first)), 1.0) : 0.0);
+    speed = py.sqrt(py.add((slow * slow), (share * py.sub((fast * fast), (slow * slow)))));
+    return py.float(((ahead > 0.0) ? py.min(py.add(start, ((2.0 * ahead) / py.add(slow, speed))), end) : start));
+  }
+}
+function _ends(values) {
+  return py.array([...py.iter(py.pairwise(py.tolist(values)))]);
+}
 export class SpeedProfile {
   constructor(times, speeds) {
     this.times = times;
@@ -64,6 +90,12 @@ export class SpeedProfile {
       over = py.sub(over, ((py.add(way, way) * unit) * under));
     }
     return [over, ((py.add(unit, unit) * unit) * under)];
+  }
+  stretches(start, end) {
+    let rates, speeds, times, ways;
+    times = py.array([start, ...py.iter(py.list(this.times).flatMap((t) => ((((start < t) && (t < end))) ? [t] : []))), end]);
+    [ways, speeds, rates] = py.list(_along(this, times));
+    return new Stretches(_ends(times), _ends(ways), _ends(speeds), rates);
   }
   time(distance) {
     let ahead, knot, n, root, slope, speed, speeds, times, wanted;
