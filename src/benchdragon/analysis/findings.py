@@ -5,8 +5,6 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from benchdragon.analysis.not_looked_at import given_from, runs_on
 from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.analysis.room import RoomLevel
@@ -328,14 +326,14 @@ def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[
 
 def steepest(walk: Walk, span: tuple[float, float]) -> tuple[float, float]:
     """By how much the head changes its speed at most, m/s^2, and from when on, s."""
-    stretches = walk.profile.stretches(*span)
-    n = int(np.argmax(np.abs(stretches.rates)))
-    return abs(float(stretches.rates[n])), float(stretches.times[n, 0])
+    stretches = walk.profile.stretches(span[0], span[1])
+    rates = [abs(rate) for rate in stretches.rates.tolist()]
+    return max(rates), stretches.times.tolist()[rates.index(max(rates))][0]
 
 
 def extent(walk: Walk) -> float:
     """How long the dragon is from its first handle to its last, link upon link, m."""
-    return float(walk.dragon.links.sum())
+    return walk.dragon.extent
 
 
 def _told_apart(value: float, limit: float) -> dict[str, str]:

@@ -13,7 +13,7 @@ import { copied, rowOf, withArena, withArenaAsync, within } from "./arena.js";
 import { check } from "./check.js";
 import { BOX } from "./constants.js";
 import { InputError } from "./errors.js";
-import { evenly } from "./lists.js";
+import { linspace } from "./numbers.js";
 import { py } from "./python.js";
 import { places } from "./walk_facts.js";
 
@@ -181,7 +181,7 @@ function wayOf({ route }, s) {
   const low = s.flat().reduce((least, one) => Math.min(least, one));
   const high = s.flat().reduce((most, one) => Math.max(most, one));
   const count = Math.min(Math.max(Math.ceil((high - low) / APART), 2), MOST_POINTS);
-  const found = route.evaluate(evenly(low, high, count));
+  const found = route.evaluate(linspace(low, high, count));
   return { low, high, points: found.filter((_number, i) => i % 4 < 2) };
 }
 

@@ -200,8 +200,6 @@ export const ANALYSIS_TABLES = {
   DOUBTS: 64,
 };
 
-export const ANALYSIS_UNFINISHED = { NEARLY: 0.01, TENTHS: 10, DUST: 1e-6 };
-
 export const BUDGET = { WORK: 1000000000, MEMORY: 600000000 };
 
 export const ERRORS = { MOST_SHOWN: 80 };

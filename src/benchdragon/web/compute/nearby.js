@@ -30,8 +30,3 @@ export function originAt(walk, s) {
 export function mustStand(walk, time) {
   withArena(walk.engine, (arena) => walk.motion(arena, [time]));
 }
-
-/** The same walk with its coordinates counted from an origin, m. @param {Walk} walk @param {Point} origin */
-export function seenFrom(walk, origin) {
-  return origin[0] === 0 && origin[1] === 0 ? walk : walk.on(walk.route.seen_from(origin));
-}

@@ -10,7 +10,7 @@ import { question as asOne } from "./budget.js";
 import { SIZE_BRACKET, SIZE_SEARCH, SOLVE_SIZE } from "./constants.js";
 import { InputError, PlanError, notNegative } from "./errors.js";
 import { HeadTimes } from "../made/head_times.js";
-import { evenly } from "./lists.js";
+import { linspace } from "./numbers.js";
 import { general, pythonFloat } from "./number_format.js";
 import { PlanFamily, TOLERANCE, question } from "./size_family.js";
 import { FAR, SizeQuestion } from "./size_question.js";
@@ -185,7 +185,7 @@ export async function feasibleSizes(engine, plan, name, low, high, options = {})
   const tryEach = async (/** @type {SizeQuestion} */ search) => {
     /** @type {Trial[]} */
     const trials = [];
-    for (const [n, size] of evenly(low, high, count).entries()) {
+    for (const [n, size] of linspace(low, high, count).entries()) {
       progress(n / count, `${general(size, 9)} m`);
       trials.push([size, await search.trial(size)]);
     }

@@ -137,11 +137,6 @@ export class Walk {
       throw new InputError(_("start must lie within 1e8 m, not at {s} m", { s: general(start) }));
   }
 
-  /** The same dragon and head on another route, as long: see `Route.seen_from`. @param {Route} route */
-  on(route) {
-    return new Walk(this.dragon, route, this.profile, this.start);
-  }
-
   /** The same for several times. @param {ArrayLike<number>} times */
   head_position(times) {
     return Float64Array.from(times, (t) => this.headPosition(t));

@@ -3,8 +3,6 @@
 
 import { speedAtStart, toldIfOpen } from "../compute/left_open.js";
 import { py } from "../compute/python.js";
-import { stopsOf } from "../compute/stops.js";
-import { unfinished } from "../compute/walk_facts.js";
 import { N_, _ } from "../words.js";
 import { keeps, shown, sure, vanishing } from "./answer.js";
 import { firstSureContact, leastClearance, seenClearance } from "./contact.js";
@@ -17,6 +15,8 @@ import { called } from "./people.js";
 import { ASKED, levelsAsked, roomLevels, shownName } from "./room_levels.js";
 import { QUANTITIES, givenLimits, greatest, greatestSpeed } from "./speed.js";
 import { silent, stages } from "./stages.js";
+import { stopsOf } from "./stops.js";
+import { unfinished } from "./unfinished.js";
 
 const ROUNDING = 1e-11;
 const RATE_TOLERANCE = 1e-06;

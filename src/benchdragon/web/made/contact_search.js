@@ -5,14 +5,14 @@ import { asideMost as budgetAsideMost, memory as budgetMemory } from "../compute
 import { nearnessAt } from "../compute/distance.js";
 import { EngineQuestion } from "../compute/engine_question.js";
 import { UnsureError, inOrder, notNegative } from "../compute/errors.js";
-import { mustStand, originAt, seenFrom } from "../compute/nearby.js";
+import { mustStand, originAt } from "../compute/nearby.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Answer, Witness } from "./answer.js";
 import { beginnings as tablesBeginnings, inColumns as tablesInColumns, tooManyKinds as tablesTooManyKinds } from "./bench_tables.js";
 import { nearnessOf } from "./distance.js";
 import { HeadTimes } from "./head_times.js";
-import { checkedOff } from "./nearby.js";
+import { checkedOff, seenFrom } from "./nearby.js";
 import { atMost } from "./number_format.js";
 import { Rounds, repeats } from "./rounds.js";
 

@@ -2,7 +2,7 @@
 // Made from analysis/findings.py by tools/make_twins.py; to make it again: make types
 
 import { py } from "../compute/python.js";
-import { extent, givenFrom, runsOn, steepest } from "../compute/walk_facts.js";
+import { givenFrom, runsOn } from "../compute/walk_facts.js";
 import { N_, _ } from "../words.js";
 import { keeps, shown } from "./answer.js";
 import { known, seconds } from "./number_format.js";
@@ -183,6 +183,15 @@ function _headFindings(walk, span, limit) {
   words = py.dict([["t", seconds(time)]]);
   words = py.merge(words, py.dict([["value", known(value, value, "m/s^2", true, limit)], ["limit", `${py.format(limit, `g`)}`]]));
   return [new Finding("head_acceleration", time, [1], value, limit, sentence, words)];
+}
+function steepest(walk, span) {
+  let rates, stretches;
+  stretches = walk.profile.stretches(py.at(span, 0), py.at(span, 1));
+  rates = py.list(py.tolist(stretches.rates)).map((rate) => py.abs(rate));
+  return [py.max(rates), py.at(py.at(py.tolist(stretches.times), py.index(rates, py.max(rates))), 0)];
+}
+function extent(walk) {
+  return walk.dragon.extent;
 }
 function _toldApart(value, limit) {
   let digits;

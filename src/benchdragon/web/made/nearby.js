@@ -8,6 +8,10 @@ import { atMost } from "./number_format.js";
 
 const MOST_OFF = 2.5e-08;
 const SEAM_COLUMNS = 2;
+const NOWHERE = [0.0, 0.0];
+export function seenFrom(walk, origin) {
+  return (py.eq(origin, NOWHERE) ? walk : py.replaced(walk, { route: walk.route.seen_from(origin) }));
+}
 export function seamsOf(rows) {
   let seams;
   seams = py.empty([py.len(rows), SEAM_COLUMNS]);

@@ -4,7 +4,7 @@
 import { refined } from "../compute/budget.js";
 import { EngineQuestion } from "../compute/engine_question.js";
 import { UnsureError, inOrder } from "../compute/errors.js";
-import { mustStand, originAt, seenFrom } from "../compute/nearby.js";
+import { mustStand, originAt } from "../compute/nearby.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Answer, Witness } from "./answer.js";
@@ -12,7 +12,7 @@ import { inColumns } from "./bench_tables.js";
 import { assumedWithin } from "./contact_search.js";
 import { FEATURES } from "./distance.js";
 import { HeadTimes } from "./head_times.js";
-import { checkedOff } from "./nearby.js";
+import { checkedOff, seenFrom } from "./nearby.js";
 import { returns } from "./rounds.js";
 
 const SLACK = 1e-13;

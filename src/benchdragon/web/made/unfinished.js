@@ -4,7 +4,10 @@
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 
-export class Unfinished {
+const NEARLY = 0.01;
+const TENTHS = 10.0;
+const DUST = 1e-06;
+class Unfinished {
   constructor(way, end) {
     this.way = way;
     this.end = end;
@@ -22,4 +25,18 @@ export class Unfinished {
     text = _("the dance ends before the tail is out of the turn: the head lacks {way} m");
     return py.filled(text, { way: `${py.format(this.way, `.1f`)}` });
   }
+}
+export function unfinished(plan, walk, end) {
+  let enough, last, time, way;
+  if ((plan.route.kind !== "turn")) {
+    return null;
+  }
+  last = plan.route.last_position(walk);
+  way = py.sub(last, py.float(py.at(walk.head_position([end]), 0)));
+  if ((way <= NEARLY)) {
+    return null;
+  }
+  time = walk.time_at(last);
+  enough = ((last < walk.route.length) && py.isfinite(time));
+  return new Unfinished(way, (py.truth(enough) ? (py.ceil(py.sub((TENTHS * time), DUST)) / TENTHS) : null));
 }
