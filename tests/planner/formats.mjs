@@ -4,7 +4,7 @@ import { pathToFileURL } from "node:url";
 
 const [modules, , file] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const { ulp } = await load("compute/exact");
+const { ulp } = await load("compute/numbers");
 const { decimals, figures, general, powered } = await load("compute/number_format");
 const { known } = await load("made/number_format");
 

@@ -1,4 +1,4 @@
-"""compute/contact.js, speed.js, head_times.js: walks given as numbers are answered as Python does."""
+"""Contact, speeds, times of heads: walks given as numbers are answered as Python does."""
 
 import math
 import random
