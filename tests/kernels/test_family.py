@@ -8,6 +8,7 @@ import pytest
 
 from benchdragon.errors import BenchDragonError
 from benchdragon.kernels.chain import empty_placements
+from benchdragon.kernels.course import Benches
 from benchdragon.kernels.family import Way, falls_soon, set_walk
 from benchdragon.model.curves import Line, Route
 from benchdragon.model.dragon import Dragon
@@ -59,8 +60,12 @@ def test_walks_of_the_kernels_are_those_of_the_plan_for_every_size(name: str) ->
     walked = refused = 0
     for family in families(plan, margin):
         own, walk = kernel_family(family, family.walk(family.first)[0])
-        walk = walk._replace(
-            rows=np.zeros((64, walk.rows.shape[1])) if plan.route.kind == "turn" else walk.rows
+        turns, of = plan.route.kind == "turn", walk.benches
+        walk = walk._replace(  # into which walks are laid
+            rows=np.zeros((64, walk.rows.shape[1])) if turns else walk.rows.copy(),
+            benches=Benches(
+                of.links.copy(), of.sizes.copy(), of.kind, of.ahead.copy(), of.lever.copy()
+            ),
         )
         places = empty_placements(len(walk.benches.kind) + 1, 1)
         for factor in FACTORS:

@@ -11,11 +11,12 @@ const { withArenaAsync } = await load("compute/arena");
 const { useWords } = await load("words");
 const { checkedPlan } = await load("compute/plan");
 const { BenchDragonError } = await load("compute/errors");
-const size = await load("compute/size");
+const size = await load("made/size");
 const head = await load("made/head_speed");
 const turning = await load("made/best_turn");
 const { TurnGoal } = await load("made/turn_goal");
-const margins = await load("compute/tolerance");
+const { tolerance } = await load("compute/long_questions");
+const { ALL } = await load("made/tolerance");
 const { MOST_HELD } = await load("compute/worker");
 const { QUESTIONS } = await load("compute/questions");
 const { left, question } = await load("compute/budget");
@@ -30,9 +31,8 @@ function progress() {
 }
 
 const ASKED = {
-  limit: (plan, { size: name, ...options }) => size.limit(engine, plan, name, { ...options, progress }),
-  sizes: (plan, { size: name, low, high, ...options }) =>
-    size.feasibleSizes(engine, plan, name, low, high, { ...options, progress }),
+  limit: (plan, { size: name, margin, tolerance: width }) =>
+    withArenaAsync(engine, () => size.foundLimit(plan, name, margin, width, progress)),
   speed: (plan, { tolerance }) =>
     withArenaAsync(engine, () => head.greatestHeadSpeed(plan, tolerance, progress)),
   pace: paced,
@@ -61,9 +61,8 @@ async function turned(plan, goal) {
 }
 
 /** What random dances need, in plain data. */
-async function drawn(plan, options) {
-  const { needed, ...found } = await margins.tolerance(engine, plan, { ...options, progress });
-  return { ...found, needed: [...needed] };
+async function drawn(plan, { by = ALL, draws, seed = 1 }) {
+  return withArenaAsync(engine, () => tolerance(plan, by, draws, seed, progress));
 }
 
 /** An answer, or why there is none. */

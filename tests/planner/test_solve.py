@@ -1,4 +1,4 @@
-"""compute/size.js, head_speed.js, turn.js, tolerance.js: the page's searches answer as Python's do."""
+"""Sizes, speeds, turns and random dances: the page's searches answer as Python's do."""
 
 import json
 import math
@@ -11,7 +11,7 @@ from benchdragon.errors import InputError
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
-from benchdragon.solve.size import feasible_sizes, limit
+from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, RISKS, Deviations, tolerance
 from benchdragon.solve.turn import best_turn
 from benchdragon.solve.turn_goal import TurnGoal
@@ -100,16 +100,6 @@ def test_limits_of_random_plans_are_the_same() -> None:
 def test_limits_of_a_spiral_and_beside_obstacles_are_the_same(name: str) -> None:
     for whole in (read_plan("spiral-in", FEW), checked(plain(SQUARE), "plan")):
         assert same_answer(limit(whole, name), searched("limit", whole, size=name))
-
-
-def test_sizes_of_a_range_are_the_same() -> None:
-    whole = read_plan("spiral-in", FEW)
-    found = feasible_sizes(whole, "pitch", 0.3, 0.7, 9)
-    twin = searched("sizes", whole, size="pitch", low=0.3, high=0.7, count=9)
-    assert len(found.spans) == len(twin["spans"]) == 1
-    assert near(found.spans[0].low, twin["spans"][0]["low"])
-    assert near(found.spans[0].borders[0], twin["spans"][0]["borders"][0])
-    assert found.spans[0].tried == twin["spans"][0]["tried"]
 
 
 def test_limits_of_a_dance_that_is_moved_beside_an_obstacle_and_of_a_programme_are_the_same() -> None:

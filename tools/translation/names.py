@@ -27,13 +27,14 @@ METHODS = frozenset(METHODS_SPELT.split())
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
     answer at called distance first_failure head_position head_where_tail moment moments motion obstacle
-    obstacles point profile progress span tell time time_at told tried with_value
-    with_values witness
+    obstacles point profile progress span tell time time_at told tried value
+    walk ways with_value with_values without_square witness
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
 # Methods that give way between their steps.
 WAITED_SPELT = """
-    _found _sought best find least_distance near rest step touches
+    _found _sought ask best find least_distance limit near rest step surely_bad touches
+    trial
 """
 WAITED = frozenset(WAITED_SPELT.split())
 # Functions of modules, by their own names.
@@ -47,8 +48,8 @@ OF_MODULES = {
     "np.concatenate": "concatenate", "np.empty": "empty", "np.shape": "shape", "np.zeros": "zeros",
     "math.degrees": "degrees", "math.remainder": "remainder", "itertools.islice": "islice",
     "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys", "math.radians": "radians",
-    "clock.perf_counter": "perf_counter",
-    "math.exp": "exp", "math.isnan": "isnan", "math.log": "log", "np.linspace": "linspace",
+    "clock.perf_counter": "perf_counter", "np.full": "full", "np.linspace": "linspace",
+    "math.exp": "exp", "math.isnan": "isnan", "math.log": "log",
 }  # fmt: skip
 # Numbers of modules; and what kind of numbers arrays hold, which pages need not say.
 NUMBERS = {

@@ -4,6 +4,7 @@ import numpy as np
 
 from benchdragon import budget
 from benchdragon.analysis.engine_question import EngineQuestion
+from benchdragon.analysis.tables import in_columns
 from benchdragon.errors import InputError, UnsureError, in_order
 from benchdragon.i18n import _
 from benchdragon.kernels import dance_memory as told
@@ -23,14 +24,16 @@ def answered(plan: Plan, limits: dict[int, float]) -> float:
         UnsureError: where no pitch was found near the guess.
     """
     walk = plan.build()
-    times = plan.span(walk)
-    in_order(*times)
-    first, last = walk.head_position(list(times)).tolist()
+    start, end = plan.span(walk)
+    in_order(start, end)
+    first, last = walk.head_position([start, end]).tolist()
     name = "pitch" if limits[told.WHAT] == told.NEEDED else "width"
-    made = kernel_family(PlanFamily(plan, QUESTIONS[name], 0.0), walk)
-    known = {told.MARGIN: plan.limits.margin, told.FIRST: first, told.LAST: last}
-    known |= {told.BYTES: budget.memory()} | limits
-    handle = kernel.open_dance(*made, np.array([known[n] for n in range(told.LIMITS)]))
+    family, laid = kernel_family(PlanFamily(plan, QUESTIONS[name], 0.0), walk)
+    known = {
+        told.MARGIN: plan.limits.margin, told.FIRST: first, told.LAST: last,
+        told.BYTES: budget.memory(), **limits,
+    }  # fmt: skip
+    handle = kernel.open_dance(family, laid, in_columns(known))
     figures, ending = np.zeros(told.FIGURES), MORE
     with EngineQuestion(handle, kernel.step_dance, kernel.read_dance, figures) as question:
         while ending == MORE:

@@ -82,14 +82,25 @@ def limit(
         MissingExtraError: for a proof without python-flint.
         UnsureError: if the bracket could not be proved.
     """
-    began = clock.perf_counter()
-    family = _family(plan, name, margin, tolerance)
     if prove:
         require_flint()
-    answer = _limit(family, progress, began)
+    began, answer = clock.perf_counter(), found_limit(plan, name, margin, tolerance, progress)
     if not prove or answer.status != "found":
         return answer
+    family = _family(plan, name, margin, tolerance)
     return _proved(family, answer, progress, began, [] if claims is None else claims)
+
+
+@budget.question()
+def found_limit(
+    plan: Plan, name: str, margin: float | None = None, tolerance: float = TOLERANCE,
+    progress: Progress = silent,
+) -> Answer:  # fmt: skip
+    """`limit` as it is found, without a proof."""
+    began, family = clock.perf_counter(), _family(plan, name, margin, tolerance)
+    with SizeQuestion(family, progress) as search:  # raises where the plan itself is wrong
+        ending = search.limit(family.first)
+        return _limit_answer(family, search, ending, began)
 
 
 def _proved(
@@ -137,15 +148,9 @@ def _clear(family: PlanFamily, size: float, progress: Progress) -> list[Claim]:
     return [family.said(claim, size) for claim in claims]
 
 
-def _limit(family: PlanFamily, progress: Progress, began: float) -> Answer:
-    with SizeQuestion(family, progress) as search:  # raises where the plan itself is wrong
-        ending = search.limit(family.first)
-        return _limit_answer(family, search, ending, began)
-
-
 def _limit_answer(family: PlanFamily, search: SizeQuestion, ending: int, began: float) -> Answer:
     """The answer of a search for a limit that ended so."""
-    good, bad, value = search.state[[GOOD, BAD, VALUE]].tolist()
+    good, bad, value = (float(search.state[column]) for column in (GOOD, BAD, VALUE))
     texts, evaluations = _assumed(family, search.doubts), search.evaluations
     seconds = clock.perf_counter() - began
     if ending == INFEASIBLE:
@@ -163,10 +168,8 @@ def _limit_answer(family: PlanFamily, search: SizeQuestion, ending: int, began: 
 def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLERANCE) -> PlanFamily:
     """The walks among which a limit is sought; not such as must fail whatever their size."""
     of_kind("plan", plan, Plan)
-    not_negative("margin", plan.limits.margin if margin is None else margin, "m")
-    family = PlanFamily(
-        plan, question(name), plan.limits.margin if margin is None else margin, tolerance
-    )
+    kept = not_negative("margin", plan.limits.margin if margin is None else margin, "m")
+    family = PlanFamily(plan, question(name), kept, tolerance)
     centre = plan.disc.radius is None and plan.walk.end is None
     if name != "disc" and plan.route.kind == "spiral-in" and centre:
         raise InputError(_("say how far in the head comes: set disc.radius=4.5, for example"))

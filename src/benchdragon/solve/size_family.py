@@ -3,13 +3,12 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from typing import assert_never
 
 import numpy as np
 
 from benchdragon.analysis import distance
 from benchdragon.analysis.proof import Claim
-from benchdragon.analysis.tables import kinds_of, walk_tables
+from benchdragon.analysis.tables import in_columns, kinds_of, walk_tables
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import family as sizes_of
@@ -22,9 +21,7 @@ from benchdragon.model.answer import Witness
 from benchdragon.model.walk import Walk
 from benchdragon.plans.routes import (
     FITS,
-    DrawnRoute,
     FormationRoute,
-    PartsRoute,
     ProgrammeRoute,
     SpiralInRoute,
     TurnRoute,
@@ -80,9 +77,8 @@ def question(name: str) -> Question:
         InputError: if there is none.
     """
     if not isinstance(name, str) or name not in QUESTIONS:
-        raise InputError(
-            _("wanted one of {known}, not {name}").format(known=", ".join(QUESTIONS), name=name)
-        )
+        text = _("wanted one of {known}, not {name}")
+        raise InputError(text.format(known=", ".join(QUESTIONS), name=name))
     return QUESTIONS[name]
 
 
@@ -193,15 +189,12 @@ def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
     route, turn, walk = plan.route, plan.turn, plan.walk
     begin_way, end_way, most_way = plan.ways()
     pitch, disc = math.nan, _or_nan(plan.disc.radius)
-    kind, least = sizes_of.FIXED, LEAST_PITCH if question.what == sizes_of.PITCH else LEAST
-    start, clockwise = math.nan, True
+    kind, start, clockwise = sizes_of.FIXED, math.nan, True
     if isinstance(route, SpiralInRoute):
         kind, pitch, start = sizes_of.SPIRAL_IN, route.pitch, route.start_turn
         clockwise = route.clockwise
     elif isinstance(route, TurnRoute):
-        kind, pitch, disc = sizes_of.TURN, route.pitch, route.disc(plan)
-    elif not isinstance(route, PartsRoute | DrawnRoute | FormationRoute | ProgrammeRoute):
-        assert_never(route)
+        kind, pitch, disc = sizes_of.TURN, route.pitch, TurnRoute.disc(plan)
     radii = turn.radii or (math.nan, math.nan)
     numbers = {
         sizes_of.WHAT: question.what,
@@ -222,12 +215,12 @@ def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
         sizes_of.BEGIN_WAY: begin_way,
         sizes_of.END_WAY: end_way,
         sizes_of.MOST_WAY: most_way,
-        sizes_of.LEAST_SIZE: least,
+        sizes_of.LEAST_SIZE: LEAST_PITCH if question.what == sizes_of.PITCH else LEAST,
         sizes_of.MOST_SIZE: _most_size(plan, question),
         sizes_of.ROOMY: ROOMY,
         sizes_of.FITS: FITS,
     }
-    return np.array([numbers[n] for n in range(sizes_of.NUMBERS)], dtype=np.float64)
+    return in_columns(numbers)
 
 
 def _most_size(plan: Plan, question: Question) -> float:
@@ -243,23 +236,18 @@ def _or_nan(value: float | None) -> float:
 
 
 def kernel_family(family: PlanFamily, walk: Walk) -> tuple[sizes_of.Family, KernelWalk]:
-    """A family as kernels want it, and room for its walks; `walk` is one of them."""
-    name, dragon, rows = family.question.name, walk.dragon, walk.route.rows
-    share = np.zeros(len(dragon))
-    if name == "width":
-        share[:] = 1.0
-    elif name == "length":
-        share[1:] = 1.0
+    """A family as kernels want it, which copy it, and `walk`, one of its walks."""
+    name, sizes, benches = family.question.name, walk.dragon.sizes, walk_tables(walk).benches
+    all_of = {"width": 0, "length": 1}.get(name, len(walk.dragon))  # from which bench on they vary
+    share = [0.0 if n < all_of else 1.0 for n in range(len(walk.dragon))]
+    marked = sizes.tolist()  # benches of the same sizes of which one alone varies are two kinds
     row = 1 if name == "width" else 0
-    marked = dragon.sizes.copy()  # benches of the same sizes of which one alone varies are two kinds
-    marked[row, share > 0.0] = marked[row].max() + 1.0
-    kind, kinds = kinds_of(marked)
-    benches = walk_tables(walk).benches
-    own = Benches(
-        benches.links.copy(), benches.sizes.copy(), kind, benches.ahead.copy(), benches.lever.copy()
-    )
+    mark = max(marked[row]) + 1.0
+    marked[row] = [mark if n >= all_of else size for n, size in enumerate(marked[row])]
+    kind, kinds = kinds_of(np.array(marked))
+    own = Benches(benches.links, benches.sizes, kind, benches.ahead, benches.lever)
     made = sizes_of.Family(
         kernel_numbers(family.plan, family.question), np.empty((MOST_PIECES + 2, PART_COLUMNS)),
-        np.empty((ARCS, 2)), np.empty((MOST_PIECES, 3)), dragon.sizes, share,
+        np.empty((ARCS, 2)), np.empty((MOST_PIECES, 3)), sizes, np.array(share),
     )  # fmt: skip
-    return made, KernelWalk(rows.copy(), own, kinds)
+    return made, KernelWalk(walk.route.rows, own, kinds)

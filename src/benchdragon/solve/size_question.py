@@ -7,8 +7,8 @@ import numpy as np
 from benchdragon import budget
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH
 from benchdragon.analysis.engine_question import EngineQuestion
-from benchdragon.analysis.nearby import origin_of
-from benchdragon.analysis.tables import beginnings
+from benchdragon.analysis.nearby import origin_at
+from benchdragon.analysis.tables import beginnings, in_columns
 from benchdragon.errors import UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels import size_bracket as bracket
@@ -30,8 +30,7 @@ MOST_WIDENINGS = 30
 
 def limits_of(family: PlanFamily, walk: Walk, first: float, last: float) -> FloatArray:
     """What the engine is told of a question about a family, whose plan's own `walk` goes so far, m."""
-    placed = walk.placement(first, throw=False)
-    x, y = origin_of(placed.x, placed.y)
+    x, y = origin_at(walk, first)
     named = {
         told_of.MARGIN: family.margin,
         told_of.LEAST_OFF: SLACK,
@@ -46,7 +45,7 @@ def limits_of(family: PlanFamily, walk: Walk, first: float, last: float) -> Floa
         told_of.END: max(first, last),
         told_of.PLAN_SIZE: family.first,
     }
-    return np.array([named[n] for n in range(told_of.LIMITS)])
+    return in_columns(named)
 
 
 def square_of(family: PlanFamily, fixed: bool) -> told_of.Square:
@@ -56,15 +55,17 @@ def square_of(family: PlanFamily, fixed: bool) -> told_of.Square:
     """
     route, given = family.plan.route, family.plan.obstacles()
     moves = not fixed and (route.at is not None or route.turned != 0.0)
-    found = [route.unplaced(one) for one in given] if moves else given
-    off = [MOVED * float(np.abs(one.outline).max()) if moves else 0.0 for one in given]
-    things = [
-        (one.sort, one.radius, one.margin, len(one.outline), least)
-        for one, least in zip(found, off, strict=True)
-    ]
+    things: list[tuple[float, ...]] = []
+    corners: list[list[float]] = []
+    for thing in given:
+        most = max(abs(value) for point in thing.outline.tolist() for value in point)
+        one = route.unplaced(thing) if moves else thing
+        outline = one.outline.tolist()
+        things.append((one.sort, one.radius, one.margin, len(outline), MOVED * most if moves else 0.0))
+        corners += outline
     return told_of.Square(
-        np.array(things, dtype=float).reshape(-1, told_of.THING),
-        np.concatenate([np.empty((0, 2)), *(one.outline for one in found)]),
+        np.array(things, dtype=np.float64).reshape(-1, told_of.THING),
+        np.array(corners, dtype=np.float64).reshape(-1, 2),
     )
 
 
@@ -80,17 +81,15 @@ class SizeQuestion(EngineQuestion):
     """
 
     def __init__(self, family: PlanFamily, progress: Progress) -> None:
-        self._progress = progress
-        self.state = np.zeros(bracket.STATE)
-        self._doubts = np.empty(bracket.MOST_TRIALS + bracket.MOST_GROWTHS)
-        self._meetings = np.full((search.MEETINGS, 4), search.NOBODY)
         walk, start, end = family.walk(family.first)
         limits = limits_of(family, walk, *walk.head_position([start, end]).tolist())
         own, laid = kernel_family(family, walk)
         square = square_of(family, own.numbers[ROUTE] == FIXED)
         handle = kernel.open_size(own, laid, square, limits, beginnings())
-        told = np.zeros(told_of.FIGURES), self.state, self._doubts, self._meetings
-        super().__init__(handle, kernel.step_size, kernel.read_size, *told)
+        state, doubts = np.zeros(bracket.STATE), np.empty(bracket.MOST_TRIALS + bracket.MOST_GROWTHS)
+        meetings, figures = np.full((search.MEETINGS, 4), search.NOBODY), np.zeros(told_of.FIGURES)
+        super().__init__(handle, kernel.step_size, kernel.read_size, figures, state, doubts, meetings)
+        self.state, self._doubts, self._meetings, self.progress = state, doubts, meetings, progress
 
     @property
     def evaluations(self) -> int:
@@ -106,7 +105,7 @@ class SizeQuestion(EngineQuestion):
     @property
     def in_doubt(self) -> bool:
         """Whether such sizes lie in the bracket."""
-        low, high = sorted(self.state[[bracket.GOOD, bracket.BAD]].tolist())
+        low, high = sorted(float(self.state[column]) for column in (bracket.GOOD, bracket.BAD))
         return any(low < size < high for size in self.doubts)
 
     @property
@@ -142,7 +141,7 @@ class SizeQuestion(EngineQuestion):
         while ending == MORE:
             ending = self.step()
             if (now := float(self.state[bracket.NOW])) != tried:
-                self._progress(0.0, f"{now:.9g} m")
+                self.progress(0.0, f"{now:.9g} m")
                 tried = now
         return ending
 

@@ -9,7 +9,7 @@ import math
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from contextlib import closing
-from dataclasses import astuple, dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -34,7 +34,7 @@ from benchdragon.parallel import Lost, Place, in_blocks, place_of, threads
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.random_dance import answered
-from benchdragon.solve.size import limit
+from benchdragon.solve.size import found_limit
 
 MOST_DRAWS, MOST_SEED = 100_000, 2**53 - 1
 CONFIDENCE = 0.95
@@ -64,9 +64,9 @@ class Deviations:
     width: float = 0.0
 
     def __post_init__(self) -> None:
-        for deviation in fields(self):
-            if not_negative(deviation.name, getattr(self, deviation.name), "m") > 1.0:
-                raise InputError(_("{name} must be at most 1 m").format(name=deviation.name))
+        for name, value in vars(self).items():
+            if not_negative(name, value, "m") > 1.0:
+                raise InputError(_("{name} must be at most 1 m").format(name=name))
 
 
 @dataclass(frozen=True)
@@ -112,17 +112,20 @@ class Draw:
     def dragon(self, plain: Dragon) -> Dragon:
         """The benches of this dance, seen from above."""
         sizes = np.empty((4, len(plain)))
-        draw_benches(self.seed, self.number, self._by, plain.sizes, sizes, np.empty(0))
+        draw_benches(self.seed, self.number, np.array(self._by), plain.sizes, sizes, np.empty(0))
         return Dragon.of_sizes(*sizes)
 
     @property
-    def _by(self) -> FloatArray:
-        return np.array(astuple(self.deviations))
+    def _by(self) -> list[float]:
+        return list(vars(self.deviations).values())
 
     def ask(self, plan: Plan, what: int, guess: float = math.nan) -> float:
         """What kernels/dance_question.py answers about this dance of a plan: see `answered`."""
-        limits = {told.WHAT: what, told.GUESS: guess, told.SEED: self.seed, told.DANCE: self.number}
-        return answered(plan, limits | dict(enumerate(self._by.tolist(), told.BY)))
+        limits = {
+            told.WHAT: what, told.GUESS: guess, told.SEED: self.seed, told.DANCE: self.number,
+            **dict(enumerate(self._by, told.BY)),
+        }  # fmt: skip
+        return answered(plan, limits)
 
 
 @budget.question()
@@ -184,7 +187,7 @@ class Tolerance:
         Those touch that need more; without a pitch, those that were found to touch at the plan's own.
         The bounds are those of Clopper and Pearson: they hold with at least that confidence.
         """
-        count = self.needed.size
+        count = len(self.needed)
         if pitch is not None:
             hits = count - int(np.searchsorted(self.needed, pitch, side="right"))
         elif self.hits is not None:
@@ -199,7 +202,7 @@ class Tolerance:
         It is one of the pitches needed: the bound on a quantile that holds for any distribution.
         Infinite where the draws are too few to say.
         """
-        count = self.needed.size
+        count = len(self.needed)
         allowed, _least = binomial.ranks(count, risk, confidence)
         return float(self.needed[count - 1 - allowed]) if allowed >= 0 else math.inf
 
@@ -248,7 +251,7 @@ def tolerance(
     of_kind("plan", plan, Plan)
     of_kind("deviations", deviations, Deviations)
     whole("draws", draws, 1, MOST_DRAWS)
-    exact = _exact_pitch(plan)
+    exact = exact_pitch(plan)
     work = Dances(plan, deviations, seed, exact, own)
     needed, touching = walked(work, draws, place_of(executor, threads(1)), progress)
     hits = int(touching.sum()) if own else None
@@ -304,12 +307,18 @@ class Dances:
         ]
 
 
-def _exact_pitch(plan: Plan) -> float:
+def exact_pitch(plan: Plan, progress: Progress = silent) -> float:
+    """The pitch next to which exact people touch, m: the first from which the others are sought.
+
+    Raises:
+        InputError: for a plan without a pitch, or one of whose dragon no benches can touch.
+        UnsureError: where there is none.
+    """
     if plan.route.kind == "spiral-in" and plan.disc.radius is None and plan.walk.end is None:
         raise InputError(_("say how far in the head comes: set disc.radius=4.5, for example"))
     if len(plan.dragon.build()) < 3:
         raise InputError(_("no benches of this dragon can touch: no two are non-adjacent"))
-    found = limit(plan.without_square(), "pitch")
+    found = found_limit(plan.without_square(), "pitch", progress=progress)
     if found.status in {"found", "unlimited"}:
         return found.value
     raise UnsureError(_("no pitch was found with which this dragon is free of contact"))

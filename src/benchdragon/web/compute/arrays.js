@@ -24,18 +24,16 @@ export function entry(name, ...values) {
   return withArena(engine, (own) => {
     /** @type {Array<[any, Numbers]>} */
     const lists = [];
-    const put = (/** @type {any} */ one) => {
-      if (!ArrayBuffer.isView(one)) return one;
+    /** @type {(one: any) => any} */
+    const put = (one) => {
+      if (typeof one !== "object" || one === null || isTable(one)) return one;
+      if (!ArrayBuffer.isView(one))
+        return Object.fromEntries(Object.entries(one).map(([field, of]) => [field, put(of)]));
       const list = one instanceof Float64Array ? own.vector(one) : own.whole(/** @type {any} */ (one));
       lists.push([one, list]);
       return list;
     };
-    const given = values.map((one) => {
-      if (typeof one !== "object" || one === null || isTable(one) || ArrayBuffer.isView(one))
-        return put(one);
-      return Object.fromEntries(Object.entries(one).map(([field, of]) => [field, put(of)]));
-    });
-    const found = engine.call(name, ...given);
+    const found = engine.call(name, ...values.map(put));
     for (const [list, { view }] of lists) list.set(view);
     return found;
   });
@@ -156,7 +154,21 @@ const ofOne = {
 const concatenate = (/** @type {any[]} */ tables) => array(tables.flatMap(tolist));
 Object.assign(
   py,
-  { isTable, entry, entered, array, copy, tolist, zeros, empty: zeros, concatenate, cell, put, rows },
+  {
+    isTable,
+    entry,
+    entered,
+    array,
+    copy,
+    tolist,
+    full,
+    zeros,
+    empty: zeros,
+    concatenate,
+    cell,
+    put,
+    rows,
+  },
   ofOne,
   { searchsorted, interp, reshape, scoped },
 );

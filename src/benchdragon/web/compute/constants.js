@@ -27,44 +27,7 @@ export const BOX = {
 
 export const CURVE = { S_START: 2, LENGTH: 3, U_BACK: 6, COLUMNS: 14, MOST_METRES: 100000000 };
 
-export const DANCE_MEMORY = { NEEDED: 0, TOUCHES: 1, RESULT: 2, FIGURES: 25 };
-
 export const DRAWN_ROUTE = { STRETCH_ERROR: 2e-5, MOST_NODES: 4097 };
-
-export const FAMILY = {
-  PITCH: 0,
-  DISC: 1,
-  WIDTH: 2,
-  BENCH: 3,
-  FIXED: 0,
-  SPIRAL_IN: 1,
-  TURN: 2,
-  ARC_ARC: 0,
-  THREE_PIECES: 1,
-  WHAT: 0,
-  ROUTE: 1,
-  PITCH_SIZE: 2,
-  DISC_RADIUS: 3,
-  START_TURN: 4,
-  HANDED: 5,
-  TURN_FAMILY: 6,
-  ENTRY_RADIUS: 7,
-  EXIT_RADIUS: 8,
-  RATIO: 9,
-  FIRST_RADIUS: 10,
-  LAST_RADIUS: 11,
-  BEND: 12,
-  EASE: 13,
-  POSITION: 14,
-  BEGIN_WAY: 15,
-  END_WAY: 16,
-  MOST_WAY: 17,
-  LEAST_SIZE: 18,
-  MOST_SIZE: 19,
-  ROOMY: 20,
-  FITS: 21,
-  NUMBERS: 22,
-};
 
 export const FOLLOWING = { FINE: 1e-9, LONGEST: 20, MOST_NODES: 4096, STRETCH_COLUMNS: 4 };
 
@@ -86,81 +49,9 @@ export const HOLDS = {
 
 export const OBSTACLE = { CIRCLE: 0, BODY: 1, LINE: 2, VENUE: 3 };
 
-export const OWN_ROOM = {
-  A_CELL: 0,
-  AT_FIRST: 1,
-  FIRST_PAIRS: 2,
-  FIRST_MEMBERS: 3,
-  FIRST_DOUBTS: 4,
-  MOST_CELLS: 5,
-  PLACES: 6,
-};
-
-export const QUESTION = {
-  SPENT: 0,
-  WANTED: 1,
-  MORE: 8,
-  OVER_MEMORY: 20,
-  OUT_OF_MEMORY: 21,
-  CLOSED: 22,
-};
+export const QUESTION = { SPENT: 0, WANTED: 1, OVER_MEMORY: 20, OUT_OF_MEMORY: 21, CLOSED: 22 };
 
 export const ROUTE = { END_SLACK: 1e-9 };
-
-export const ROUTE_PARTS = { PART_COLUMNS: 8 };
-
-export const SIZE_BRACKET = {
-  PASSES: 0,
-  FAILS: 1,
-  UNDECIDED: 2,
-  TOLERANCE: 1,
-  SLACK: 2,
-  GOOD: 5,
-  BAD: 6,
-  DOUBTS: 16,
-  VALUE: 17,
-  NOW: 20,
-  STATE: 24,
-  MOST_GROWTHS: 40,
-  MOST_TRIALS: 80,
-};
-
-export const SIZE_MEMORY = {
-  MARGIN: 0,
-  LEAST_OFF: 1,
-  WIDTH: 2,
-  MOST: 3,
-  ORIGIN_X: 4,
-  ORIGIN_Y: 5,
-  BYTES: 6,
-  SAFER: 7,
-  NARROW: 8,
-  BEGIN: 9,
-  END: 10,
-  PLAN_SIZE: 11,
-  THING: 5,
-  MARCHED: 2,
-  RESULT: 3,
-  BLOCKED: 12,
-  BLOCKED_BY: 13,
-  SURELY: 14,
-  FIGURES: 16,
-};
-
-export const SIZE_QUESTION = { ALONE: 3, FAR: 10 };
-
-export const SIZE_SEARCH = {
-  GROW: 0,
-  BORDER: 1,
-  NARROW: 2,
-  FOUND: 3,
-  UNLIMITED: 4,
-  INFEASIBLE: 5,
-  EXHAUSTED: 6,
-  NOBODY: -1,
-  GUIDE: 1,
-  MEETINGS: 4,
-};
 
 export const SPIRAL = { LANES: 64 };
 
@@ -173,32 +64,13 @@ export const Status = {
   LINK_OVER_DIAMETER: 5,
 };
 
-export const TURN_FAMILIES = { MOST_PIECES: 7, ARCS: 3 };
-
-export const ANALYSIS_CONTACT_SEARCH = {
-  SLACK: 1e-13,
-  WIDTH: 1e-13,
-  MOST_EVALUATIONS: 200000,
-  REFINING: 0.25,
-  REFINING_ON: 0.05,
-};
+export const ANALYSIS_CONTACT_SEARCH = { REFINING: 0.25, REFINING_ON: 0.05 };
 
 export const ANALYSIS_LEFT_OPEN = { REST: 0.25 };
 
 export const ANALYSIS_NEARBY = { FAR: 100, SPREADS: 4, NOWHERE: [0, 0] };
 
 export const ANALYSIS_NOT_LOOKED_AT = { DUST: 1e-6 };
-
-export const ANALYSIS_TABLES = {
-  MOST_SIZES: 2000,
-  MOST_CELLS: 2000000,
-  PLACES: 1000000,
-  A_CELL: 64,
-  AT_FIRST: 1000000,
-  PAIRS: 1000,
-  MEMBERS: 256,
-  DOUBTS: 64,
-};
 
 export const BUDGET = { WORK: 1000000000, MEMORY: 600000000 };
 
@@ -214,11 +86,9 @@ export const MODEL_PLACEMENT = { PLACE: 40 };
 
 export const NUMBER_FORMAT = { FIGURES: 5 };
 
-export const PLANS_ROUTES = { FITS: 0.001, RUN_UP: 1 };
+export const PLANS_ROUTES = { RUN_UP: 1 };
 
 export const PLANS_SOURCE = { MOST_SIGNS: 200, MOST_FAULTS: 20 };
-
-export const PLANS_TABLES = { ROOMY: 0.9, LEAST: 1e-6, LEAST_PITCH: 0.001 };
 
 export const PLANS_TOML = { MOST_KEYS: 500000, MOST_ENTRIES: 1000000 };
 
@@ -264,16 +134,6 @@ export const ROSTERS_GRID = { MOST_BYTES: 20000000 };
 
 export const SHEETS_BRIEFING = { MOST_NAMED: 4 };
 
-export const SOLVE_SIZE = { MOST_COUNT: 10000, QUICK_SIZE: 1e-5 };
-
-export const SOLVE_SIZE_FAMILY = { TOLERANCE: 1e-12 };
-
-export const SOLVE_SIZE_QUESTION = { MOVED: 1.7763568394002505e-15, MOST_WIDENINGS: 30 };
-
-export const SOLVE_TOLERANCE = {
-  CONFIDENCE: 0.95,
-  RISKS: [0.5, 0.1, 0.05, 0.02],
-  ALL: [0.02, 0.02, 0.01, 0.1, 0.02, 0.005],
-};
+export const SOLVE_SIZE = { QUICK_SIZE: 1e-5 };
 
 export const SURVEYS_LINES = { SAME: 1e-9 };

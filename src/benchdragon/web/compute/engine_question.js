@@ -2,13 +2,10 @@
 // Twin of analysis/engine_question.py.
 
 import { NoMemory } from "../engine.js";
-import { Arena, doubles, withArena } from "./arena.js";
 import { hold, left, spend } from "./budget.js";
 import { QUESTION } from "./constants.js";
 import { py } from "./python.js";
 import { tick } from "./tick.js";
-
-/** @typedef {import("../engine.js").Numbers} Numbers */
 
 /** A question that the engine holds, until it is freed: what Python modules ask. */
 export class EngineQuestion {
@@ -53,63 +50,6 @@ export class EngineQuestion {
     const [spent, wanted] = this.tell(QUESTION.SPENT, QUESTION.WANTED);
     spend(spent);
     if (ending === QUESTION.OVER_MEMORY) hold(wanted);
-    if (ending === QUESTION.OVER_MEMORY || ending === QUESTION.OUT_OF_MEMORY)
-      throw new NoMemory("no memory for the tables of a question");
-    await tick();
-    return ending;
-  }
-}
-
-/** The same where a page asks by hand. */
-export class OwnQuestion {
-  /**
-   * @param {import("../engine.js").Engine} engine
-   * @param {string} named its entries: `bd_${kernel}_open_${name}`, and those that step and read
-   * @param {(arena: Arena, open: (...values: import("../engine.js").Argument[]) => number, kept: Arena) => number} opened
-   *   hands over what is asked; what is put into the last arena lasts as long as the question
-   * @param {number[][]} told shapes of the arrays that `read` fills, the first as kernels/question.py says
-   */
-  constructor(engine, named, opened, told) {
-    this.engine = engine;
-    this.named = named;
-    this.arena = new Arena(engine);
-    this.handle = 0;
-    try {
-      this.told = told.map((shape) => this.arena.full(shape, 0));
-      this.handle = withArena(engine, (asking) =>
-        opened(asking, (...values) => this.call("open", ...values), this.arena),
-      );
-      if (!this.handle) throw new NoMemory("no memory for a question");
-    } catch (error) {
-      this.arena.free();
-      throw error;
-    }
-  }
-
-  /** What an entry of it gives. @param {string} entry @param {import("../engine.js").Argument[]} values */
-  call(entry, ...values) {
-    return this.engine.call(this.named.replace("*", entry), ...values)[0];
-  }
-
-  /** Give all back. */
-  free() {
-    this.engine.call("bd_question_close_question", this.handle);
-    this.arena.free();
-  }
-
-  /** The numbers of array n of what is told. @param {number} n */
-  numbers(n) {
-    return doubles(this.told[n]);
-  }
-
-  /** Go on for some hundredths of a second; how that ended. @param {number[]} said what else the entry takes */
-  async step(...said) {
-    const ending = this.call("step", this.handle, left(), ...said);
-    this.call("read", this.handle, ...this.told);
-    if (ending === QUESTION.CLOSED) throw new TypeError("this question was closed");
-    const figures = this.numbers(0);
-    spend(figures[QUESTION.SPENT]);
-    if (ending === QUESTION.OVER_MEMORY) hold(figures[QUESTION.WANTED]);
     if (ending === QUESTION.OVER_MEMORY || ending === QUESTION.OUT_OF_MEMORY)
       throw new NoMemory("no memory for the tables of a question");
     await tick();

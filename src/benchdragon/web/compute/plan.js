@@ -143,7 +143,7 @@ export class Plan {
   }
 
   /** The same plan without its venue and its obstacles. */
-  withoutSquare() {
+  without_square() {
     const { venue: _venue, obstacle: _obstacle, ...data } = withoutNulls(this.said);
     if (data.limits) delete data.limits.venue_margin;
     return checkedPlan(data, this.source);
@@ -211,15 +211,16 @@ export class Plan {
     const profile = this.#plainProfile();
     const plain = !cues.cue.length && cues.acceleration === null;
     if (plain) this.#pace ??= new Paced(profile, this.start, []);
-    else if (engine)
-      this.#pace ??= paced(
+    else if (!this.#pace) {
+      const own = engine ?? arenaHere().engine;
+      this.#pace = paced(
         cues,
         profile,
         this.start,
         limits,
-        (/** @type {[any, any, any, any, any]} */ ...asked) => withHolds(engine, ...asked),
+        (/** @type {[any, any, any, any, any]} */ ...asked) => withHolds(own, ...asked),
       );
-    if (!this.#pace) throw new TypeError("the plan was not built yet");
+    }
     return this.#pace;
   }
 

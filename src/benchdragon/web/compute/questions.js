@@ -9,10 +9,9 @@ import { briefing } from "./briefing.js";
 import { check } from "./check.js";
 import { PLANS_TOML } from "./constants.js";
 import { PlanError } from "./errors.js";
-import { headSpeed, limited, pace, shape, turn } from "./long_questions.js";
+import { headSpeed, limited, margins, pace, shape, turn } from "./long_questions.js";
 import { checkedPlan } from "./plan.js";
 import { SKETCH, danceOf } from "./scene.js";
-import { margins } from "./tolerance.js";
 
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./tick.js").Progress} Progress */
