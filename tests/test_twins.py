@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any, ClassVar
 
+import numpy as np
 import pytest
 from tools.make_twins import FOLDER, scripts
 from tools.translation.expressions import ASKED
@@ -17,7 +18,9 @@ from tools.translation.patterns import javascript
 from tools.translation.statements import Code
 
 from benchdragon import SpeedProfile
-from tests.engine.recording import node
+from benchdragon.analysis.contact_search import REFINING
+from benchdragon.kernels.random_numbers import draw_normals
+from tests.engine.recording import MODULE, node
 
 # What a function gives in both languages, where they differ: what is true, equal, within; places from
 # the end; signs beyond 16 bits; formats; order; sets of pairs; generators; names that a loop keeps.
@@ -299,3 +302,45 @@ def test_no_file_is_made_that_nobody_asks_for() -> None:
     pages = [path.read_text("utf-8") for path in FOLDER.parent.rglob("*.js")]
     asked = {name for text in pages for name in re.findall(r'/(\w+)\.js"', text)}
     assert {path.stem for path in FOLDER.iterdir()} <= asked
+
+
+@pytest.mark.skipif(node() is None, reason="no Node here")
+def test_lists_of_numbers_hold_what_an_entry_of_the_engine_leaves_there() -> None:
+    """Lists, those in groups of groups, and what an entry leaves in a list."""
+    drawn = np.empty(3)
+    draw_normals(7, 2, 1, drawn)
+    there = run(
+        'import { readFileSync } from "node:fs";\n'
+        f'const {{ Engine }} = await import("{made("engine.js")}");\n'
+        f'const {{ withArenaAsync }} = await import("{made("compute/arena.js")}");\n'
+        f'await import("{made("compute/arrays.js")}");\n'
+        f'const {{ py }} = await import("{made("compute/python.js")}");\n'
+        f"const engine = await Engine.load(readFileSync({json.dumps(str(MODULE))}));\n"
+        "const found = await withArenaAsync(engine, async () => {\n"
+        "const own = py.array([0, 0, 0]), named = py.array([1, 2], 'q');\n"
+        'py.entry("bd_random_numbers_draw_normals", 7, 2, 1, own);\n'
+        "const rows = py.reshape(py.array([1, 2, 3, 4]), -1, 2);\n"
+        "py.set(rows, [1, 0], 9);\n"
+        "return [py.tolist(own), py.tolist(named), py.tolist(py.slice(rows, 1, null)),\n"
+        "py.at(rows, -1), py.tolist(py.full([2, 1], -1, 'q'))];\n});\n"
+        "console.log(JSON.stringify(found));"
+    )
+    assert there == [drawn.tolist(), [1, 2], [[9, 4]], [9, 4], [[-1], [-1]]]
+
+
+@pytest.mark.skipif(node() is None, reason="no Node here")
+def test_refining_takes_its_share_of_the_work_of_a_question_and_no_more() -> None:
+    there = run(
+        f'import {{ left, question, refined, spend }} from "{made("compute/budget.js")}";\n'
+        "const found = await question(async () => {\n"
+        "const caught = refined(0), share = left();\n"
+        "try { spend(share + 1); } catch (error) { caught(error); }\n"
+        "caught.ended();\n"
+        "let other = '';\n"
+        "try { refined(1)(new TypeError('wrong')); } catch (error) { other = error.message; }\n"
+        "return [share, other];\n}, 1, { work: 1000 });\n"
+        "const after = await question(async () => {\n"
+        "refined(1).ended();\nreturn left();\n}, 1, { work: 1000 });\n"
+        "console.log(JSON.stringify([...found, after]));"
+    )
+    assert there == [REFINING * 1000.0, "wrong", 1000.0]

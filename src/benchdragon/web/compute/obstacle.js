@@ -24,12 +24,9 @@ export class Standing {
     return { circle: CIRCLE, rectangle: BODY, polygon: BODY, line: LINE, venue: VENUE }[this.kind];
   }
 
-  /** Its corners, counted from an origin, m, (P, 2). @param {Arena} arena @param {Point} [origin] */
-  corners(arena, [fromX, fromY] = [0, 0]) {
-    return arena.table(
-      this.outline.map(([x, y]) => [x - fromX, y - fromY]),
-      2,
-    );
+  /** Its corners, m, (P, 2). @param {Arena} arena */
+  corners(arena) {
+    return arena.table(this.outline, 2);
   }
 
   /** The same boxes in the arena of what is built. */
