@@ -95,9 +95,8 @@ def drawing_of(
 
 
 def write_area(
-    drawing: AreaDrawing, path: Path, plan_sha256: str, *, paper: str = "A3",
-    scale: float | None = None,
-) -> None:  # fmt: skip
+    drawing: AreaDrawing, path: Path, plan_sha256: str, *, paper: str = "A3", scale: float | None = None
+) -> None:
     """Write a drawing as the ending of `path` says: one of ENDINGS.
 
     Raises:

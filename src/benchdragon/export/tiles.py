@@ -235,7 +235,6 @@ class _Frames(Typeset):
     def _say(self, text: str, size: float, style: str = "") -> None:
         self.set_font("Noto", style, size)
         self.multi_cell(
-            self.w - 2.0 * BORDER, 0.5 * size, breakable(text), align="L", new_x="LMARGIN",
-            new_y="NEXT",
-        )  # fmt: skip
+            self.w - 2.0 * BORDER, 0.5 * size, breakable(text), align="L", new_x="LMARGIN", new_y="NEXT"
+        )
         self.set_xy(BORDER, self.get_y() + 2.0)

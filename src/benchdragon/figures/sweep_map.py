@@ -61,8 +61,8 @@ def draw_map(panel: Axes, found: Answered, keys: tuple[str, str], colours: Scala
 
 
 def _draw_grid(
-    panel: Axes, found: Answered, x: FloatArray, y: FloatArray, order: Ints, colours: ScalarMappable,
-) -> None:  # fmt: skip
+    panel: Axes, found: Answered, x: FloatArray, y: FloatArray, order: Ints, colours: ScalarMappable
+) -> None:
     """Every combination of x and y: cells about them, and contours between them."""
     shape = (len(y), len(x))
     value, why = found.value[order].reshape(shape), found.why[order].reshape(shape)

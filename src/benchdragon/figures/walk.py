@@ -93,9 +93,8 @@ def name_below(figure: Figure, *panels: Axes) -> None:
 
 
 def framing_of(
-    motion: Motion, indices: Sequence[int], disc: float | None,
-    kept: Sequence[tuple[float, float]] = (),
-) -> Framing:  # fmt: skip
+    motion: Motion, indices: Sequence[int], disc: float | None, kept: Sequence[tuple[float, float]] = ()
+) -> Framing:
     """What pictures of the dragon at all `indices` show, all to one scale, the points `kept` too, m."""
     dragon, route = motion.walk.dragon, motion.walk.route
     s = motion.s[list(indices)]

@@ -184,9 +184,9 @@ def _draw_gap(panel: Axes, shapes: Sequence[FloatArray], left: float) -> None:
     upper, lower = sorted(shapes, key=lambda shape: -float(shape.imag.mean()))
     low, high = float(lower.imag.max()), float(upper.imag.min())
     panel.annotate(
-        "", (left - 0.12, low), (left - 0.12, high),
-        arrowprops={
-            "arrowstyle": "|-|,widthA=0.2,widthB=0.2", "lw": 0.9, "shrinkA": 0, "shrinkB": 0,
-        },
-    )  # fmt: skip
+        "",
+        (left - 0.12, low),
+        (left - 0.12, high),
+        arrowprops={"arrowstyle": "|-|,widthA=0.2,widthB=0.2", "lw": 0.9, "shrinkA": 0, "shrinkB": 0},
+    )
     label(panel, "$g$", complex(left - 0.12, 0.5 * (low + high)), (-9, 0))

@@ -100,8 +100,8 @@ class PitchCurve:
 
 
 def pitch_curve(
-    plan: Plan, pitches: npt.ArrayLike, *, resolution: float = math.inf, progress: Progress = silent,
-) -> PitchCurve:  # fmt: skip
+    plan: Plan, pitches: npt.ArrayLike, *, resolution: float = math.inf, progress: Progress = silent
+) -> PitchCurve:
     """The two angles of the paper's Fig 2 at given pitches, m, for a spiral-in plan with a disc.
 
     Where the least angle jumps from one pitch to the next, pitches between are added until the two

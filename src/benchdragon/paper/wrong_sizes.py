@@ -78,9 +78,7 @@ def _link_keys(links: tuple[float, float]) -> dict[str, float]:
     """Lengths of benches whose holes are so far apart, at the contest's insets."""
     inset = LENGTHS[1] - LINKS[1]
     first, others = (round(link, 5) + inset for link in links)
-    return {
-        "dragon.head_length": first, "dragon.body_length": others, "dragon.tail_length": others,
-    }  # fmt: skip
+    return {"dragon.head_length": first, "dragon.body_length": others, "dragon.tail_length": others}
 
 
 def _pitches(case: Case) -> Iterator[dict[str, float]]:

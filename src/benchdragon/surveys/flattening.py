@@ -53,8 +53,8 @@ def bezier_points(control: FloatArray, within: float) -> tuple[FloatArray, float
 
 
 def ellipse_points(
-    centre: FloatArray, one: FloatArray, other: FloatArray, start: float, sweep: float, within: float,
-) -> tuple[FloatArray, float]:  # fmt: skip
+    centre: FloatArray, one: FloatArray, other: FloatArray, start: float, sweep: float, within: float
+) -> tuple[FloatArray, float]:
     """The same of centre + cos t one + sin t other, for t from `start` over `sweep`, rad."""
     most = math.hypot(*one, *other) * sweep * sweep
     count = max(8, _count(most, within))
