@@ -107,7 +107,7 @@ def drawn_panels(
 
 
 @contextmanager
-def drawn_panel(width: float, height: float, title: str) -> Iterator[tuple[Figure, Axes]]:
+def drawn_panel(width: float, height: float, title: str = "") -> Iterator[tuple[Figure, Axes]]:
     """The same with one panel."""
     with drawn_panels(width, height, title, 1, 1) as (figure, (panel,)):
         yield figure, panel

@@ -107,7 +107,7 @@ def accumulation_picture(
 
 def stepping_picture(
     contact: Sequence[tuple[float, float]], windows: Sequence[tuple[float, float]],
-    pitch: Sequence[tuple[float, float]], smallest: float, title: str = "",
+    pitch: Sequence[tuple[float, float]], smallest: float,
 ) -> Figure:  # fmt: skip
     """What stepped searches answer, over their steps.
 
@@ -116,9 +116,8 @@ def stepping_picture(
         windows: spans of time in which benches touch, s; the last goes on.
         pitch: (pitch step, m; smallest pitch, m).
         smallest: the smallest pitch, m.
-        title: above all.
     """
-    with drawn_panels(PAGE_WIDTH, 3.7, title, 1, 2, width_ratios=(1.3, 1.0)) as (figure, (left, right)):
+    with drawn_panels(PAGE_WIDTH, 3.7, "", 1, 2, width_ratios=(1.3, 1.0)) as (figure, (left, right)):
         _draw_time_steps(left, contact, windows)
         _draw_pitch_steps(right, pitch, smallest)
         for panel in (left, right):
@@ -188,15 +187,14 @@ def _draw_pitch_steps(panel: Axes, pitch: Sequence[tuple[float, float]], smalles
     panel.set_title(_("The first pitch with which none is seen"))
 
 
-def flow_picture(steps: Sequence[tuple[str, str]], title: str = "") -> Figure:
+def flow_picture(steps: Sequence[tuple[str, str]]) -> Figure:
     """The paper's flow of work beside ours, a row a step: its Fig 1.
 
     Args:
         steps: what the paper does, and what is done here.
-        title: above all.
     """
     rows = len(steps)
-    with drawn_panel(PAGE_WIDTH, 0.56 * rows + 0.5, title) as (figure, panel):
+    with drawn_panel(PAGE_WIDTH, 0.56 * rows + 0.5) as (figure, panel):
         panel.set_axis_off()
         for column, name in enumerate((_("the paper"), _("here"))):
             panel.text(column * COLUMN, ROW, name, ha="center", va="center", fontweight="bold")

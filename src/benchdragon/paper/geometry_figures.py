@@ -56,16 +56,15 @@ def _arrow(panel: Axes, at: complex, way: complex, colour: str) -> None:
     )  # fmt: skip
 
 
-def polar_picture(motion: Motion, title: str = "") -> Figure:
+def polar_picture(motion: Motion) -> Figure:
     """Two handles on the spiral: their polar angles and radii, the link, the tangents of their speeds.
 
     Args:
         motion: its first time is drawn.
-        title: above all.
     """
     front, rear = (complex(motion.x[0, i], motion.y[0, i]) for i in (0, 1))
     heading = motion.walk.route.heading(motion.s[0, :2])
-    with drawn_panel(0.55 * PAGE_WIDTH, 3.6, title) as (figure, panel):
+    with drawn_panel(0.55 * PAGE_WIDTH, 3.6) as (figure, panel):
         s = motion.s[0]
         around = route_points(motion.walk.route, float(s[0]) - 30.0, float(s[0]) + 25.0)
         panel.plot(*around.T, color=ROUTE, lw=0.8)
@@ -89,13 +88,12 @@ def polar_picture(motion: Motion, title: str = "") -> Figure:
         return figure
 
 
-def triangle_picture(walk: Walk, turn: TwoArcTurn, title: str = "") -> Figure:
+def triangle_picture(walk: Walk, turn: TwoArcTurn) -> Figure:
     """The triangle of equation (6): a centre, the handle before it on the other arc, and the next.
 
     Args:
         walk: through the turn.
         turn: of two arcs.
-        title: above all.
     """
     first, second = turn.arcs()
     link = float(walk.dragon.links[0])
@@ -104,7 +102,7 @@ def triangle_picture(walk: Walk, turn: TwoArcTurn, title: str = "") -> Figure:
     motion = walk.motion([head])
     front, rear = (complex(motion.x[0, i], motion.y[0, i]) for i in (0, 1))
     centre = complex(*first.centre)
-    with drawn_panel(0.55 * PAGE_WIDTH, 3.5, title) as (figure, panel):
+    with drawn_panel(0.55 * PAGE_WIDTH, 3.5) as (figure, panel):
         for arc, colour, name in ((first, HEAD, "$C_1$"), (second, BODY, "$C_2$")):
             _draw_curve(panel, arc, colour, name)
         _line(panel, (centre, front), lw=1.0)
@@ -138,20 +136,19 @@ def _frame(panel: Axes, places: Sequence[complex], room: float) -> None:
     panel.grid(False)
 
 
-def axes_picture(motion: Motion, pair: Sequence[int], title: str = "") -> Figure:
+def axes_picture(motion: Motion, pair: Sequence[int]) -> Figure:
     """Two benches, the four axes of the separating axis theorem, and the projections that decide.
 
     Args:
         motion: its first time is drawn.
         pair: numbers of the benches, from 1; the picture is turned so that the second lies level.
-        title: above all.
     """
     turned = cmath.exp(-1j * float(motion.heading[0, pair[1] - 1]))
     corners = bench_corners(motion, 0)
     shapes = [turned * (corners[n - 1] @ np.array([1.0, 1.0j])) for n in pair]
     middle = shapes[1].mean()
     shapes = [shape - middle for shape in shapes]
-    with drawn_panel(0.6 * PAGE_WIDTH, 3.6, title) as (figure, panel):
+    with drawn_panel(0.6 * PAGE_WIDTH, 3.6) as (figure, panel):
         left = min(float(shape.real.min()) for shape in shapes) - 0.35
         for shape, number, colour in zip(shapes, pair, (HEAD, BODY), strict=True):
             xy = np.column_stack([shape.real, shape.imag])

@@ -49,16 +49,15 @@ class ShownTurn:
     head_speed: float | None = None
 
 
-def turns_picture(shown: Sequence[ShownTurn], disc: float, title: str = "") -> Figure:
+def turns_picture(shown: Sequence[ShownTurn], disc: float) -> Figure:
     """Turns side by side and to one scale: disc, spirals, pieces, centres, radii, angles.
 
     Args:
         shown: one panel each.
         disc: radius of the turning space, m.
-        title: above all.
     """
     count, high = len(shown), PAGE_WIDTH / len(shown) + 1.15
-    with drawn_panels(PAGE_WIDTH, high, title, 1, count, sharey=True) as (figure, panels):
+    with drawn_panels(PAGE_WIDTH, high, "", 1, count, sharey=True) as (figure, panels):
         for panel, one in zip(panels, shown, strict=True):
             _draw_ground(panel, one.turn.pitch, (one.turn.entry_radius, one.turn.exit_radius), disc)
             _draw_pieces(panel, one.turn)
@@ -127,14 +126,13 @@ def _draw_arc(panel: Axes, arc: Arc) -> None:
     )  # fmt: skip
 
 
-def construction_picture(turn: TwoArcTurn, title: str = "") -> Figure:
+def construction_picture(turn: TwoArcTurn) -> Figure:
     """The paper's Fig 3 with its letters: how two arcs join the spirals at A and B.
 
     Args:
         turn: of two arcs.
-        title: above all.
     """
-    with drawn_panel(0.8 * PAGE_WIDTH, 0.8 * PAGE_WIDTH + 0.3, title) as (figure, panel):
+    with drawn_panel(0.8 * PAGE_WIDTH, 0.8 * PAGE_WIDTH + 0.3) as (figure, panel):
         _draw_ground(panel, turn.pitch, (turn.entry_radius, turn.entry_radius), turn.entry_radius)
         first, second = turn.arcs()
         for arc, name in ((first, r"$C_1$"), (second, r"$C_2$")):
@@ -204,18 +202,15 @@ def _letter_points(panel: Axes, first: Arc, second: Arc) -> None:
         label(panel, name, complex(*place), offset)
 
 
-def front_picture(
-    front: Sequence[tuple[float, float, float]], paper: tuple[float, float], title: str = ""
-) -> Figure:
+def front_picture(front: Sequence[tuple[float, float, float]], paper: tuple[float, float]) -> Figure:
     """Length against greatest head speed.
 
     Args:
         front: (greatest head speed, m/s; path inside the disc, m; the turn's own length, m) of each.
         paper: greatest head speed, m/s, and length, m, of the paper's turn.
-        title: above all.
     """
     speeds, ways, lengths = np.array(front).T
-    with drawn_panel(0.85 * PAGE_WIDTH, 3.4, title) as (figure, panel):
+    with drawn_panel(0.85 * PAGE_WIDTH, 3.4) as (figure, panel):
         panel.plot(speeds, ways, "o-", color=HEAD, ms=4, lw=1.2, label=_("path inside the disc"))
         if not np.allclose(ways, lengths, atol=1e-3):
             panel.plot(speeds, lengths, "s--", color=BODY, mfc="none", label=_("the turn itself"))
@@ -227,7 +222,7 @@ def front_picture(
         return figure
 
 
-def ratio_picture(whole: Motion, close: Motion, speed: Answer, limit: float, title: str = "") -> Figure:
+def ratio_picture(whole: Motion, close: Motion, speed: Answer, limit: float) -> Figure:
     """The greatest speed ratio over time with its greatest value, and the moment of that enlarged.
 
     Args:
@@ -235,15 +230,11 @@ def ratio_picture(whole: Motion, close: Motion, speed: Answer, limit: float, tit
         close: the same about the moment.
         speed: the greatest head speed, m/s, that the ratio allows, with its witness.
         limit: of every handle's speed, m/s.
-        title: above all.
     """
     if speed.witness is None:
         raise ValueError("an answer without a witness has no moment")
     peak, time = limit / speed.value, speed.witness.s - whole.walk.start
-    with drawn_panels(PAGE_WIDTH, 3.3, title, 1, 2, width_ratios=(1.25, 1.0)) as (
-        figure,
-        (wide, narrow),
-    ):
+    with drawn_panels(PAGE_WIDTH, 3.3, "", 1, 2, width_ratios=(1.25, 1.0)) as (figure, (wide, narrow)):
         times, ratios = _joined(whole, close)
         wide.plot(times, ratios, color=BODY, lw=1.0)
         wide.set_ylabel(_("greatest speed ratio of all handles"))
