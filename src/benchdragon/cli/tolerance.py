@@ -152,12 +152,6 @@ def as_json(one: "Tolerance", pitch: float) -> dict[str, Any]:
     }
 
 
-def pitch_range(one: "Tolerance", risk: float) -> str:
-    """Where the pitch for a chance lies, m, for readers."""
-    least, most = one.pitch_from(risk), one.pitch_for(risk)
-    return outward(least or -math.inf, most)
-
-
 def print_margins(
     found: dict[str, "Tolerance"], texts: dict[str, str], pitch: float, margin: float
 ) -> None:
@@ -173,7 +167,8 @@ def print_margins(
     for name, one in found.items():
         share, low, high = (100.0 * part for part in one.touching())
         chance = f"{share:.1f} ({outward(low, high, 1)})"
-        rows.append((texts[name], chance, *(pitch_range(one, risk) for risk in RISKS)))
+        ends = ((one.pitch_from(risk) or -math.inf, one.pitch_for(risk)) for risk in RISKS)
+        rows.append((texts[name], chance, *(outward(*pair) for pair in ends)))
     title = _(
         "Chance that benches touch; pitch (m) at which they touch so often: from..to, with 95 % "
         "confidence at either end"

@@ -69,22 +69,19 @@ def _obstacle_lines(walk: Walk, answers: ObstacleAnswers) -> list[str]:
         lines.append(_contact_line(contact, name, obstacle.margin))
     if distance.value > 0.0:
         points = nearest_points(walk.placement([near.s]), 0, near.benches[0] - 1, obstacle)
+        time = math.nan if near.time is None else near.time
         text = _(
             "Least distance from {name}: bench {bench} at t = {t} s, nearest points {p} and {q} m: "
             "{numbers}; bracket {width} m; margin {margin} m."
         )
         lines.append(
             text.format(
-                name=name, bench=near.benches[0], t=number(_time_of(near.time)), p=pair(*points[0]),
+                name=name, bench=near.benches[0], t=number(time), p=pair(*points[0]),
                 q=pair(*points[1]), numbers=distance_text(*points), margin=number(obstacle.margin),
                 width=tiny(distance.upper - distance.lower),
             )
         )  # fmt: skip
     return lines
-
-
-def _time_of(time: float | None) -> float:
-    return math.nan if time is None else time
 
 
 def _contact_line(contact: Answer, name: str, margin: float) -> str:

@@ -15,7 +15,6 @@ from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, ROUTE, drawn
 from benchdragon.figures.walk import bench_corners, name_below, route_points
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.curves import Arc
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Motion, Walk
 
@@ -104,7 +103,8 @@ def triangle_picture(walk: Walk, turn: TwoArcTurn) -> Figure:
     centre = complex(*first.centre)
     with drawn_panel(0.55 * PAGE_WIDTH, 3.5) as (figure, panel):
         for arc, colour, name in ((first, HEAD, "$C_1$"), (second, BODY, "$C_2$")):
-            _draw_curve(panel, arc, colour, name)
+            points = arc.point(np.linspace(0.0, arc.length, 200))
+            panel.plot(*points.T, color=colour, lw=1.6, label=name)
         _line(panel, (centre, front), lw=1.0)
         _line(panel, (centre, rear), lw=1.0)
         _line(panel, (front, rear), DISC, lw=2.2)
@@ -121,11 +121,6 @@ def triangle_picture(walk: Walk, turn: TwoArcTurn) -> Figure:
             label(panel, name, at, side)
         _frame(panel, [centre, front, rear, joint], 0.9)
         return figure
-
-
-def _draw_curve(panel: Axes, arc: Arc, colour: str, name: str) -> None:
-    points = arc.point(np.linspace(0.0, arc.length, 200))
-    panel.plot(*points.T, color=colour, lw=1.6, label=name)
 
 
 def _frame(panel: Axes, places: Sequence[complex], room: float) -> None:

@@ -138,9 +138,10 @@ def construction_picture(turn: TwoArcTurn) -> Figure:
         for arc, name in ((first, r"$C_1$"), (second, r"$C_2$")):
             _kind_name, colour = _kind(arc)
             panel.plot(*_points(arc), color=colour, lw=2.2)
-            middle = arc.point(np.array([0.5 * arc.length]))[0]
+            x, y = arc.point(0.5 * arc.length).tolist()
+            out = np.array([x - arc.centre[0], y - arc.centre[1]])
             panel.annotate(
-                name, middle, xytext=_outward(arc.centre, middle, 13), textcoords="offset points",
+                name, (x, y), xytext=(13.0 * out / np.hypot(*out)).tolist(), textcoords="offset points",
                 color=colour, ha="center", va="center", fontsize=11,
             )  # fmt: skip
         _draw_joint_lines(panel, first, second)
@@ -149,13 +150,6 @@ def construction_picture(turn: TwoArcTurn) -> Figure:
         panel.set_ylabel(_("y (m)"))
         name_below(figure, panel)
         return figure
-
-
-def _outward(centre: tuple[float, float], point: FloatArray, far: float) -> tuple[float, float]:
-    """So many points of type away from a centre, on the side of a point."""
-    dx, dy = point[0] - centre[0], point[1] - centre[1]
-    size = math.hypot(dx, dy)
-    return far * dx / size, far * dy / size
 
 
 def _draw_joint_lines(panel: Axes, first: Arc, second: Arc) -> None:

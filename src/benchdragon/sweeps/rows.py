@@ -1,6 +1,5 @@
 """Rows of a sweep: a point's values, and what each question came to there."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -133,8 +132,4 @@ def _cells_of(found: Outcome) -> dict[str, Any]:
             cells |= dict(zip(("bench_1", "bench_2"), near.benches, strict=False))
             cells |= {"handle": near.handle, "time": near.time, "s": near.s}
             cells |= dict(zip(("x", "y"), near.point, strict=True))
-    return {name: None if _is_nan(cell) else cell for name, cell in cells.items()}
-
-
-def _is_nan(cell: object) -> bool:
-    return isinstance(cell, float) and math.isnan(cell)
+    return {name: cell if cell == cell else None for name, cell in cells.items()}  # not NaN

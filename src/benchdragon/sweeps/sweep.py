@@ -71,6 +71,9 @@ class Design:
         """All that makes this sweep another than others, as plain data."""
         columns = [list(column) for column in self.points.columns]
         said = json.dumps(columns, sort_keys=True).encode()
+        refine = None
+        if self.refinement.most:  # with the library that chooses the points
+            refine = {**asdict(self.refinement), "adaptive": adaptive_version()}
         told = {
             "format": FORMAT,
             "made_by": {key.decode(): value.decode() for key, value in made_by().items()},
@@ -84,7 +87,7 @@ class Design:
             },
             "ask": list(self.asked),
             "dances": asdict(self.dances) if "tolerance" in self.asked else None,
-            "refine": _refinement(self.refinement) if self.refinement.most else None,
+            "refine": refine,
             "plan": self.plan.data(),
             "finished": False,
         }
@@ -122,11 +125,6 @@ class Design:
             except PlanError as error:
                 text = _("refine: {key} takes no value between others: {why}")
                 raise InputError(text.format(key=key, why=error)) from None
-
-
-def _refinement(refinement: Refinement) -> dict[str, Any]:
-    """A refinement as plain data, with the library that chooses the points."""
-    return {**asdict(refinement), "adaptive": adaptive_version()}
 
 
 def _kind(column: Sequence[Value]) -> str:
