@@ -7,15 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import (
-    BESIDE,
-    WITHOUT,
-    output_option,
-    plan_to_walk,
-    refuse_strays,
-    take,
-    verb,
-)
+from benchdragon.cli.options import not_with, only_with, output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import PICTURE_FORMATS, check_ending, parse_sides, parse_span, parse_times
 from benchdragon.i18n import N_
 from benchdragon.version import __version__
@@ -101,13 +93,11 @@ def _refuse_strays(options: dict[str, Any], picture: bool) -> None:
     """Refuse options that say nothing about what is asked for, rather than overlook them."""
     kind = options["output"].suffix
     still = options["sheet"] is None
-    refuse_strays(
-        *((name, not picture, BESIDE, kind) for name in ("fps", "speed_up")),
-        *((name, picture, BESIDE, kind) for name in ("at", "sheet")),
-        ("end", not (picture and still), BESIDE, kind),
-        *((name, options["at"] is None, BESIDE, "--at") for name in ("start", "end")),
-        ("span", options["follow"] is not None, WITHOUT, "--follow"),
-    )
+    not_with(kind, picture, "fps", "speed_up")
+    not_with(kind, not picture, "at", "sheet")
+    not_with(kind, picture and still, "end")
+    not_with("--at", options["at"] is not None, "start", "end")
+    only_with("--follow", options["follow"] is not None, "span")
 
 
 def _look(options: dict[str, Any], size: tuple[int, int]) -> "Look":

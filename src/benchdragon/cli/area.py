@@ -9,7 +9,7 @@ import click
 
 from benchdragon.cli.answers import about, print_answer, print_title
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take, verb
+from benchdragon.cli.options import only_with, output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import (
     PAPERS,
     check_ending,
@@ -68,10 +68,8 @@ def area(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     """
     files = _files(options["output"], options["formats"])
     kinds = {path.suffix[1:] for path in files}
-    refuse_strays(
-        *((name, bool(files), WITHOUT, "-o") for name in ("formats", "force")),
-        *((name, bool(kinds & set(DRAWINGS)), WITHOUT, ".svg, .pdf") for name in ("scale", "paper")),
-    )
+    only_with("-o", bool(files), "formats", "force")
+    only_with(".svg, .pdf", bool(kinds & set(DRAWINGS)), "scale", "paper")
     margin = parse_length("--margin", options["margin"])
     error = parse_length("--error", options["error"])
     scale = parse_scale("--scale", options["scale"])

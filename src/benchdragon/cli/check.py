@@ -18,15 +18,7 @@ from benchdragon.cli.answers import (
     warn_of_outside,
 )
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
-from benchdragon.cli.options import (
-    WITHOUT,
-    files_option,
-    plan_to_walk,
-    refuse_strays,
-    take,
-    tell_names,
-    verb,
-)
+from benchdragon.cli.options import files_option, only_with, plan_to_walk, take, tell_names, verb
 from benchdragon.cli.parsing import parse_formats
 from benchdragon.errors import UnsureError
 from benchdragon.i18n import N_, _
@@ -65,9 +57,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     from benchdragon.explain.contact import check_lines
     from benchdragon.sheets.checked import record_path
 
-    refuse_strays(
-        *((name, options["output"] is not None, WITHOUT, "-o") for name in ("formats", "force"))
-    )
+    only_with("-o", options["output"] is not None, "formats", "force")
     record = record_path(plan) if options["record"] else None
     read = plan_to_walk(plan, settings, quiet)
     folder: Path | None = options["output"]

@@ -6,15 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
-from benchdragon.cli.options import (
-    BESIDE,
-    WITHOUT,
-    file_option,
-    plan_to_walk,
-    refuse_strays,
-    take,
-    verb,
-)
+from benchdragon.cli.options import file_option, not_with, only_with, plan_to_walk, take, verb
 from benchdragon.cli.solved import (
     certificate_option,
     check_certificate,
@@ -50,9 +42,8 @@ def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     cannot be walked; 5: undecided.
     """
     path: Path | None = options["pace"]
-    refuse_strays(
-        ("prove", path is None, BESIDE, "--pace"), ("output", options["prove"], WITHOUT, "--prove")
-    )
+    not_with("--pace", path is not None, "prove")
+    only_with("--prove", options["prove"], "output")
     if options["prove"]:
         check_certificate(options)
         return _print_speed(plan_to_walk(plan, settings, quiet), options, quiet)

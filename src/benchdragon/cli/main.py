@@ -31,14 +31,7 @@ from benchdragon.cli.console import (
 from benchdragon.cli.formations import formations
 from benchdragon.cli.help import HelpfulGroup, translated
 from benchdragon.cli.new import new
-from benchdragon.cli.options import (
-    WITHOUT,
-    files_option,
-    folder_option,
-    plan_to_walk,
-    refuse_strays,
-    take,
-)
+from benchdragon.cli.options import files_option, folder_option, only_with, plan_to_walk, take
 from benchdragon.cli.parsing import (
     PICTURE_FORMATS,
     TABLE_FORMATS,
@@ -227,11 +220,9 @@ def doctor(as_json: bool, quiet: bool) -> int:
 def _refuse_strays(options: dict[str, Any]) -> None:
     to_files = options["output"] is not None
     formats = set(parse_formats(options["formats"], FORMATS)) if to_files else set(TABLE_FORMATS)
-    refuse_strays(
-        *((name, to_files, WITHOUT, "-o") for name in ("formats", "force")),
-        ("only", bool(formats & set(TABLE_FORMATS)), WITHOUT, ", ".join(TABLE_FORMATS)),
-        ("step", options["leader"] == "rk4", WITHOUT, "--leader rk4"),
-    )
+    only_with("-o", to_files, "formats", "force")
+    only_with(", ".join(TABLE_FORMATS), bool(formats & set(TABLE_FORMATS)), "only")
+    only_with("--leader rk4", options["leader"] == "rk4", "step")
 
 
 def _times(options: dict[str, Any], plan: "Plan", walk: "Walk") -> "np.ndarray[Any, Any]":

@@ -169,10 +169,6 @@ def dances_options(seeded: str, drawn: str) -> Decorator:
     )
 
 
-# Why an option that was given says nothing.
-WITHOUT, BESIDE = N_("{option} goes with {what} alone"), N_("{option} does not go with {what}")
-
-
 def given_options() -> set[str]:
     """The names of all parameters of the verb at hand that stand on its command line."""
     context = click.get_current_context()
@@ -180,21 +176,27 @@ def given_options() -> set[str]:
     return {name for name in names if context.get_parameter_source(name) is ParameterSource.COMMANDLINE}
 
 
-def refuse_strays(*rules: tuple[str, bool, str, str]) -> None:
-    """Refuse options that were given and have no effect, rather than overlook them.
-
-    Args:
-        rules: name of a parameter; whether it has an effect; WITHOUT or BESIDE; and what.
+def only_with(what: str, there: bool, *names: str) -> None:
+    """Refuse options that have no effect, rather than overlook them, where `what` is not `there`.
 
     Raises:
-        InputError: for the first one.
+        InputError: for the first of `names`, those of parameters, that stands on the command line.
     """
-    context = click.get_current_context()
-    options = {parameter.name: max(parameter.opts, key=len) for parameter in context.command.params}
+    _refuse_given("" if there else _("{option} goes with {what} alone"), what, names)
+
+
+def not_with(what: str, there: bool, *names: str) -> None:
+    """The same where it is there."""
+    _refuse_given(_("{option} does not go with {what}") if there else "", what, names)
+
+
+def _refuse_given(text: str, what: str, names: Sequence[str]) -> None:
+    parameters = click.get_current_context().command.params
+    options = {parameter.name: max(parameter.opts, key=len) for parameter in parameters}
     given = given_options()
-    for name, goes, why, what in rules:
-        if not goes and name in given:
-            raise InputError(_(why).format(option=options[name], what=what))
+    for name in names if text else ():
+        if name in given:
+            raise InputError(text.format(option=options[name], what=what))
 
 
 def plan_to_walk(plan: str, settings: tuple[str, ...], quiet: bool) -> "Plan":

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from benchdragon.cli.console import print_files, print_rows
-from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take, verb
+from benchdragon.cli.options import only_with, output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import check_ending, parse_speed
 from benchdragon.cli.solved import write_plan
 from benchdragon.i18n import N_, _, language
@@ -44,10 +44,8 @@ def plan(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: An
     it means. For example: benchdragon plan turn > my.dragon.toml
     """
     output: Path | None = options["output"]
-    refuse_strays(
-        *((name, output is not None, WITHOUT, "-o") for name in ("force", "head_speed")),
-        *((name, plan is not None, WITHOUT, "PLAN") for name in ("settings", "output")),
-    )
+    only_with("-o", output is not None, "force", "head_speed")
+    only_with("PLAN", plan is not None, "settings", "output")
     if plan is None:
         return _list()
     if output is not None and options["head_speed"] is not None:

@@ -5,7 +5,7 @@ import webbrowser
 from pathlib import Path
 
 from benchdragon.cli.console import print_files
-from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take, verb
+from benchdragon.cli.options import only_with, output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.i18n import N_
 
@@ -26,9 +26,8 @@ def planner(
     from benchdragon.files import refuse_existing
     from benchdragon.planner.page import write_planner
 
-    refuse_strays(
-        ("settings", plan is not None, WITHOUT, "PLAN"), ("force", output is not None, WITHOUT, "-o")
-    )
+    only_with("PLAN", plan is not None, "settings")
+    only_with("-o", output is not None, "force")
     path = output or Path(tempfile.mkdtemp(prefix="benchdragon-")) / "planner.html"
     check_ending("-o", path, [".html"])
     read = None if plan is None else plan_to_walk(plan, settings, quiet)

@@ -10,15 +10,7 @@ import click
 from benchdragon.cli.answers import UNDECIDED, UNSAFE
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import (
-    WITHOUT,
-    folder_option,
-    plan_to_walk,
-    refuse_strays,
-    take,
-    tell_names,
-    verb,
-)
+from benchdragon.cli.options import folder_option, only_with, plan_to_walk, take, tell_names, verb
 from benchdragon.cli.parsing import PAPERS, parse_scale
 from benchdragon.i18n import N_, _
 from benchdragon.progress import part
@@ -83,7 +75,8 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     from benchdragon.sheets.papers import chosen_papers, planned_papers, write_papers
 
     names = chosen_papers(options["only"])
-    _refuse_strays(names)
+    for papers, speaking in SPEAK_OF.items():
+        only_with(" / ".join(papers), any(paper in names for paper in papers), *speaking)
     path = None if options["anew"] and plan in built_in_names() else record_path(plan)
     read, folder = plan_to_walk(plan, settings, quiet), options["output"]
     read.build()  # says what is wrong, before a folder is made
@@ -128,17 +121,6 @@ def _whole_told(files: Sequence[Path]) -> Iterator[None]:
 def _made_at(path: Path) -> int:
     """When a file was made, ns; 0 where there is none."""
     return path.stat().st_mtime_ns if path.exists() else 0
-
-
-def _refuse_strays(names: Sequence[str]) -> None:
-    """Refuse options that speak of papers which are not written."""
-    refuse_strays(
-        *(
-            (option, any(paper in names for paper in papers), WITHOUT, " / ".join(papers))
-            for papers, options in SPEAK_OF.items()
-            for option in options
-        )
-    )
 
 
 def _chalk_options(options: dict[str, Any]) -> "ChalkOptions":

@@ -7,7 +7,7 @@ import click
 
 from benchdragon.cli.answers import NO_SOLUTION, UNDECIDED, about
 from benchdragon.cli.console import print_explanation, shown_progress
-from benchdragon.cli.options import BESIDE, WITHOUT, plan_to_walk, refuse_strays, take, together, verb
+from benchdragon.cli.options import not_with, only_with, plan_to_walk, take, together, verb
 from benchdragon.cli.parsing import parse_lengths
 from benchdragon.cli.solved import (
     certificate_option,
@@ -75,11 +75,9 @@ def pitch(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     example. Exit code 4: there is no such pitch; 5: undecided.
     """
     stepped = options["method"] == "traversal"
-    refuse_strays(
-        ("method", options["span"] is None, BESIDE, "--range"),
-        ("prove", not stepped, BESIDE, "--method traversal"),
-        *((name, stepped, WITHOUT, "--method traversal") for name in ("pitch_step", "time_step")),
-    )
+    not_with("--range", options["span"] is not None, "method")
+    not_with("--method traversal", stepped, "prove")
+    only_with("--method traversal", stepped, "pitch_step", "time_step")
     return _solve_size("pitch", plan, settings, quiet, options)
 
 
@@ -127,11 +125,9 @@ def _solve_size(
 ) -> int:
     """The limit of a size, or with --range all sizes that will do."""
     ranged = options["span"] is not None
-    refuse_strays(
-        *((option, not ranged, BESIDE, "--range") for option in ("prove", "brackets")),
-        ("count", ranged, WITHOUT, "--range"),
-        ("output", options["prove"], WITHOUT, "--prove"),
-    )
+    not_with("--range", ranged, "prove", "brackets")
+    only_with("--range", ranged, "count")
+    only_with("--prove", options["prove"], "output")
     check_certificate(options)
     read = plan_to_walk(plan, settings, quiet)
     return (_print_sizes if ranged else _print_limit)(name, read, options, quiet)

@@ -9,7 +9,7 @@ import click
 from benchdragon.cli.answers import NO_SOLUTION, UNDECIDED, about, print_answer, print_title
 from benchdragon.cli.by_hand import kept_by_hand, warn_of_lost
 from benchdragon.cli.console import print_explanation, print_files
-from benchdragon.cli.options import WITHOUT, output_option, plan_to_walk, refuse_strays, take, together
+from benchdragon.cli.options import only_with, output_option, plan_to_walk, take, together
 from benchdragon.cli.parsing import check_ending
 from benchdragon.i18n import N_
 from benchdragon.model.answer import Answer
@@ -34,7 +34,7 @@ def check_certificate(options: dict[str, Any]) -> None:
     from benchdragon.files import refuse_existing
 
     path: Path | None = options["output"]
-    refuse_strays(("force", path is not None, WITHOUT, "-o"))
+    only_with("-o", path is not None, "force")
     if path is not None:
         check_ending("-o", path, [".json"])
         refuse_existing([path], options["force"])
@@ -58,7 +58,7 @@ def read_to_write(
     plan: str, settings: tuple[str, ...], quiet: bool, option: str, path: Path | None
 ) -> "Plan":
     """The plan of a question that may write another into a file; refuses what cannot be written."""
-    refuse_strays(("force", path is not None, WITHOUT, option))
+    only_with(option, path is not None, "force")
     if path is not None:
         check_ending(option, path, [".toml"])
     return plan_to_walk(plan, settings, quiet)

@@ -9,17 +9,16 @@ import click
 
 from benchdragon.cli.console import print_rows, shown_progress
 from benchdragon.cli.options import (
-    BESIDE,
     FOLDER,
-    WITHOUT,
     dances_options,
     given_options,
+    not_with,
+    only_with,
     plan_to_walk,
-    refuse_strays,
     take,
     verb,
 )
-from benchdragon.cli.tolerance import deviation_options, given_deviations
+from benchdragon.cli.tolerance import DEVIATIONS, deviation_options, given_deviations
 from benchdragon.errors import InputError, MachineError
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import finite_or_none
@@ -121,15 +120,12 @@ def _refuse_strays(plan: str | None, options: dict[str, Any]) -> None:
     if not status and bool(options["vary"]) is (options["points"] is not None):
         raise InputError(_("wanted --vary or --points, and not both"))
     tolerance = "tolerance" in _asked(options)
-    refuse_strays(
-        ("sample", not options["points"], BESIDE, "--points"),
-        ("method", options["sample"] is not None, WITHOUT, "--sample"),
-        ("seed", options["sample"] is not None or tolerance, WITHOUT, "--sample, --ask tolerance"),
-        ("draws", tolerance, WITHOUT, "--ask tolerance"),
-        ("to", options["refine"] is not None, WITHOUT, "--refine"),
-        ("workers", "://" not in options["on"], BESIDE, "--on " + options["on"]),
-        *((name, tolerance, WITHOUT, "--ask tolerance") for name in given_deviations(options)),
-    )
+    not_with("--points", bool(options["points"]), "sample")
+    only_with("--sample", options["sample"] is not None, "method")
+    only_with("--sample, --ask tolerance", options["sample"] is not None or tolerance, "seed")
+    only_with("--ask tolerance", tolerance, "draws", *DEVIATIONS)
+    only_with("--refine", options["refine"] is not None, "to")
+    not_with("--on " + options["on"], "://" in options["on"], "workers")
 
 
 def _run(plan: str, settings: tuple[str, ...], quiet: bool, options: dict[str, Any]) -> "Sweep":

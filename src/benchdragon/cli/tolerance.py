@@ -11,11 +11,10 @@ import click
 from benchdragon.cli.answers import about
 from benchdragon.cli.console import print_explanation, print_files, print_rows, shown_progress
 from benchdragon.cli.options import (
-    WITHOUT,
     dances_options,
     folder_option,
+    only_with,
     plan_to_walk,
-    refuse_strays,
     take,
     together,
     verb,
@@ -69,7 +68,7 @@ def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
     """
     from benchdragon.files import refuse_existing
 
-    refuse_strays(("force", options["output"] is not None, WITHOUT, "-o"))
+    only_with("-o", options["output"] is not None, "force")
     read = plan_to_walk(plan, settings, quiet)
     folder: Path | None = options["output"]
     files = [] if folder is None else [folder / f"margins.{kind}" for kind in ("png", "svg", "pdf")]

@@ -8,7 +8,7 @@ import click
 
 from benchdragon.cli.answers import UNDECIDED, about, print_title
 from benchdragon.cli.console import print_explanation, print_files, shown_progress, turn_lines
-from benchdragon.cli.options import WITHOUT, file_option, plan_to_walk, refuse_strays, take, verb
+from benchdragon.cli.options import file_option, only_with, plan_to_walk, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.cli.solved import write_plan
 from benchdragon.i18n import N_, _
@@ -84,10 +84,8 @@ def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
 
     path, certificate = options["plan_file"], options["certificate"]
     written = [file for file in (path, certificate) if file is not None]
-    proving = (
-        (name, options["prove"], WITHOUT, "--prove") for name in ("within", "boxes", "certificate")
-    )
-    refuse_strays(*proving, ("force", bool(written), WITHOUT, "--plan-file"))
+    only_with("--prove", options["prove"], "within", "boxes", "certificate")
+    only_with("--plan-file", bool(written), "force")
     if path is not None:
         check_ending("--plan-file", path, [".toml"])
     if certificate is not None:

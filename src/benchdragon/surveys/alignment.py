@@ -10,14 +10,7 @@ import numpy.typing as npt
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.curves import (
-    JOINT_GAP,
-    JOINT_KINK,
-    AnyCurve,
-    Arc,
-    Clothoid,
-    Line,
-)
+from benchdragon.model.curves import JOINT_GAP, JOINT_KINK, AnyCurve, Arc, Clothoid, Line
 from benchdragon.surveys.clothoids import bound_between, folded, g1_clothoids
 from benchdragon.surveys.lines import MOST_CURVES, most_bend
 
