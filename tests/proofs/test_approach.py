@@ -8,7 +8,7 @@ from flint import arb
 
 from benchdragon.plans.schema import read_plan
 from benchdragon.proofs.apart import LINES, corners, gaps
-from benchdragon.proofs.approach import approach
+from benchdragon.proofs.approach import Approach
 from benchdragon.proofs.cells import holds, unsure
 from benchdragon.proofs.cover import chain_at
 from benchdragon.proofs.exact import guess_of, stored_dance
@@ -44,7 +44,7 @@ def test_no_bench_goes_farther_along_lines_than_is_said(name: str, long: float) 
             for on, back in looked:
                 gone = np.einsum("nvc,nc->nv", placed - boxes[0], on).max(1)
                 left = np.einsum("nvc,nc->nv", placed - boxes[1], back).max(1)
-                said = approach((a, b), dance.sizes, i, (on, back), way)
+                said = Approach((a, b), dance.sizes, way).along(i, on, back)
                 assert (gone + left <= said + 1e-12).all()
                 greatest = max(greatest, float(((gone + left) / said).max()))
     assert greatest > 0.96 / (1.0 + 4.0 * long)  # nor is it far away

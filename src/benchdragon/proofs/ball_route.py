@@ -8,6 +8,7 @@ extent.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 
 from flint import acb, arb, ctx
@@ -62,7 +63,11 @@ class Row:
 
     def position(self, u: arb) -> arb:
         """Route position of parameter u, m."""
-        return self.s + self.way * (self.length(u) - self.length(self.start))
+        return self.s + self.way * (self.length(u) - self._before)
+
+    @cached_property
+    def _before(self) -> arb:
+        return self.length(self.start)
 
     def stretch(self, u: arb) -> arb:
         """Metres per unit of the parameter."""

@@ -21,7 +21,7 @@ from benchdragon.proofs.apart import (
     near_sides,
     reach,
 )
-from benchdragon.proofs.approach import approach
+from benchdragon.proofs.approach import Approach
 from benchdragon.proofs.ball_route import BallRoute
 from benchdragon.proofs.chain import Chain
 from benchdragon.proofs.motion import SLACK, follows, moves, nearest
@@ -118,12 +118,15 @@ def unsure(
     others: Sequence[FloatArray], pairs: IntArray, way: FloatArray, margin: arb,
 ) -> IntArray:  # fmt: skip
     """Which pairs, of benches or of a bench and what stands, are not surely farther apart."""
+    approach = Approach(chains, sizes, way)
     for which in LINES:
+        if not len(pairs):
+            break
         i, j = pairs.T
         first, last = (gaps(one[i], other[j], *which) for one, other in zip(boxes, others, strict=True))
-        nearer = approach(chains, sizes, i, (first.line, last.line), way)
+        nearer = approach.along(i, first.line, last.line)
         if others is boxes:
-            nearer += approach(chains, sizes, j, (-first.line, -last.line), way)
+            nearer += approach.along(j, -first.line, -last.line)
         kept = 0.5 * (first.size + last.size - nearer)
         pairs = pairs[~(kept > float(margin) + 10.0 * SLACK)]
     return pairs
