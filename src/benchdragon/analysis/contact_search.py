@@ -78,7 +78,7 @@ class ContactSearch(EngineQuestion):
         spans: of the head's way, m, that are searched: the whole of it, or what repeats nothing.
         until: the time at which it ends, s.
         tolerances: widths of brackets of the least distance, m: the first that can be.
-        slack: what computed distances count as off by at least, m.
+        slack: what computed distances count as off by at least, m; None: SLACK.
 
     Attributes:
         walk: as given, but with coordinates counted from `origin`.
@@ -89,10 +89,11 @@ class ContactSearch(EngineQuestion):
     def __init__(
         self, walk: Walk, start: float, end: float, margin: float, progress: Progress,
         since: float = -math.inf, spans: Sequence[Span] = (), until: float = math.inf,
-        tolerances: Sequence[float] = (), slack: float = SLACK,
+        tolerances: Sequence[float] = (), slack: float | None = None,
     ) -> None:  # fmt: skip
         origin = origin_at(walk, start)
         seen, ways = seen_from(walk, origin), spans or [(start, end)]
+        slack = SLACK if slack is None else slack
         dragon, limits = walk.dragon, _limits(margin, slack, start, end)
         asked = told.Asked(
             seen.route.rows, dragon.links, dragon.sizes, np.array([dragon.lever]), np.array(ways),

@@ -39,10 +39,11 @@ function witnessOf(near, origin, time, s) {
   return new Witness(time, s, near.benches, [py.add(x, py.at(origin, 0)), py.add(y, py.at(origin, 1))], near.distance, near.features);
 }
 class ContactSearch extends EngineQuestion {
-  constructor(walk, start, end, margin, progress, since = -Infinity, spans = [], until = Infinity, tolerances = [], slack = SLACK) {
+  constructor(walk, start, end, margin, progress, since = -Infinity, spans = [], until = Infinity, tolerances = [], slack = /** @type {any} */ (null)) {
     let asked, dragon, figures, handle, limits, near, origin, seen, ways;
     origin = originAt(walk, start);
     [seen, ways] = py.list([seenFrom(walk, origin), py.or(spans, () => [[start, end]])]);
+    slack = ((slack == null) ? SLACK : slack);
     [dragon, limits] = py.list([walk.dragon, _limits(margin, slack, start, end)]);
     asked = ({ rows: seen.route.rows, links: dragon.links, sizes: dragon.sizes, lever: py.array([dragon.lever]), spans: py.array(ways), limits: limits, tolerances: py.array(tolerances, "d"), beginnings: tablesBeginnings() });
     handle = py.entry("bd_contact_question_open_contact", asked)[0];
