@@ -352,8 +352,9 @@ def test_wrong_input_is_refused_in_one_sentence(tmp_path: Path, name: str) -> No
 def test_what_is_no_file_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="there is no such file or folder"):
         read_workbook(tmp_path / "a.xlsx")
-    with pytest.raises(InputError, match="there is no such file or folder"):
-        read_workbook(Path("\ud800"))
+    for name in ("\ud800", "a\0b"):
+        with pytest.raises(InputError, match="there is no such file or folder"):
+            read_workbook(Path(name))
     with pytest.raises(InputError, match=r"is no \.xlsx workbook"):
         read_workbook(tmp_path)
 

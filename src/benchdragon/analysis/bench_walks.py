@@ -114,13 +114,9 @@ class BenchWalk:
 
 @budget.question()
 def bench_walks(
-    plan: Plan,
-    walk: Walk,
-    span: tuple[float, float],
-    *,
-    apart: float = 0.0,
+    plan: Plan, walk: Walk, span: tuple[float, float], *, apart: float = 0.0,
     progress: Progress = silent,
-) -> tuple[BenchWalk, ...]:
+) -> tuple[BenchWalk, ...]:  # fmt: skip
     """What each bench of a plan's walk does over a span, s, the head's first.
 
     Turnings change where the front handle passes a place at which the route changes its side, paces

@@ -1,6 +1,7 @@
 """The verb `check`: whether a walk is safe."""
 
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -91,17 +92,24 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         verdict = verdict_of(report).model_dump(mode="json")
         click.echo(json.dumps({**verdict, **about(read, lines), **shown}))
     else:
-        print_report(report, options["brackets"])
-        if files:
-            print_files(files)
-        print_explanation(lines)
-        if options["show_plan"]:
-            from benchdragon.plans.keys import commented
-
-            click.echo("\n" + commented(read.data(), {}), nl=False)
+        _print(report, files, lines, options)
     if report.safe and open_still:
         return UNDECIDED
     return 0 if report.safe else UNSAFE if report.decided else UNDECIDED
+
+
+def _print(
+    report: "Report", files: Sequence[Path], lines: Sequence[str], options: Mapping[str, Any]
+) -> None:
+    """All that is said for readers."""
+    print_report(report, options["brackets"])
+    if files:
+        print_files(files)
+    print_explanation(lines)
+    if options["show_plan"]:
+        from benchdragon.plans.keys import commented
+
+        click.echo("\n" + commented(report.plan.data(), {}), nl=False)
 
 
 def _shown(plan: "Plan", progress: "Progress") -> "Report":

@@ -205,13 +205,14 @@ def _sheets(path: Path) -> list[tuple[str, Rows]]:
 def _content(path: Path) -> bytes:
     """The bytes of a file that begins as an .xlsx workbook does."""
     try:
-        if path.stat().st_size > MOST_BYTES:
-            raise _too_large(str(path))
-        content = path.read_bytes() if path.is_file() else b""
+        large = path.stat().st_size > MOST_BYTES
+        content = path.read_bytes() if path.is_file() and not large else b""
     except OSError as error:
         raise InputError(f"{path}: {reason(error)}") from None
-    except UnicodeEncodeError:  # signs that no name of a file holds
+    except ValueError:  # signs that no name of a file holds
         raise InputError(f"{str(path)!r}: {_('there is no such file or folder')}") from None
+    if large:
+        raise _too_large(str(path))
     if content.startswith(OLE) and ENCRYPTED in content:
         raise InputError(locked(str(path)))
     if not content.startswith(ZIP):

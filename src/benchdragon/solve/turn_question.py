@@ -50,7 +50,7 @@ class Seen(NamedTuple):
 
 def told_of_limits(family: TurnFamily) -> FloatArray:
     """What the engine is told of a family, as kernels/turn_trial.py says."""
-    plan, goal, told = family.plan, family.goal, [math.inf] * told_of.TOLD
+    plan, goal = family.plan, family.goal
     known = {
         told_of.FAMILY: FAMILIES[plan.turn.family],
         told_of.EASE: math.nan if goal.objective == "acceleration" else plan.turn.ease,
@@ -66,9 +66,7 @@ def told_of_limits(family: TurnFamily) -> FloatArray:
     for name, limit in given_limits(plan).items():
         if QUANTITIES[name].kind != SOUGHT[goal.objective]:
             known[told_of.LIMIT + QUANTITIES[name].kind] = limit
-    for column, value in known.items():
-        told[column] = value
-    return np.array(told)
+    return np.array([known.get(column, math.inf) for column in range(told_of.TOLD)])
 
 
 def _side(obstacle: Obstacle) -> float:

@@ -1,12 +1,10 @@
 // Arrays of what is translated from Python, and the engine's entries that it calls: in the arena in
 // which a page has something built.
 
-import { arena, doubles, flat, withArena, withArenaAsync, within } from "./arena.js";
+import { arena, doubles, flat, withArena, withArenaAsync } from "./arena.js";
 import { question } from "./budget.js";
 import { Numbers } from "../engine.js";
 import { py } from "./python.js";
-
-export { arena, within };
 
 /** Whether a value is an array of the engine. @param {unknown} value @returns {value is Numbers} */
 export function isTable(value) {

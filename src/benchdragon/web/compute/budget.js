@@ -51,7 +51,7 @@ export function refined(n) {
   return Object.assign(caught, { ended: () => void (asked = whole) });
 }
 
-/** How many handles may be placed for what an answer can do without: see `aside`. @param {number} share */
+/** How many handles may be placed for what an answer can do without. @param {number} share */
 export function asideMost(share) {
   return asked ? share * asked.one : Infinity;
 }

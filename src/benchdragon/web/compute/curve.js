@@ -2,7 +2,8 @@
 
 import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
-import { arena, entry, zeros } from "./arrays.js";
+import { arena } from "./arena.js";
+import { entry, zeros } from "./arrays.js";
 import { CURVE } from "./constants.js";
 import { InputError } from "./errors.js";
 import { general } from "./number_format.js";

@@ -2,7 +2,7 @@
 
 import { checkFewest, checkedFit, rounded } from "../made/fits.js";
 import { _ } from "../words.js";
-import { arena } from "./arrays.js";
+import { arena } from "./arena.js";
 import { SURVEYS_LINES } from "./constants.js";
 import { keyed } from "./errors.js";
 

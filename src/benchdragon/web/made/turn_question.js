@@ -27,18 +27,15 @@ class Seen {
   }
 }
 function toldOfLimits(family) {
-  let column, goal, known, limit, name, plan, told, value;
-  [plan, goal, told] = py.list([family.plan, family.goal, py.times([Infinity], 15)]);
+  let goal, known, limit, name, plan;
+  [plan, goal] = py.list([family.plan, family.goal]);
   known = py.dict([[0, py.at(FAMILIES, plan.turn.family)], [1, ((goal.objective === "acceleration") ? NaN : plan.turn.ease)], [2, family.pitch], [3, family.disc], [4, family.narrowest], [7, plan.walk.speed], [5, goal.longest], [6, goal.longest_way], [8, plan.limits.margin], [9, py.at(SOUGHT, goal.objective)]]);
   for ([name, limit] of py.iter(py.items(givenLimits(plan)))) {
     if (!py.eq(py.at(QUANTITIES, name).kind, py.at(SOUGHT, goal.objective))) {
       py.set(known, py.add(10, py.at(QUANTITIES, name).kind), limit);
     }
   }
-  for ([column, value] of py.iter(py.items(known))) {
-    py.set(told, column, value);
-  }
-  return py.array(told);
+  return py.array(py.list(py.range(15)).map((column) => py.get(known, column, Infinity)));
 }
 function _side(obstacle) {
   return py.get(py.dict([["venue", -1.0], ["line", 0.0], ["circle", 0.0]]), obstacle.kind, 1.0);
