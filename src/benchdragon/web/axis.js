@@ -207,11 +207,12 @@ export class Axis {
     });
   }
 
-  /** @param {number} time @param {boolean} runs then nothing is said: screen readers read each value */
+  /** @param {number} time @param {boolean} runs then nothing is said: screen readers read each value that is set */
   show(time, runs) {
     this.played.style.width = `${100 * this.#share(time)}%`;
     if (runs) return;
     this.slider.value = String(time);
-    this.slider.setAttribute("aria-valuetext", clock(time));
+    const text = clock(time);
+    if (this.slider.getAttribute("aria-valuetext") !== text) this.slider.setAttribute("aria-valuetext", text);
   }
 }
