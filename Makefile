@@ -16,8 +16,8 @@ MAKEFLAGS += --jobs=2
 # Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench picture truth wasm wasm-test carried carried-test mutants hostile messages keys types \
-  map lock fonts clean
+.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench picture truth wasm wasm-test carried carried-test mutants hostile generate \
+  lock fonts clean
 
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps
 
@@ -165,20 +165,9 @@ hostile: .venv/engine
 mutants: .venv/installed
 	$(BIN)/python tools/mutants.py
 
-messages: .venv/installed
-	$(BIN)/python tools/make_messages.py
-
-keys: .venv/installed
-	$(BIN)/python tools/make_keys.py
-
-types: .venv/installed
-	$(BIN)/python tools/make_types.py
-	$(BIN)/python tools/make_constants.py
-	$(BIN)/python tools/make_plan_keys.py
-	$(BIN)/python -m tools.make_twins
-
-map: .venv/installed
-	$(BIN)/python tools/make_map.py
+# What is made from other files here: pages' modules, types and constants, the catalogue, tables and the map.
+generate: .venv/installed
+	$(BIN)/python -m tools.generate
 
 fonts: .venv/installed
 	$(BIN)/python tools/make_fonts.py

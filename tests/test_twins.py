@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 import pytest
-from tools.make_twins import FOLDER, scripts
+from tools.make_twins import FOLDER
 from tools.translation.expressions import ASKED
 from tools.translation.names import FUNCTIONS, METHODS, OF_MODULES, UntranslatableError, camel
 from tools.translation.patterns import javascript
@@ -128,11 +128,6 @@ def run(script: str) -> Any:
 def made(path: str) -> str:
     """The address of a module of the page."""
     return (FOLDER.parent / path).as_uri()
-
-
-def test_what_is_made_is_what_the_modules_say() -> None:
-    found = {path: path.read_text("utf-8") for path in FOLDER.iterdir()}
-    assert found == scripts(), "run `make types`"
 
 
 @pytest.mark.skipif(node() is None, reason="no Node here")

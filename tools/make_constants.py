@@ -4,8 +4,6 @@ Takes of each module that a script names where it imports constants the `IntEnum
 short list of numbers that stands there in capitals and in such a script as a word: `CURVE.KIND` is that
 of kernels/curve.py, `MODEL_WALK.MOST_PLACES` that of model/walk.py. The same modules and scripts give
 the same bytes.
-
-Run it as `make types`.
 """
 
 import ast
@@ -30,7 +28,7 @@ SHORT = 10
 WIDTH = 104
 HEADER = (
     "// Numbers of the kernels and of modules that have twins here. Made by tools/make_constants.py;\n"
-    "// to make it again: make types\n"
+    "// to make it again: make generate\n"
 )
 
 
@@ -116,11 +114,8 @@ def declared(name: str, asked: dict[str, set[str]]) -> list[str]:
     return [object_text(*each) for each in tables.items() if each[0] in asked]
 
 
-def constants() -> str:
+def files() -> dict[Path, str]:
     """The whole file."""
     asked = imported()
-    return "\n".join([HEADER, *(text for name in modules() for text in declared(name, asked))])
-
-
-if __name__ == "__main__":
-    FILE.write_text(constants(), "utf-8")
+    parts = [HEADER, *(text for name in modules() for text in declared(name, asked))]
+    return {FILE: "\n".join(parts)}

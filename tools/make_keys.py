@@ -1,7 +1,7 @@
 """Write the tables of all keys of plan files into the manual's page, in both languages.
 
 They come from `benchdragon.plans.sections`, between two comments of the page; the same keys give the
-same bytes. Run it as `make keys`.
+same bytes.
 """
 
 import re
@@ -44,7 +44,6 @@ def page(language: str) -> tuple[Path, str]:
         return path, MARKED.sub(lambda _old: tables(), path.read_text("utf-8"))
 
 
-if __name__ == "__main__":
-    for name in LANGUAGES:
-        path, text = page(name)
-        path.write_text(text, "utf-8")
+def files() -> dict[Path, str]:
+    """The pages of both languages."""
+    return dict(map(page, LANGUAGES))

@@ -4,8 +4,6 @@ Floors come from the import contract in pyproject.toml, arrows from the imports 
 room holds from the first line of its docstring. So neither can drift, and a test holds both to what
 this makes. The picture is written as text, not drawn by matplotlib: the same rooms give the same bytes
 whatever is installed, and a change shows as a few lines.
-
-Run it as `make map`.
 """
 
 import math
@@ -251,7 +249,6 @@ def picture() -> str:
     return Stairs(floors(), arrows()).drawn()
 
 
-if __name__ == "__main__":
-    PAGE.write_text(page(), "utf-8")
-    PICTURE.write_text(picture(), "utf-8")
-    print(summary(floors(), arrows()))
+def files() -> dict[Path, str]:
+    """The page and the picture as they are now."""
+    return {PAGE: page(), PICTURE: picture()}

@@ -3,8 +3,6 @@
 Takes every `_("...")` and `N_("...")` of the package, its pages' JavaScript too, and click's own
 sentences, which the program looks up in the same catalogue. Translations that are still wanted stay,
 others go, new ones stand empty. The same sources give the same bytes.
-
-Needs Babel. Run it as `make messages`.
 """
 
 import ast
@@ -98,7 +96,7 @@ def updated(known: Catalog) -> Catalog:
     """The catalogue of everything extracted, with the translations that are known."""
     catalogue = PlainCatalog(
         locale="zh_CN",
-        header_comment="# What the program says, in Simplified Chinese. Update: make messages",
+        header_comment="# What the program says, in Simplified Chinese. Update: make generate",
         fuzzy=False,
     )
     for message in extracted():
@@ -110,22 +108,19 @@ def updated(known: Catalog) -> Catalog:
     return catalogue
 
 
-def make(old: Path, new: Path) -> list[str]:
-    """Write `new` and the compiled catalogue beside it from the translations in `old`.
-
-    Returns:
-        The messages that have no translation yet.
-    """
-    with old.open("rb") as source:
-        catalogue = updated(read_po(source, locale="zh_CN"))
+def made(old: bytes) -> tuple[bytes, bytes, list[str]]:
+    """The catalogue with the translations of an old one, the same compiled, and what has none yet."""
+    catalogue = updated(read_po(BytesIO(old), locale="zh_CN"))
     text, compiled = BytesIO(), BytesIO()
     write_po(text, catalogue, sort_output=True, no_location=True)
     write_mo(compiled, catalogue)
-    new.write_bytes(text.getvalue().rstrip(b"\n") + b"\n")
-    new.with_suffix(".mo").write_bytes(compiled.getvalue())
-    return [str(message.id) for message in catalogue if not any(message.string or "")]
+    missing = [str(message.id) for message in catalogue if not any(message.string or "")]
+    return text.getvalue().rstrip(b"\n") + b"\n", compiled.getvalue(), missing
 
 
-if __name__ == "__main__":
-    missing = make(CATALOGUE, CATALOGUE)
-    sys.exit("\n".join(["not translated:", *missing]) if missing else 0)
+def files() -> dict[Path, bytes]:
+    """The catalogue, and the same compiled."""
+    text, compiled, missing = made(CATALOGUE.read_bytes())
+    for one in missing:
+        print(f"not translated: {one}", file=sys.stderr)
+    return {CATALOGUE: text, CATALOGUE.with_suffix(".mo"): compiled}

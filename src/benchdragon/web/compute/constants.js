@@ -1,5 +1,5 @@
 // Numbers of the kernels and of modules that have twins here. Made by tools/make_constants.py;
-// to make it again: make types
+// to make it again: make generate
 
 export const BENCH_NEARNESS = {
   REACH: 1.5,

@@ -1,5 +1,5 @@
 // What plan files may hold, from the models of plans. Made by tools/make_plan_keys.py;
-// to make it again: make types
+// to make it again: make generate
 
 /** @type {Record<string, Record<string, import("./plan_check.js").Spec>>} */
 // prettier-ignore

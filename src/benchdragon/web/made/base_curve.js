@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from model/base_curve.py by tools/make_twins.py; to make it again: make types
+// Made from model/base_curve.py by tools/make_twins.py; to make it again: make generate
 
 import { Curve } from "../compute/curve.js";
 import { InputError, finite, positive } from "../compute/errors.js";

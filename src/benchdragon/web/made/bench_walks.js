@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/bench_walks.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/bench_walks.py by tools/make_twins.py; to make it again: make generate
 
 import { _handles, _nearest, _seen } from "../compute/bench_walks.js";
 import { InputError, brief, inOrder } from "../compute/errors.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/check.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/check.py by tools/make_twins.py; to make it again: make generate
 
 import { speedAtStart, toldIfOpen } from "../compute/left_open.js";
 import { py } from "../compute/python.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/contact_search.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/contact_search.py by tools/make_twins.py; to make it again: make generate
 
 import { asideMost as budgetAsideMost, memory as budgetMemory } from "../compute/budget.js";
 import { nearnessAt } from "../compute/distance.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from plans/cues.py by tools/make_twins.py; to make it again: make types
+// Made from plans/cues.py by tools/make_twins.py; to make it again: make generate
 
 import { Fault, KeyedError, brief } from "../compute/errors.js";
 import { HoldError } from "../compute/holds.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from model/curves.py by tools/make_twins.py; to make it again: make types
+// Made from model/curves.py by tools/make_twins.py; to make it again: make generate
 
 import { Curve } from "../compute/curve.js";
 import { InputError, finite, notNegative } from "../compute/errors.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/distance.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/distance.py by tools/make_twins.py; to make it again: make generate
 
 import { py } from "../compute/python.js";
 import { N_ } from "../words.js";

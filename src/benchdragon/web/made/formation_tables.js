@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from plans/formations.py by tools/make_twins.py; to make it again: make types
+// Made from plans/formations.py by tools/make_twins.py; to make it again: make generate
 
 import { emptyPlacements } from "../compute/arrays.js";
 import { Fault, InputError, KeyedError } from "../compute/errors.js";

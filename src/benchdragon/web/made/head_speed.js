@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from solve/head_speed.py by tools/make_twins.py; to make it again: make types
+// Made from solve/head_speed.py by tools/make_twins.py; to make it again: make generate
 
 import { expect as budgetExpect, spend as budgetSpend } from "../compute/budget.js";
 import { InputError, UnsureError } from "../compute/errors.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/nearby.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/nearby.py by tools/make_twins.py; to make it again: make generate
 
 import { UnsureError } from "../compute/errors.js";
 import { py } from "../compute/python.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/not_looked_at.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/not_looked_at.py by tools/make_twins.py; to make it again: make generate
 
 import { py } from "../compute/python.js";
 import { givenFrom, places, runsOn } from "../compute/walk_facts.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from number_format.py by tools/make_twins.py; to make it again: make types
+// Made from number_format.py by tools/make_twins.py; to make it again: make generate
 
 import { decimals } from "../compute/number_format.js";
 import { py } from "../compute/python.js";

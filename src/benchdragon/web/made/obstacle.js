@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from model/obstacle.py by tools/make_twins.py; to make it again: make types
+// Made from model/obstacle.py by tools/make_twins.py; to make it again: make generate
 
 import { InputError, brief, finite, notNegative } from "../compute/errors.js";
 import { Standing, _crossing } from "../compute/obstacle.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/obstacle_search.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/obstacle_search.py by tools/make_twins.py; to make it again: make generate
 
 import { refined } from "../compute/budget.js";
 import { EngineQuestion } from "../compute/engine_question.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from player/occasions.py by tools/make_twins.py; to make it again: make types
+// Made from player/occasions.py by tools/make_twins.py; to make it again: make generate
 
 import { bracketed } from "../compute/answer.js";
 import { py } from "../compute/python.js";

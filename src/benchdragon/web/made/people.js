@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from plans/people.py by tools/make_twins.py; to make it again: make types
+// Made from plans/people.py by tools/make_twins.py; to make it again: make generate
 
 import { brief } from "../compute/errors.js";
 import { ValueError, py } from "../compute/python.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from plans/routes.py by tools/make_twins.py; to make it again: make types
+// Made from plans/routes.py by tools/make_twins.py; to make it again: make generate
 
 import { Fault, Faults, InputError, KeyedError } from "../compute/errors.js";
 import { _fitted } from "../compute/fitting.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from solve/random_dance.py by tools/make_twins.py; to make it again: make types
+// Made from solve/random_dance.py by tools/make_twins.py; to make it again: make generate
 
 import { memory as budgetMemory } from "../compute/budget.js";
 import { EngineQuestion } from "../compute/engine_question.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/room.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/room.py by tools/make_twins.py; to make it again: make generate
 
 import { withPeople } from "../compute/dragon.js";
 import { py } from "../compute/python.js";

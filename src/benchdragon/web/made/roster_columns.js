@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from rosters/columns.py by tools/make_twins.py; to make it again: make types
+// Made from rosters/columns.py by tools/make_twins.py; to make it again: make generate
 
 import { InputError } from "../compute/errors.js";
 import { py } from "../compute/python.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from rosters/words.py by tools/make_twins.py; to make it again: make types
+// Made from rosters/words.py by tools/make_twins.py; to make it again: make generate
 
 import { py } from "../compute/python.js";
 import { TWO_SIGNS, parted, standsIn } from "./roster_names.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/rounds.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/rounds.py by tools/make_twins.py; to make it again: make generate
 
 import { emptyPlacements } from "../compute/arrays.js";
 import { py } from "../compute/python.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from solve/size.py by tools/make_twins.py; to make it again: make types
+// Made from solve/size.py by tools/make_twins.py; to make it again: make generate
 
 import { InputError, PlanError, notNegative } from "../compute/errors.js";
 import { py } from "../compute/python.js";

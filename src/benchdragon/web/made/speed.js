@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from analysis/speed.py by tools/make_twins.py; to make it again: make types
+// Made from analysis/speed.py by tools/make_twins.py; to make it again: make generate
 
 import { OverBudgetError, allow as budgetAllow } from "../compute/budget.js";
 import { EngineQuestion } from "../compute/engine_question.js";

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from plans/square.py by tools/make_twins.py; to make it again: make types
+// Made from plans/square.py by tools/make_twins.py; to make it again: make generate
 
 import { Fault, Faults, KeyedError } from "../compute/errors.js";
 import { py } from "../compute/python.js";

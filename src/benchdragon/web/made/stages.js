@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from progress.py by tools/make_twins.py; to make it again: make types
+// Made from progress.py by tools/make_twins.py; to make it again: make generate
 
 import { py } from "../compute/python.js";
 

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from solve/turn_goal.py by tools/make_twins.py; to make it again: make types
+// Made from solve/turn_goal.py by tools/make_twins.py; to make it again: make generate
 
 import { InputError, finite, positive } from "../compute/errors.js";
 import { py } from "../compute/python.js";

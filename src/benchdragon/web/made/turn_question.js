@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from solve/turn_question.py by tools/make_twins.py; to make it again: make types
+// Made from solve/turn_question.py by tools/make_twins.py; to make it again: make generate
 
 import { hold as budgetHold } from "../compute/budget.js";
 import { EngineQuestion } from "../compute/engine_question.js";

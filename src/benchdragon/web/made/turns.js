@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from model/turns.py by tools/make_twins.py; to make it again: make types
+// Made from model/turns.py by tools/make_twins.py; to make it again: make generate
 
 import { InputError, brief, finite, notNegative, positive } from "../compute/errors.js";
 import { py } from "../compute/python.js";
