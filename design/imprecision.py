@@ -12,9 +12,9 @@ Run it from the project's folder, as `python -m design.imprecision`.
 3. The pitch needed is sought with evaluations here and there, which is cheap, and the search that
    misses nothing is asked once or twice, at the end. Without deviations it gives what `solve pitch`
    gives.
-4. On an inward spiral a bound in closed form (kernels/dance_bound.py) leaves little to be searched near
-   the pitch needed: a few benches near the centre where sizes vary, a third of the dance where all of
-   its handles are off the route.
+4. On an inward spiral a bound in closed form (kernels/random_dance_bound.py) leaves little to be
+   searched near the pitch needed: a few benches near the centre where sizes vary, a third of the dance
+   where all of its handles are off the route.
 """
 
 import time

@@ -11,7 +11,7 @@ import pytest
 from benchdragon import Arc, Clothoid, Dragon, Line, Route, SpeedProfile, Spiral, Walk, WalkError
 from benchdragon.analysis import speed
 from benchdragon.analysis.speed import QUANTITIES, Quantity, greatest, greatest_speed
-from benchdragon.kernels import peak_memory as told
+from benchdragon.kernels import speed_memory as told
 from benchdragon.model.answer import Answer
 from benchdragon.model.curves import AnyCurve
 from benchdragon.plans.schema import read_plan
@@ -37,7 +37,7 @@ def walk_of(name: str) -> tuple[Walk, float, float]:
 
 
 def with_room(patch: pytest.MonkeyPatch, **numbers: float) -> None:
-    """Let the engine go by other numbers: see kernels/peak_memory.py."""
+    """Let the engine go by other numbers: see kernels/speed_memory.py."""
     room = list(speed.ROOM)
     for name, value in numbers.items():
         room[getattr(told, name) - told.MOST_CELLS] = value

@@ -40,10 +40,10 @@ WHOLE = tuple(
     for name in (
         "memory",
         "question",
-        "dance_question",
+        "random_dance_question",
         "size_question",
         "contact_question",
-        "peak_question",
+        "speed_question",
         "obstacle_question",
         "turn_question",
     )

@@ -3,7 +3,8 @@
 import numpy as np
 
 from benchdragon.kernels import bench_cells as cells
-from benchdragon.kernels import box, drive, peak, rate_rounding, standing
+from benchdragon.kernels import box, drive, rate_rounding, standing
+from benchdragon.kernels import speed_search as peak
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.step_bounds import HANDLE_COLUMNS
@@ -55,7 +56,8 @@ def workshop_for(kinds: int, seams: FloatArray) -> cells.Workshop:
 def empty_heap(room: int) -> peak.Heap:
     """Room for so many parts."""
     return peak.Heap(
-        np.empty((room, peak.PART_COLUMNS)), np.empty((room, peak.PART_COLUMNS), dtype=np.int64)
+        np.empty((room, peak.PART_COLUMNS)),
+        np.empty((room, peak.PART_COLUMNS), dtype=np.int64),
     )
 
 

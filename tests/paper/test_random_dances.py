@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from benchdragon.kernels.dance_look import TOLERANCE
+from benchdragon.kernels.random_dance_look import TOLERANCE
 from benchdragon.paper.random_dances import DRAWS, OTHER_SEED, RISK, SEED, kept_run, plan, walked_again
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES

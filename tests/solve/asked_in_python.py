@@ -4,11 +4,11 @@ import pytest
 
 from benchdragon.kernels import (
     contact_question,
-    dance_question,
     obstacle_question,
-    peak_question,
     question,
+    random_dance_question,
     size_question,
+    speed_question,
 )
 
 ENTRIES = {
@@ -22,9 +22,9 @@ ENTRIES = {
     ],
     question: ["close_question"],
     contact_question: ["open_contact", "seek_contact", "read_contact", "step_contact"],
-    peak_question: ["open_peak", "read_peak", "step_peak"],
+    speed_question: ["open_peak", "read_peak", "step_peak"],
     size_question: ["open_size", "seek_size", "read_size", "step_size"],
-    dance_question: ["open_dance", "read_dance", "step_dance"],
+    random_dance_question: ["open_dance", "read_dance", "step_dance"],
 }
 
 

@@ -8,7 +8,8 @@ from benchdragon.kernels import stray_line
 from benchdragon.kernels.box import nearest_pair
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import COLUMNS, FloatArray
-from benchdragon.kernels.dance_bound import (
+from benchdragon.kernels.perturbed import place_along
+from benchdragon.kernels.random_dance_bound import (
     FACTS,
     WAYS,
     Bound,
@@ -18,7 +19,6 @@ from benchdragon.kernels.dance_bound import (
     stretch_count,
     table_sizes,
 )
-from benchdragon.kernels.perturbed import place_along
 from benchdragon.kernels.random_numbers import ASIDE
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon

@@ -8,8 +8,8 @@ import pytest
 from benchdragon import budget
 from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError, UnsureError
-from benchdragon.kernels import dance_look, dance_question, random_numbers
-from benchdragon.kernels import dance_memory as told
+from benchdragon.kernels import random_dance_look, random_dance_question, random_numbers
+from benchdragon.kernels import random_dance_memory as told
 from benchdragon.kernels.memory import held
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve.random_dance import answered
@@ -69,7 +69,7 @@ def test_a_dance_in_which_a_bench_cannot_follow_touches(
             draw_benches(*given)
             given[-1].fill(aside)
 
-        monkeypatch.setattr(dance_question, "draw_benches", drawn)
+        monkeypatch.setattr(random_dance_question, "draw_benches", drawn)
         assert touches(BENT, draw) is touch
 
 
@@ -92,7 +92,7 @@ def test_a_walk_of_many_kilometres_is_refused_before_room_is_made_for_it(
     deviations: Deviations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     in_python(monkeypatch)
-    monkeypatch.setattr(dance_question, "lay_points", lambda *_given: pytest.fail("it began"))
+    monkeypatch.setattr(random_dance_question, "lay_points", lambda *_given: pytest.fail("it began"))
     plan = read_plan("turn", ["walk.end=1e8", "walk.start=-1e7", "dragon.benches=3"])
     with budget.question(), pytest.raises(InputError, match="too long"):
         touches(plan, Draw(deviations, 1, 0))
@@ -143,18 +143,18 @@ def test_plain_python_in_blocks_of_any_size_answers_as_the_engine_does(
     assert all(0.5 < pitch < 0.8 for pitch, _touch in wanted)
     in_python(monkeypatch)
     widened: list[float] = []
-    widen = dance_question.widen
+    widen = random_dance_question.widen
 
     def spied(block: int, partners: float) -> int:
         widened.append(partners)
         return widen(block, partners)
 
-    monkeypatch.setattr(dance_question, "widen", spied)
-    monkeypatch.setattr(dance_question, "FEW_PARTNERS", 0.2)
-    monkeypatch.setattr(dance_question, "MORE_PARTNERS", 64)
+    monkeypatch.setattr(random_dance_question, "widen", spied)
+    monkeypatch.setattr(random_dance_question, "FEW_PARTNERS", 0.2)
+    monkeypatch.setattr(random_dance_question, "MORE_PARTNERS", 64)
     for steps, work in ((100, 200_000), (7, 0.0)):
         monkeypatch.setattr(told, "STEPS", steps)
-        monkeypatch.setattr(dance_question, "STEP_WORK", work)
+        monkeypatch.setattr(random_dance_question, "STEP_WORK", work)
         for draw, (pitch, touch) in zip(draws, wanted, strict=True):
             assert needed_pitch(TINY, draw, EXACT) == pytest.approx(pitch, abs=1e-7)
             assert touches(TINY, draw) == touch
@@ -166,17 +166,17 @@ def test_a_graze_between_evaluations_counts(monkeypatch: pytest.MonkeyPatch) -> 
     draw = Draw(Deviations(), 1, 0)
     needed = needed_pitch(TINY, draw, EXACT)
     in_python(monkeypatch)
-    monkeypatch.setattr(dance_look, "LOOK", 12.0)
-    monkeypatch.setattr(dance_question, "LOOK", 12.0)
-    monkeypatch.setattr(dance_look, "SHRINKS", 0)
+    monkeypatch.setattr(random_dance_look, "LOOK", 12.0)
+    monkeypatch.setattr(random_dance_question, "LOOK", 12.0)
+    monkeypatch.setattr(random_dance_look, "SHRINKS", 0)
     found: list[float] = []
-    weigh = dance_look.weigh
+    weigh = random_dance_look.weigh
 
     def spied(dance: Any) -> None:
         found.append(dance.figures[told.LOW])
         weigh(dance)
 
-    monkeypatch.setattr(dance_look, "weigh", spied)
+    monkeypatch.setattr(random_dance_look, "weigh", spied)
     tight = TINY.with_value("route.pitch", needed - 2e-3)
     assert touches(tight, draw)
     assert found[0] > 0.0

@@ -1,7 +1,7 @@
 """The greatest speed, acceleration or turning rate over a whole walk, and how fast the head may walk.
 
 All of them are bracketed by bounds that hold between evaluations, at whatever speed the head walks: cut
-where its acceleration jumps, a walk is searched over the head's place (see kernels/peak.py).
+where its acceleration jumps, a walk is searched over the head's place (see kernels/speed_search.py).
 """
 
 import math
@@ -17,12 +17,13 @@ from benchdragon.analysis.rounds import Rounds, Span, repeats
 from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError, UnsureError, in_order, of_kind
 from benchdragon.i18n import N_, _
-from benchdragon.kernels import drive, peak
-from benchdragon.kernels import peak_memory as told
-from benchdragon.kernels import peak_question as kernel
+from benchdragon.kernels import drive
+from benchdragon.kernels import speed_memory as told
+from benchdragon.kernels import speed_question as kernel
+from benchdragon.kernels import speed_search as peak
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.peak_question import STEP
 from benchdragon.kernels.question import MORE
+from benchdragon.kernels.speed_question import STEP
 from benchdragon.model.answer import ROUNDING, Answer, Witness
 from benchdragon.model.profile import SpeedProfile, Stretches
 from benchdragon.model.walk import Walk
@@ -33,7 +34,7 @@ from benchdragon.progress import Progress, silent
 TOLERANCE, LEAST_TOLERANCE = 1e-10, 1e-12
 # The same for accelerations and turning rates, whose bounds close more slowly.
 RATE_TOLERANCE = 1e-6
-# What the engine goes by, in the order of kernels/peak_memory.py: 24 MB of cells at a time, a look at
+# What the engine goes by, in the order of kernels/speed_memory.py: 24 MB of cells at a time, a look at
 # the clock every 20 ms, and the coarse bound's cost, steps and loss (design/coarse_bound.py).
 ROOM = (500_000, 1_024, 5_000_000, 100_000, 24.0, 0.8, 0.1, ROUNDING)
 # Handles placed at a time where it is looked for why a dragon does not stand.
@@ -165,7 +166,7 @@ Asked = Iterable[tuple[Quantity, float, float]]
 
 
 class PeakQuestion(EngineQuestion):
-    """A question about a walk, kernels/peak_question.py, whose head is driven so, as `sought` says."""
+    """A question about a walk, kernels/speed_question.py, whose head is driven so, as `sought` says."""
 
     def __init__(self, walk: Walk, drives: Stretches, asked: Asked = (), head: float = 0.0) -> None:
         tolerances, limits = [0.0] * drive.QUANTITIES, [math.inf] * drive.QUANTITIES

@@ -6,7 +6,7 @@ from dataclasses import fields
 from benchdragon.explain.text import number, signed
 from benchdragon.i18n import _
 from benchdragon.kernels.binomial import tails
-from benchdragon.kernels.dance_look import TOLERANCE
+from benchdragon.kernels.random_dance_look import TOLERANCE
 from benchdragon.kernels.random_numbers import ASIDE, HEIGHT, PLAY
 from benchdragon.plans.schema import Plan
 from benchdragon.solve.tolerance import CONFIDENCE, Draw, Tolerance, needed_pitch

@@ -21,8 +21,8 @@ from benchdragon.analysis.speed import (
 from benchdragon.analysis.speed_proof import SpeedClaim, head_speeds, prove_speed
 from benchdragon.errors import InputError, UnsureError, of_kind, positive
 from benchdragon.i18n import _
-from benchdragon.kernels import pacing
-from benchdragon.kernels import peak_question as kernel
+from benchdragon.kernels import head_speed
+from benchdragon.kernels import speed_question as kernel
 from benchdragon.model.answer import Answer
 from benchdragon.model.profile import MOST_SPEED, SpeedProfile
 from benchdragon.model.walk import Walk
@@ -146,8 +146,8 @@ def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
     """A pace at the plan's own head speed that slows down only where a limit would be exceeded.
 
     Between evaluations none exceeds a limit either: over each step of the head the pace keeps
-    to what a bound on all of them allows (see kernels/pacing.py). The head changes its speed by at most
-    limits.head_acceleration.
+    to what a bound on all of them allows (see kernels/head_speed.py). The head changes its speed by at
+    most limits.head_acceleration.
 
     Raises:
         InputError: without a limit, or with a plan that has a profile already, or cues that hold it.
@@ -185,7 +185,7 @@ def _fastest(
     budget.expect(kernel.BOUNDED * steps * FINER * handles)
     given = {**_limits_of(plan), "head": plan.limits.head_acceleration}
     limits = [(1.0 - PRUDENCE) * given.get(name, math.inf) for name in (*QUANTITIES, "head")]
-    most, table = np.empty(steps), np.empty((steps, pacing.NODES, 2))
+    most, table = np.empty(steps), np.empty((steps, head_speed.NODES, 2))
     at = np.linspace(first, last, steps * FINER + 1)
     per = max(1, AT_ONCE // (handles * FINER))
     with PeakQuestion(walk, EVEN.stretches(first, last)) as question:
@@ -199,7 +199,7 @@ def _fastest(
             question.rest()
     ends = np.array([at[n * FINER] for n in range(steps + 1)])
     times, speeds = np.empty(steps + 1), np.empty(steps + 1)
-    count = pacing.find_pace(table, most, ends, times, speeds)
+    count = head_speed.find_pace(table, most, ends, times, speeds)
     if count < 0:
         text = _("no speed of the head was found that keeps the limits at {s} m of the route")
         raise UnsureError(text.format(s=f"{ends[-1 - count]:.6g}"))

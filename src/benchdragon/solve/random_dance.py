@@ -1,4 +1,4 @@
-"""The engine's question about a dance whose people are not exact: kernels/dance_question.py."""
+"""The engine's question about a dance whose people are not exact: kernels/random_dance_question.py."""
 
 import numpy as np
 
@@ -7,16 +7,16 @@ from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.tables import in_columns
 from benchdragon.errors import InputError, UnsureError, in_order
 from benchdragon.i18n import _
-from benchdragon.kernels import dance_memory as told
-from benchdragon.kernels import dance_question as kernel
-from benchdragon.kernels.dance_question import NO_BENCH, NOT_FOUND, TOO_LONG
+from benchdragon.kernels import random_dance_memory as told
+from benchdragon.kernels import random_dance_question as kernel
 from benchdragon.kernels.question import MORE
+from benchdragon.kernels.random_dance_question import NO_BENCH, NOT_FOUND, TOO_LONG
 from benchdragon.plans.schema import Plan
 from benchdragon.solve.size_family import QUESTIONS, PlanFamily, kernel_family
 
 
 def answered(plan: Plan, limits: dict[int, float]) -> float:
-    """What is answered about a dance; `limits` are what varies of those of kernels/dance_memory.py.
+    """What is answered about a dance; `limits`: what varies of those of kernels/random_dance_memory.py.
 
     Raises:
         WalkError: where the exact dragon cannot stand at the start.

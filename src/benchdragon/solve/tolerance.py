@@ -26,7 +26,7 @@ from benchdragon.errors import (
 )
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import binomial
-from benchdragon.kernels import dance_memory as told
+from benchdragon.kernels import random_dance_memory as told
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.random_numbers import draw_benches, draw_normals
 from benchdragon.model.dragon import Dragon
@@ -120,7 +120,7 @@ class Draw:
         return list(vars(self.deviations).values())
 
     def ask(self, plan: Plan, what: int, guess: float = math.nan) -> float:
-        """What kernels/dance_question.py answers about this dance of a plan: see `answered`."""
+        """What kernels/random_dance_question.py answers about this dance of a plan: see `answered`."""
         limits = {
             told.WHAT: what, told.GUESS: guess, told.SEED: self.seed, told.DANCE: self.number,
             **dict(enumerate(self._by, told.BY)),

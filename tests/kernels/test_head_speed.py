@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import linprog
 
 from benchdragon import Arc, Dragon, Line, Route
-from benchdragon.kernels import drive, pacing, step_bounds
+from benchdragon.kernels import drive, head_speed, step_bounds
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
@@ -23,42 +23,45 @@ LIMITS = {
 
 def random_hulls(seed: int) -> FloatArray:
     rng = np.random.default_rng(seed)
-    hulls = np.empty((STEPS, HANDLES, pacing.HULL_COLUMNS))
-    hulls[..., pacing.FAST] = rng.uniform(0.6, 1.6, (STEPS, HANDLES))
-    hulls[..., pacing.TURNING_RATE] = rng.uniform(0.0, 0.9, (STEPS, HANDLES))
+    hulls = np.empty((STEPS, HANDLES, head_speed.HULL_COLUMNS))
+    hulls[..., head_speed.FAST] = rng.uniform(0.6, 1.6, (STEPS, HANDLES))
+    hulls[..., head_speed.TURNING_RATE] = rng.uniform(0.0, 0.9, (STEPS, HANDLES))
     middle = rng.uniform(-1.0, 1.0, (STEPS, HANDLES))
-    hulls[..., pacing.GROWTH_LOW] = middle - rng.uniform(0.0, 0.1, (STEPS, HANDLES))
-    hulls[..., pacing.GROWTH_HIGH] = middle + rng.uniform(0.0, 0.1, (STEPS, HANDLES))
-    hulls[..., pacing.BEND] = rng.uniform(0.0, 0.6, (STEPS, HANDLES))
+    hulls[..., head_speed.GROWTH_LOW] = middle - rng.uniform(0.0, 0.1, (STEPS, HANDLES))
+    hulls[..., head_speed.GROWTH_HIGH] = middle + rng.uniform(0.0, 0.1, (STEPS, HANDLES))
+    hulls[..., head_speed.BEND] = rng.uniform(0.0, 0.6, (STEPS, HANDLES))
     return hulls
 
 
 def most_of(hull: FloatArray, limits: FloatArray, square: float, rate: float) -> float:
     """The greatest share of any limit that is used up with these bounds, by the formulas."""
-    fast, bend = hull[:, pacing.FAST], hull[:, pacing.BEND]
+    fast, bend = hull[:, head_speed.FAST], hull[:, head_speed.BEND]
     across = fast**2 * square * bend
     along = np.max(
-        [np.abs(fast * (rate + hull[:, g] * square)) for g in (pacing.GROWTH_LOW, pacing.GROWTH_HIGH)],
+        [
+            np.abs(fast * (rate + hull[:, g] * square))
+            for g in (head_speed.GROWTH_LOW, head_speed.GROWTH_HIGH)
+        ],
         axis=0,
     )
     shares = [
         fast * np.sqrt(square) / limits[drive.SPEEDS],
-        hull[:, pacing.TURNING_RATE] * np.sqrt(square) / limits[drive.TURNING],
+        hull[:, head_speed.TURNING_RATE] * np.sqrt(square) / limits[drive.TURNING],
         across / limits[drive.ACROSS],
         np.hypot(along, across) / limits[drive.TOTAL],
         along / limits[drive.ALONG],
-        np.abs(rate) / limits[pacing.HEAD],
+        np.abs(rate) / limits[head_speed.HEAD],
     ]
     return float(max(np.max(share) for share in shares))
 
 
 def paced(hulls: FloatArray, limits: FloatArray, square: float, length: float) -> FloatArray:
-    table, (starts, squares) = np.empty((STEPS, pacing.NODES, 2)), np.empty((2, STEPS + 1))
-    most = np.array([pacing.tabulate(hulls[n], limits, square, table[n]) for n in range(STEPS)])
-    pacing.fastest_pace(table, most, np.full(STEPS, length), starts, np.empty(STEPS), squares)
+    table, (starts, squares) = np.empty((STEPS, head_speed.NODES, 2)), np.empty((2, STEPS + 1))
+    most = np.array([head_speed.tabulate(hulls[n], limits, square, table[n]) for n in range(STEPS)])
+    head_speed.fastest_pace(table, most, np.full(STEPS, length), starts, np.empty(STEPS), squares)
     at = np.linspace(0.0, length * STEPS, STEPS + 1)
     times, speeds = np.empty((2, STEPS + 1))
-    count = pacing.find_pace(table, most, at, times, speeds)
+    count = head_speed.find_pace(table, most, at, times, speeds)
     if count < 0:
         assert squares[-1 - count] == 0.0 < squares[: -1 - count].min(initial=1.0)
         return squares
@@ -75,7 +78,7 @@ def test_accelerations_allowed_keep_the_limits_and_greater_ones_do_not(name: str
     limits = np.array(LIMITS[name])
     hull = random_hulls(5)[0]
     for square in (0.0, 0.1, 0.3, 0.5):
-        low, high = pacing.allowed(hull, limits, square)
+        low, high = head_speed.allowed(hull, limits, square)
         if low > high:
             shares = [most_of(hull, limits, square, rate) for rate in np.linspace(-3.0, 3.0, 301)]
             assert min(shares) > 1.0
@@ -122,28 +125,28 @@ def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
     route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(0.5), Arc(2.0, -1.5), Line(9.0)])
     at = np.linspace(7.0, 16.0, 121)
     places = empty_placements(len(dragon) + 1, 5)
-    hulls = np.empty((30, len(dragon) + 1, pacing.HULL_COLUMNS))
+    hulls = np.empty((30, len(dragon) + 1, head_speed.HULL_COLUMNS))
     even, scratch = np.array([1.0, 1.0, 0.0]), rooms.scratch_for(len(dragon) + 1)
     for n, hull in enumerate(hulls):
         ends = at[4 * n : 4 * n + 5].copy()
         assert step_bounds.place_chain(route.rows, dragon.links, ends, 0, 5, places)
-        pacing.find_hull(route.rows, dragon.links, places, 4, even, scratch, hull)
+        head_speed.find_hull(route.rows, dragon.links, places, 4, even, scratch, hull)
     one = Placement(dragon, route, np.linspace(7.0, 16.0, 3000, endpoint=False))
     found = hulls[np.arange(3000) // 100]
     growth = one.ratio_rate / one.speed_ratio
-    assert (one.speed_ratio <= found[..., pacing.FAST]).all()
-    assert (np.abs(one.turn_rate) <= found[:, 1:, pacing.TURNING_RATE]).all()
-    assert (np.abs(route.curvature(one.s)) <= found[..., pacing.BEND] + 1e-12).all()
-    assert (found[..., pacing.GROWTH_LOW] <= growth + 1e-12).all()
-    assert (growth <= found[..., pacing.GROWTH_HIGH] + 1e-12).all()
-    assert hulls[..., pacing.GROWTH_HIGH].max() < growth.max() + 0.3
-    assert hulls[..., pacing.GROWTH_LOW].min() > growth.min() - 0.3
+    assert (one.speed_ratio <= found[..., head_speed.FAST]).all()
+    assert (np.abs(one.turn_rate) <= found[:, 1:, head_speed.TURNING_RATE]).all()
+    assert (np.abs(route.curvature(one.s)) <= found[..., head_speed.BEND] + 1e-12).all()
+    assert (found[..., head_speed.GROWTH_LOW] <= growth + 1e-12).all()
+    assert (growth <= found[..., head_speed.GROWTH_HIGH] + 1e-12).all()
+    assert hulls[..., head_speed.GROWTH_HIGH].max() < growth.max() + 0.3
+    assert hulls[..., head_speed.GROWTH_LOW].min() > growth.min() - 0.3
 
 
 def test_no_pace_goes_where_no_speed_is_allowed() -> None:
     hulls = random_hulls(1)
-    hulls[6, 2, pacing.FAST] = np.inf
-    hulls[6, 2, pacing.GROWTH_LOW], hulls[6, 2, pacing.GROWTH_HIGH] = -np.inf, np.inf
+    hulls[6, 2, head_speed.FAST] = np.inf
+    hulls[6, 2, head_speed.GROWTH_LOW], hulls[6, 2, head_speed.GROWTH_HIGH] = -np.inf, np.inf
     with np.errstate(invalid="ignore"):
         squares = paced(hulls, np.array(LIMITS["all"]), 1.0, 0.3)
     assert squares[6] == squares[7] == 0.0

@@ -1,45 +1,18 @@
 """One dance whose people are not exact, as a question: `open, step, read`.
 
 Either whether benches touch with the plan's own pitch, or with which pitch they just do not. A pitch is
-tried by looking here and there (kernels/dance_look.py), then by the search that misses nothing
+tried by looking here and there (kernels/random_dance_look.py), then by the search that misses nothing
 (kernels/every_pair.py). All of it lies in a block of the engine's own memory; a step takes some
 hundredths of a second.
 """
 
 import math
 
-from benchdragon.kernels import dance_memory as m
+from benchdragon.kernels import random_dance_memory as m
 from benchdragon.kernels.arrays import Vector
 from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK, radii
 from benchdragon.kernels.course import Walk
 from benchdragon.kernels.curve import COLUMNS, LENGTH, S_START, U_BACK
-from benchdragon.kernels.dance_bound import (
-    WAYS,
-    bounds,
-    fill_parts,
-    prepare,
-    stretch_count,
-    table_sizes,
-)
-from benchdragon.kernels.dance_look import (
-    ANSWERED,
-    BEGINNING,
-    JUDGING,
-    LOOK,
-    LOOKING,
-    SEARCHING,
-    SPOILT,
-    TOLERANCE,
-    is_sure,
-    look_first,
-    look_on,
-    meeting_near,
-    part_at,
-    place_count,
-    set_hint,
-    shortest_link,
-)
-from benchdragon.kernels.dance_memory import Dance, Drawn
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.every_pair import CROWDED, PAIR_WORK, search_steps
 from benchdragon.kernels.family import Family, set_walk
@@ -57,6 +30,33 @@ from benchdragon.kernels.memory import (
     take,
 )
 from benchdragon.kernels.question import CLOSED, MORE, OUT_OF_MEMORY, OVER_MEMORY, SPENT, WANTED
+from benchdragon.kernels.random_dance_bound import (
+    WAYS,
+    bounds,
+    fill_parts,
+    prepare,
+    stretch_count,
+    table_sizes,
+)
+from benchdragon.kernels.random_dance_look import (
+    ANSWERED,
+    BEGINNING,
+    JUDGING,
+    LOOK,
+    LOOKING,
+    SEARCHING,
+    SPOILT,
+    TOLERANCE,
+    is_sure,
+    look_first,
+    look_on,
+    meeting_near,
+    part_at,
+    place_count,
+    set_hint,
+    shortest_link,
+)
+from benchdragon.kernels.random_dance_memory import Dance, Drawn
 from benchdragon.kernels.random_numbers import draw_benches
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.search import (
@@ -111,7 +111,7 @@ def open_dance(family: Family, walk: Walk, limits: Vector) -> int:
     """Open a question about a dance; its handle, 0 if there is no memory.
 
     `walk` is the plan's own of exact people, one of the family in which the pitch varies. What is
-    handed over is copied. See LIMITS of kernels/dance_memory.py.
+    handed over is copied. See LIMITS of kernels/random_dance_memory.py.
     """
     block = new_block(m.END_SLOT - HEADER)
     if block == 0:

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchdragon.kernels import dance_memory as told
-from benchdragon.kernels.dance_look import TOLERANCE, is_sure
-from benchdragon.kernels.dance_question import next_pitch
+from benchdragon.kernels import random_dance_memory as told
+from benchdragon.kernels.random_dance_look import TOLERANCE, is_sure
+from benchdragon.kernels.random_dance_question import next_pitch
 
 
 def after(room: float, touching: float = 0.0, clear: float = math.inf, slope: float = 1.0) -> float:

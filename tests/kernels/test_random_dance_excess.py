@@ -8,7 +8,8 @@ import pytest
 
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import P, X, Y, place, spiral_length
-from benchdragon.kernels.dance_bound import (
+from benchdragon.kernels.perturbed import place_along
+from benchdragon.kernels.random_dance_bound import (
     GRID_LOW,
     OUTWARD,
     Bound,
@@ -18,12 +19,11 @@ from benchdragon.kernels.dance_bound import (
     prepare,
     table_sizes,
 )
-from benchdragon.kernels.perturbed import place_along
 from benchdragon.kernels.route import locate
 from benchdragon.kernels.stray_line import fill_noise, noise_count, offset_at
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import read_plan
-from tests.kernels.test_dance_bound import distances
+from tests.kernels.test_random_dance_bound import distances
 from tests.solve.dances import Laid, empty_bound
 
 # A few benches on a spiral, for plain Python; the tail is a turn and a half behind the head.

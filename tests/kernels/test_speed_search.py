@@ -9,7 +9,8 @@ import pytest
 from benchdragon import Arc, Clothoid, Dragon, Line, Route
 from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import bench_cells as cells
-from benchdragon.kernels import drive, peak
+from benchdragon.kernels import drive
+from benchdragon.kernels import speed_search as peak
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.status import Ended
 from benchdragon.model.placement import Placement

@@ -16,8 +16,8 @@ from benchdragon import (
     budget,
 )
 from benchdragon.analysis.speed import QUANTITIES, PeakQuestion, Quantity, greatest, sought
-from benchdragon.kernels import peak_memory as told
-from benchdragon.kernels import peak_question as kernel
+from benchdragon.kernels import speed_memory as told
+from benchdragon.kernels import speed_question as kernel
 from benchdragon.kernels.memory import held
 from benchdragon.kernels.question import CLOSED
 from benchdragon.plans.schema import checked

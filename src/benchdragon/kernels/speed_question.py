@@ -1,25 +1,27 @@
-"""The greatest of some quantities over a walk, as a question: `open, step, read, close`.
+"""The greatest speeds, turning and accelerations of a walk, as a question: `open, step, read, close`.
 
 The head's way is searched window by window: where they pay, cells of the route first (bench_cells.py)
-and chains at a few places, whose values spare bounds at most others, then all that waits (peak.py).
-Asked for a head speed, each quantity is sought with the head at 1 m/s, under what the limits before
-allow. `bound_peak` tables how fast the head may walk over steps of its way.
+and chains at a few places, whose values spare bounds at most others, then all that waits
+(speed_search.py). Asked for a head speed, each quantity is sought with the head at 1 m/s, under what
+the limits before allow. `bound_peak` tables how fast the head may walk over steps of its way, of which
+head_speed.py makes a pace.
 """
 
 import math
 
-from benchdragon.kernels import memory, peak
-from benchdragon.kernels import peak_memory as told
+from benchdragon.kernels import memory
+from benchdragon.kernels import speed_memory as told
+from benchdragon.kernels import speed_search as peak
 from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
 from benchdragon.kernels.bench_cells import CELL_COLUMNS, CELLS, Cuts, cut_cells
 from benchdragon.kernels.curve import S_START, length_at
 from benchdragon.kernels.drive import FROM, QUANTITIES, RATE, SPEEDS, TO, TURNING
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.pacing import find_hull, tabulate
-from benchdragon.kernels.peak_memory import BASE, END_SLOT, Asked
+from benchdragon.kernels.head_speed import find_hull, tabulate
 from benchdragon.kernels.question import CLOSED, MORE, OUT_OF_MEMORY, SPENT
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.rounding import find_seams
+from benchdragon.kernels.speed_memory import BASE, END_SLOT, Asked
 from benchdragon.kernels.status import Ended
 from benchdragon.kernels.step_bounds import place_chain
 
@@ -424,7 +426,7 @@ def bound_peak(
     handle: int, at: Vector, first: int, last: int, square: float, limits: Vector, most: Vector,
     table: Stack,
 ) -> int:  # fmt: skip
-    """Fill most and table for steps first..last-1 of a pace: see `pacing.tabulate`; DONE or FALLEN.
+    """Fill most and table for steps first..last-1 of a pace: see `head_speed.tabulate`; DONE or FALLEN.
 
     Each step has as many parts, bounded together, as `at` has between two of its ends, m.
     """

@@ -3,12 +3,12 @@
 import math
 from typing import NamedTuple
 
-from benchdragon.kernels import dance_memory as m
+from benchdragon.kernels import random_dance_memory as m
 from benchdragon.kernels.box import nearest_of
-from benchdragon.kernels.dance_memory import Dance
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.every_pair import PAIR_WORK
 from benchdragon.kernels.question import SPENT
+from benchdragon.kernels.random_dance_memory import Dance
 from benchdragon.kernels.search import Chain, close_left, evaluate_slot
 
 # Head positions looked at, as a share of the shortest link; how often the range about the least

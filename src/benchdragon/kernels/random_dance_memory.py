@@ -7,7 +7,6 @@ from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.course import Walk, copy_walk
 from benchdragon.kernels.curve import COLUMNS
-from benchdragon.kernels.dance_bound import FACTS, Bound
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.family import Family, copy_family, family_shapes
 from benchdragon.kernels.memory import (
@@ -24,6 +23,7 @@ from benchdragon.kernels.memory import (
 )
 from benchdragon.kernels.own_room import placements, searches, walks
 from benchdragon.kernels.question import TOLD
+from benchdragon.kernels.random_dance_bound import FACTS, Bound
 from benchdragon.kernels.random_numbers import DEVIATIONS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import NOTES, Search
@@ -109,7 +109,7 @@ class Dance(NamedTuple):
     points: Vector  # positions along the route and along the line, m, in pairs
     along: Vector
     noise: Vector
-    parts: Table  # see `dance_bound.fill_parts`
+    parts: Table  # see `random_dance_bound.fill_parts`
     bound: Bound
     first: IntVector  # pairs of a step
     second: IntVector

@@ -8,12 +8,21 @@ from benchdragon.kernels.bench_cells import CELL_COLUMNS, Cells, Kinds, Workshop
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.drive import DRIVE_COLUMNS, MOST_JUMPS, QUANTITIES
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.head_speed import HULL_COLUMNS
 from benchdragon.kernels.memory import ROW, Shapes
 from benchdragon.kernels.own_room import placements
-from benchdragon.kernels.pacing import HULL_COLUMNS
-from benchdragon.kernels.peak import COUNTS, NOTES, PART_COLUMNS, SLOTS, Batch, Chains, Drives, Heap
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.speed_search import (
+    COUNTS,
+    NOTES,
+    PART_COLUMNS,
+    SLOTS,
+    Batch,
+    Chains,
+    Drives,
+    Heap,
+)
 from benchdragon.kernels.step_bounds import HANDLE_COLUMNS
 
 # What hosts say of a question, a row of floats.
@@ -72,11 +81,11 @@ class Asked(NamedTuple):
     batch: Batch
     chains: Chains
     shop: Workshop
-    hull: Table  # of pacing
+    hull: Table  # of head_speed
     tolerances: Vector  # of each quantity, 0 if it is not asked for
     limits: Vector
     numbers: Vector
-    notes: Vector  # of peak
+    notes: Vector  # of speed_search
     counts: IntVector
     state: IntVector
     figures: Vector
