@@ -46,6 +46,11 @@ def sliders(_options: Options) -> list[str]:
     return printed("sliders")
 
 
+def browsers(_options: Options) -> list[str]:
+    """The planner's answers in Firefox beside Chromium."""
+    return printed("browsers")
+
+
 TABLES = {
     "targets": Table("Targets", targets),
     "before": Table("Before and after", before_and_after),
@@ -63,6 +68,7 @@ TABLES = {
     "threads": Table("Threads", threads),
     "frames": Table("The player's frames, in Chromium that draws without a GPU", frames),
     "sliders": Table("The planner, one person moving a slider", sliders),
+    "browsers": Table("The planner, in Firefox beside Chromium", browsers),
 }
 
 

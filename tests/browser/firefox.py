@@ -125,7 +125,9 @@ def firefox(path: str, profile: Path) -> Iterator[Firefox]:
         str(profile),
         "--remote-debugging-port=0",
     ]
-    with subprocess.Popen([*command, "about:blank"], stderr=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(
+        [*command, "about:blank"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+    ) as process:
         assert process.stderr is not None
         try:
             listens = next(filter(None, map(LISTENS.search, process.stderr)))

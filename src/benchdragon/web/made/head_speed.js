@@ -108,7 +108,7 @@ async function _fastest(plan, walk, first, last, progress) {
   }
   ends = py.array(py.list(py.range((steps + 1))).map((n) => py.at(at, (n * FINER))));
   [times, speeds] = py.list([py.empty((steps + 1)), py.empty((steps + 1))]);
-  count = py.entry("bd_pacing_find_pace", table, most, ends, times, speeds)[0];
+  count = py.entry("bd_head_speed_find_pace", table, most, ends, times, speeds)[0];
   if ((count < 0)) {
     text = _("no speed of the head was found that keeps the limits at {s} m of the route");
     throw new UnsureError(py.filled(text, { s: `${py.format(py.at(ends, py.sub(-1, count)), `.6g`)}` }));

@@ -22,9 +22,9 @@ export async function answered(plan, limits) {
   name = (py.eq(py.at(limits, 0), 0) ? "pitch" : "width");
   [family, laid] = py.list(kernelFamily(new PlanFamily(plan, py.at(QUESTIONS, name), 0.0), walk));
   known = py.dict([[1, plan.limits.margin], [2, first], [3, last], [7, budgetMemory()], ...py.items(limits)]);
-  handle = py.entry("bd_dance_question_open_dance", family, laid, inColumns(known))[0];
+  handle = py.entry("bd_random_dance_question_open_dance", family, laid, inColumns(known))[0];
   [figures, ending] = py.list([py.zeros(25), MORE]);
-  question = new EngineQuestion(handle, py.entered("bd_dance_question_step_dance"), py.entered("bd_dance_question_read_dance"), figures);
+  question = new EngineQuestion(handle, py.entered("bd_random_dance_question_step_dance"), py.entered("bd_random_dance_question_read_dance"), figures);
   try {
     while (py.eq(ending, MORE)) {
       ending = (await question.step());

@@ -88,11 +88,11 @@ export class PeakQuestion extends EngineQuestion {
     group = py.array(py.list(links).map((link) => py.at(numbers, link)), "q");
     squares = py.array(py.list(py.tolist(drives.speeds)).map(([slow, fast]) => [(slow * slow), (fast * fast)]));
     driven = ({ ways: py.array(drives.ways), squares: squares, rates: py.array(drives.rates) });
-    handle = py.entry("bd_peak_question_open_peak", walk.route.rows, walk.dragon.links, py.array(kinds), group, driven, py.array(tolerances), py.array(limits), py.array([walk.dragon.extent, head, ...py.iter(ROOM)]))[0];
-    super(handle, py.entered("bd_peak_question_step_peak"), py.entered("bd_peak_question_read_peak"), py.zeros(27));
+    handle = py.entry("bd_speed_question_open_peak", walk.route.rows, walk.dragon.links, py.array(kinds), group, driven, py.array(tolerances), py.array(limits), py.array([walk.dragon.extent, head, ...py.iter(ROOM)]))[0];
+    super(handle, py.entered("bd_speed_question_step_peak"), py.entered("bd_speed_question_read_peak"), py.zeros(27));
   }
   bound(at, first, last, square, limits, most, table) {
-    return py.entry("bd_peak_question_bound_peak", this._handle, at, first, last, square, limits, most, table)[0];
+    return py.entry("bd_speed_question_bound_peak", this._handle, at, first, last, square, limits, most, table)[0];
   }
 }
 export async function sought(walk, stretches, asked, progress, head = 0.0) {
