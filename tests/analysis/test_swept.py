@@ -14,10 +14,10 @@ from benchdragon.analysis.swept import (
     swept_area,
 )
 from benchdragon.analysis.swept_steps import MOST_STEPS, merged, placed_steps
-from benchdragon.analysis.swept_width import _bounds, _cells, _stretches
+from benchdragon.analysis.swept_width import _stretches
 from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.figures.walk import bench_corners
-from benchdragon.kernels.band import turnings
+from benchdragon.kernels.band import band_sides
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.dragon import Bench, Dragon
@@ -313,16 +313,6 @@ def test_across_a_kink_a_bench_strays_by_what_it_travels_at_most() -> None:
         assert 0.15 * stray[n] < out <= stray[n] <= 0.2
 
 
-def test_what_the_route_turns_by_counts_both_ways_and_at_kinks() -> None:
-    arc = Arc(2.0, 1.0, (5.0, 0.0), 0.3)
-    route = Route((Line(5.0), arc, Clothoid(4.0, 0.4, -0.4).moved(*arc.end_pose)), kinks=True)
-    found = np.empty(3)
-    turnings(route.rows, np.array([-1.0, 4.0, 6.0, 11.0]), found)
-    assert found[0] == 0.0
-    assert found[1] == pytest.approx(0.3 + 0.5)
-    assert 0.5 + 2 * 0.5 * 2.0 * 0.4 <= found[2] < 2.2  # of a clothoid, at most its sharpest all along
-
-
 def test_the_polygon_is_widened_by_the_stray_and_the_smoothing() -> None:
     """Every point that the bounds allow is held: all within the stray of any hull."""
     walk = random_walk(2)
@@ -355,8 +345,11 @@ def test_each_cell_is_bounded_as_a_whole() -> None:
     walk = Walk(Dragon(benches), Route((Line(30.0),)), start=10.0)
     steps = swept_area(walk, 0.0, 0.0).steps
     ends = np.array([[8.0, 8.4], [6.9, 7.4], [7.05, 8.2]])  # the wide bench: 7.3 to 8.3 m
-    order = np.argsort(ends[:, 0])
-    cells = _cells(walk, ends[order])
-    bounds = _bounds(steps, cells, _stretches(steps), 1.2, cut=True)
+    ends = ends[np.argsort(ends[:, 0])]
+    stretches = _stretches(steps.sizes[:, steps.kind], steps.front, steps.rear)
+    sides = np.empty((3, 2))
+    hulls = steps.corners.reshape(-1, 16)
+    band_sides(walk.route.rows, ends, hulls, stretches, steps.widest_stray, 1.2, sides)
+    bounds = sides.sum(axis=1)
     assert (bounds >= 1.4).all()
     assert (bounds <= 1.41).all()

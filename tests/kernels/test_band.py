@@ -1,11 +1,12 @@
-"""Strays of benches from a straight way, and turnings of routes: bounds that hold in between."""
+"""Strays of benches from a straight way, and sides of the band that they cover: bounds between places."""
 
 import math
 
 import numpy as np
 import pytest
+import shapely
 
-from benchdragon.kernels.band import strays, turnings
+from benchdragon.kernels.band import band_sides, strays
 from benchdragon.kernels.box import BOX_COLUMNS, boxes_at, corner
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
@@ -60,14 +61,60 @@ def test_a_bench_that_stays_strays_nowhere_and_one_that_may_leap_anywhere() -> N
     assert out.tolist() == [0.0, math.inf]
 
 
-def test_turnings_are_the_angles_that_a_route_turns_by() -> None:
-    route = Route(
-        (
-            Line(5.0),
-            Arc(4.0, 1.0, (5.0, 0.0)),
-            Arc(2.0, -1.0, (5.0, 0.0)).moved(*Arc(4.0, 1.0, (5.0, 0.0)).end_pose),
-        )
-    )
-    borders, out = np.array([0.0, 4.0, 7.0, 9.0, 11.0]), np.empty(4)
-    turnings(route.rows, borders, out)
-    assert out == pytest.approx([0.0, 0.5, 0.5, 1.0], abs=1e-12)
+BENCHES = np.array(
+    [[0.4, 0.3, -0.9, 0.1, -0.8, -0.4, 0.5, -0.2], [0.6, 0.5, 0.1, 0.7, 0.2, 0.2, 0.7, 0.1]]
+)
+
+
+def sides(route: Route, ends: FloatArray, hulls: FloatArray, near: float) -> tuple[FloatArray, int]:
+    """How far hulls that count everywhere reach beside cells, at most 0.9 m, and pairs looked at."""
+    found, everywhere = np.empty((len(ends), 2)), np.tile([-np.inf, np.inf], (len(hulls), 1))
+    pairs = band_sides(route.rows, ends, hulls, everywhere, near, 0.9, found)
+    return found, pairs
+
+
+def hulls_at(route: Route, s: float) -> FloatArray:
+    """Two hulls about a point of a route: x and y of corners, m, (2, 16)."""
+    corners = np.stack([BENCHES, np.roll(BENCHES, 3, axis=1)], axis=-1) + route.point(s)
+    return np.ascontiguousarray(corners).reshape(2, 16)
+
+
+@pytest.mark.parametrize("name", ROUTES)
+def test_beside_a_place_the_band_is_what_hulls_cover_of_the_line_square_to_the_route(name: str) -> None:
+    route, start = ROUTES[name]
+    hulls = hulls_at(route, start)
+    for s in np.linspace(start - 0.8, start + 0.8, 7).tolist():
+        found, pairs = sides(route, np.array([[s, s]]), hulls, 0.0)
+        heading = float(route.heading(s))
+        square = 0.9 * np.array([-math.sin(heading), math.cos(heading)])
+        line = shapely.LineString([route.point(s) - square, route.point(s) + square])
+        shapes = shapely.convex_hull(shapely.multipoints(hulls.reshape(2, 8, 2)))
+        cut = shapely.get_coordinates(shapely.intersection(shapes, line)) - route.point(s)
+        aside = np.append(cut @ square / 0.9, 0.0)
+        assert pairs == 2
+        assert found[0] == pytest.approx([aside.max(), -aside.min()], abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ROUTES)
+def test_no_place_of_a_cell_has_a_wider_band_than_is_said_of_the_cell(name: str) -> None:
+    """Where the route turns in a cell, squares swing: at a kink by all of its angle."""
+    route, start = ROUTES[name]
+    hulls = hulls_at(route, start)
+    borders = start + np.array([-0.7, -0.2, 0.35, 0.9])
+    cells = np.column_stack([borders[:-1], borders[1:]])
+    most, _pairs = sides(route, cells, hulls, 0.01)
+    for bound, (low, high) in zip(most, cells.tolist(), strict=True):
+        at = np.linspace(low, high, 60)
+        seen, _pairs = sides(route, np.column_stack([at, at]), hulls, 0.0)
+        assert (seen.max(axis=0) + 0.01 <= bound).all()
+        assert (bound <= seen.max(axis=0) + 0.65).all()
+
+
+def test_a_hull_counts_where_its_bench_stands_alone() -> None:
+    route, _start = ROUTES["line"]
+    cells = np.array([[9.0, 10.0], [10.0, 11.0], [11.0, 12.0]])
+    found = np.empty((3, 2))
+    hull = hulls_at(route, 10.5)[:1]
+    assert band_sides(route.rows, cells, hull, np.array([[9.5, 10.0]]), 0.0, 0.9, found) == 2
+    assert (found[:2] > 0.0).all()
+    assert found[2].tolist() == [0.0, 0.0]

@@ -11,7 +11,6 @@ from typing import Self
 
 import numpy as np
 import shapely
-from shapely.geometry import LinearRing, LineString, Polygon
 
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import FloatArray
@@ -135,27 +134,21 @@ def way_out(
         The distance, m, and the unit vector out over the side that is met, at a right angle to it; None
         from a place outside.
     """
-    start, here, edge = np.array(place), shapely.Point(place), LinearRing(outline)
-    if not Polygon(outline).contains(here):
+    here, venue = shapely.Point(place), shapely.Polygon(outline)
+    if not venue.contains(here):
         return None
-    if way is None:
-        met = here.distance(edge)
-    else:
-        ray = LineString([start, start + edge.length * way])  # longer than any way out
-        met = here.distance(ray.intersection(edge))
     sides = np.roll(outline, -1, axis=0) - outline
-    lines = [LineString([corner, corner + side]) for corner, side in zip(outline, sides, strict=True)]
-    outs = np.array([sides[:, 1], -sides[:, 0]]).T / np.hypot(sides[:, 0], sides[:, 1])[:, np.newaxis]
-    if not edge.is_ccw:
-        outs = -outs
+    outs = np.column_stack([sides[:, 1], -sides[:, 0]]) / np.hypot(*sides.T)[:, np.newaxis]
+    outs = outs if venue.exterior.is_ccw else -outs
+    lines = shapely.linestrings(np.stack([outline, outline + sides], axis=1))
     if way is None:
-        return met, outs[int(np.argmin([here.distance(line) for line in lines]))]
-    there = shapely.Point(start + met * way)
+        apart = shapely.distance(lines, here)
+        return float(apart.min()), outs[int(np.argmin(apart))]
+    start, longer = np.array(place), venue.length * way  # than any way out
+    met = here.distance(shapely.LineString([start, start + longer]).intersection(venue.exterior))
     # At a corner, or along an edge, it is left over the side that it crosses most squarely.
-    crossed = [
-        float(out @ way) if there.distance(line) <= CORNER else -1.0
-        for out, line in zip(outs, lines, strict=True)
-    ]
+    there = shapely.Point(start + met * way)
+    crossed = np.where(shapely.distance(lines, there) <= CORNER, outs @ way, -1.0)
     return met, outs[int(np.argmax(crossed))]
 
 

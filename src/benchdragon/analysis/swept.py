@@ -6,7 +6,6 @@ greatest stray: bounds of motion say that it holds everything, not places looked
 """
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
@@ -47,8 +46,6 @@ SMOOTHED_SHARE, SMOOTHED_TWICE = 0.04, 2.0
 # Segments of a quarter circle in what is widened, by so much more that no chord cuts in; and how far it
 # may reach then.
 QUARTER, WIDENED, REACHED = 16, 1.005, 1.02
-# Directions of a rectangle that are tried at a time.
-DIRECTIONS = 256
 
 # A polygon, or several.
 Shape = BaseGeometry
@@ -226,20 +223,11 @@ def drawn_ground(walk: Walk, start: float, end: float) -> tuple[FloatArray, ...]
     told or would take too long: `swept_area` says why.
     """
     try:
-        outlines = rings(swept_area(walk, start, end, error=DRAWN).polygon)
+        polygon = swept_area(walk, start, end, error=DRAWN).polygon
     except (InputError, UnsureError, WalkError):
         return ()
-    return (
-        *(_going_round(ring, 1.0) for ring in outlines.outer),
-        *(_going_round(ring, -1.0) for ring in outlines.holes),
-    )
-
-
-def _going_round(ring: FloatArray, sense: float) -> FloatArray:
-    """A closed line, counter-clockwise for a sense of 1, else clockwise."""
-    (x, y), (ahead, above) = ring[:-1].T, ring[1:].T
-    turns = float(np.sum(x * above - ahead * y))
-    return ring if turns * sense > 0.0 else ring[::-1]
+    outlines = rings(shapely.orient_polygons(polygon))
+    return (*outlines.outer, *outlines.holes)
 
 
 def _joined(steps: Steps, progress: Progress) -> Shape:
@@ -274,38 +262,26 @@ def _rectangle(hull: Shape, error: float) -> BoundingRectangle:
     """
     corners = shapely.get_coordinates(hull)
     sides = np.diff(corners, axis=0)
-    angles = np.unique(np.arctan2(sides[:, 1], sides[:, 0]) % (0.5 * math.pi))
-    sizes = np.concatenate(
-        [
-            np.column_stack([np.ptp(c @ corners.T, axis=1), np.ptp(s @ corners.T, axis=1)])
-            for c, s in _axes(angles)
-        ]
-    )
-    best = int(np.argmin(sizes.prod(axis=1)))
-    along, across = (axis[0] for axis in next(_axes(angles[best : best + 1])))
-    if sizes[best, 0] < sizes[best, 1]:
+    angles = np.unique(np.arctan2(sides[:, 1], sides[:, 0]) % (0.5 * math.pi)).tolist()
+    seen = np.ascontiguousarray(corners.T)
+    along, across = min(map(_axes, angles), key=lambda axes: np.ptp(axes @ seen, axis=1).prod())
+    if np.ptp(along @ seen) < np.ptp(across @ seen):
         along, across = across, -along
-    x, y = corners @ along, corners @ across
-    made = [
-        a * along + b * across
-        for a, b in ((x.max(), y.max()), (x.min(), y.max()), (x.min(), y.min()), (x.max(), y.min()))
-    ]
-    width, height = float(np.ptp(x)), float(np.ptp(y))
+    axes = np.array([along, across])
+    low, high = (axes @ seen).min(axis=1), (axes @ seen).max(axis=1)
+    made = np.array([high, (low[0], high[1]), low, (high[0], low[1])]) @ axes
+    width, height = (high - low).tolist()
     longest = 2.0 * float(shapely.minimum_bounding_radius(hull))
     area = width * height
     least = max(0.0, area - 4.0 * error * longest - 4.0 * error * error)
     angle = math.atan2(along[1], along[0]) % math.pi
-    return BoundingRectangle(
-        np.array(made), width, height, angle, Answer(area, least, area, "m2", "found")
-    )
+    return BoundingRectangle(made, width, height, angle, Answer(area, least, area, "m2", "found"))
 
 
-def _axes(angles: FloatArray) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Unit vectors at angles, rad, and square to them, (n, 2) each, some at a time."""
-    for first in range(0, len(angles), DIRECTIONS):
-        some = angles[first : first + DIRECTIONS]
-        c, s = np.cos(some), np.sin(some)
-        yield np.column_stack([c, s]), np.column_stack([-s, c])
+def _axes(angle: float) -> FloatArray:
+    """Unit vectors at an angle, rad, and square to it, (2, 2)."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, s], [-s, c]])
 
 
 def _circle(hull: Shape, error: float) -> BoundingCircle:

@@ -1,6 +1,7 @@
 """How far benches stray, while their front handle walks a step, from a straight way between its ends.
 
-And how much the route turns in a stretch. Both hold for the whole step, not for places looked at.
+And how far the band that they cover reaches beside a stretch of the route. Both hold for the whole
+step and stretch, not for places looked at.
 """
 
 import math
@@ -10,10 +11,21 @@ import numpy as np
 from benchdragon.kernels import step_bounds as bounds
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.entries import allocates, entry
+from benchdragon.kernels.curve import FloatArray, place
+from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.regions import walks_on
 from benchdragon.kernels.route import locate
 from benchdragon.kernels.step_bounds import bound_bench, heading_bound
+
+# Corners of a bench at the two ends of a step.
+CORNERS = 8
+# Columns of a table of slabs, one row a cell of the route.
+X, Y = 0, 1  # where the cell begins, m
+ALONG_X, ALONG_Y = 2, 3  # direction of its chord; of the route, if it has no length
+LOW, HIGH = 4, 5  # from where to where along the chord what lies square to the route in it is, m
+AROUND = 6  # at most how far the route, and what is covered, leave chord and hulls, m
+SWING = 7  # at least what the route turns by in it in all, up to a quarter turn, rad
+SLAB_COLUMNS = 8
 
 
 @entry
@@ -39,13 +51,107 @@ def strays(rows: Table, link: Vector, sizes: Table, k: int, places: Placements, 
 
 
 @entry
-def turnings(rows: Table, borders: Vector, out: Vector) -> None:
-    """Fill out[n] with at least the angle, rad, that the route turns by in all from borders[n] on.
+@allocates
+def band_sides(
+    rows: Table, ends: Table, hulls: Table, stretches: Table, near: float, out: float, sides: Table
+) -> int:
+    """Fill sides[n] with at most how far a band reaches to the left and right of a route, m, in cell n.
 
-    Up to borders[n + 1]; route positions, m, ascending.
+    The band is what hulls cover of lines square to the route, as far out as `out`, where they stand.
+
+    Args:
+        rows: of the route.
+        ends: route positions between which each cell lies, m, (n, 2), ascending.
+        hulls: x and y of the eight corners of each, m, (count, 16).
+        stretches: route positions between which each hull counts, m, (count, 2).
+        near: at most how far what is covered is from its hull, m. If it is 0, sides of cells without
+            length are how far hulls reach there, but for rounding.
+        out: m.
+        sides: (n, 2).
+
+    Returns:
+        How many pairs of hull and cell were looked at.
     """
-    j, u, _ = locate(rows, borders[0])
-    for n in range(out.shape[0]):
-        next_j, next_u, _ = locate(rows, borders[n + 1])
-        out[n] = heading_bound(rows, j, u, next_j, next_u)
-        j, u = next_j, next_u
+    slabs, seen = np.empty((ends.shape[0], SLAB_COLUMNS)), np.empty((2, CORNERS))
+    for n in range(ends.shape[0]):
+        set_slab(rows, ends[n, 0], ends[n, 1], near, out, slabs, n)
+        sides[n, 0] = sides[n, 1] = 0.0
+    pairs = 0
+    for k in range(hulls.shape[0]):
+        n = first_cell(ends, stretches[k, 0])
+        while n < ends.shape[0] and ends[n, 0] <= stretches[k, 1]:
+            raise_sides(hulls, k, slabs, n, seen, sides)
+            n += 1
+            pairs += 1
+    for n in range(ends.shape[0]):
+        around, swing, pad = slabs[n, AROUND], slabs[n, SWING], -slabs[n, LOW]
+        for side in range(2):
+            reach = math.hypot(sides[n, side], pad) + around
+            if swing < 0.5 * math.pi:
+                reach = min(reach, (sides[n, side] + around) / math.cos(swing))
+            sides[n, side] = min(reach, out + around)
+    return pairs
+
+
+@kernel
+def set_slab(
+    rows: FloatArray, low: float, high: float, near: float, out: float, slabs: FloatArray, n: int
+) -> None:
+    """Fill slabs[n] with what holds all that lies square to the route between low and high, m.
+
+    An arc between two foci lies within an ellipse about its chord.
+    """
+    j, u, _ = locate(rows, low)
+    next_j, next_u, _ = locate(rows, high)
+    x, y, tx, ty = place(rows, j, u)
+    next_x, next_y, _, _ = place(rows, next_j, next_u)
+    chord = math.hypot(next_x - x, next_y - y)
+    if chord > 0.0:
+        tx, ty = (next_x - x) / chord, (next_y - y) / chord
+    around = 0.5 * math.sqrt(max((high - low) ** 2 - chord**2, 0.0)) + near
+    swing = min(heading_bound(rows, j, u, next_j, next_u), 0.5 * math.pi)
+    pad = around + (out + around) * math.sin(swing)
+    slabs[n, X], slabs[n, Y], slabs[n, ALONG_X], slabs[n, ALONG_Y] = x, y, tx, ty
+    slabs[n, LOW], slabs[n, HIGH], slabs[n, AROUND], slabs[n, SWING] = -pad, chord + pad, around, swing
+
+
+@kernel
+def first_cell(ends: FloatArray, s: float) -> int:
+    """Number of the first cell that does not end before route position s, m."""
+    low, high = 0, ends.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if ends[middle, 1] < s:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+@kernel
+def raise_sides(
+    hulls: FloatArray, k: int, slabs: FloatArray, n: int, seen: FloatArray, sides: FloatArray
+) -> None:
+    """Raise sides[n] to how far hull k reaches to the left and right within slab n, m."""
+    tx, ty, low, high = slabs[n, ALONG_X], slabs[n, ALONG_Y], slabs[n, LOW], slabs[n, HIGH]
+    left, right = 0.0, 0.0
+    for i in range(CORNERS):
+        dx, dy = hulls[k, 2 * i] - slabs[n, X], hulls[k, 2 * i + 1] - slabs[n, Y]
+        seen[0, i], seen[1, i] = dx * tx + dy * ty, dy * tx - dx * ty
+        left, right = max(left, seen[1, i]), max(right, -seen[1, i])
+    if left <= sides[n, 0] and right <= sides[n, 1]:
+        return
+    for i in range(CORNERS):
+        x, y = seen[0, i], seen[1, i]
+        if low <= x <= high:
+            raise_side(sides, n, y)
+        for j in range(i):
+            for border in (low, high):  # where hulls cross the slab's ends
+                if (x < border) != (seen[0, j] < border):
+                    raise_side(sides, n, y + (border - x) / (seen[0, j] - x) * (seen[1, j] - y))
+
+
+@kernel
+def raise_side(sides: FloatArray, n: int, y: float) -> None:
+    """Raise a side to a point so far to the left, m."""
+    sides[n, 0], sides[n, 1] = max(sides[n, 0], y), max(sides[n, 1], -y)
