@@ -1,4 +1,4 @@
-"""Strays of benches from a straight way, and sides of the band that they cover: bounds between places."""
+"""Strays of benches from a straight way, and sides of the band that they cover: bounds in between."""
 
 import math
 

@@ -7,11 +7,12 @@ the region. A global search goes by distances of the region, a last one by the e
 
 import math
 import time as clock
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
@@ -22,6 +23,8 @@ from benchdragon.analysis.room import with_all_room
 from benchdragon.analysis.swept import enclosing, swept_area
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import _, both
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.turn_question import spread
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
@@ -29,8 +32,6 @@ from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, part, silent
-from benchdragon.solve import minima
-from benchdragon.solve.minima import downhill_point, low_points
 
 # What the dance covers is drawn to this, m.
 ROUGH = 0.05
@@ -40,6 +41,11 @@ DIGITS = 3
 TOLERANCES = (1e-12, 1e-8, 1e-5)
 # Share of the time that the global search takes.
 SEARCHED = 0.6
+# Places that are strewn over the square, the lowest of them that are gone on from, and how far apart
+# those are, as a share of the ranges.
+STREWN, STARTS, APART = 600, 4, 0.1
+# Edges of a descent's first simplex: as shares of the ranges, then m, m and degrees; trials of each.
+SIMPLEX, FINE, LOCAL = 0.02, (0.04, 0.04, 0.2), 200
 
 
 @dataclass(frozen=True)
@@ -99,16 +105,27 @@ def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
     if not any(obstacle.kind == "venue" for obstacle in plan.obstacles()):
         raise InputError(_("the plan has no venue to be placed in: add [venue]"))
     square = Square(plan.with_values({"route.at": [0.0, 0.0], "route.turned": 0.0}))
-    starts = low_points(
-        square.crowding, square.ranges, part(progress, 0.0, SEARCHED, _("trying positions"))
-    )
-    rough = downhill_point(
-        square.crowding, square.ranges, min(starts, key=lambda found: found[1])[0], minima.LOCAL
-    )
+    rough = square.roughly(part(progress, 0.0, SEARCHED, _("trying positions")))
     progress(SEARCHED, _("exact figures"))
-    fits = square.crowding(rough) < ROUGH
-    best = min(rough, square.refined(rough), key=square.exact_crowding) if fits else rough
+    best = rough
+    if square.crowding(rough) < ROUGH:
+        fine = downhill(square.exact_crowding, rough, np.array(FINE))
+        best = min(rough, fine, key=square.exact_crowding)
     return square.placed(best, clock.perf_counter() - began)
+
+
+def downhill(score: Callable[[FloatArray], float], x: FloatArray, edges: FloatArray) -> FloatArray:
+    """A low point downhill from x by Nelder and Mead's simplex, whose edges are so long at first."""
+    from scipy.optimize import minimize  # slow to import
+
+    result = minimize(
+        score, x, method="Nelder-Mead",
+        options={
+            "initial_simplex": np.vstack([x, x + np.diag(edges)]), "maxfev": LOCAL, "xatol": 1e-5,
+            "fatol": 1e-6,
+        },
+    )  # fmt: skip
+    return np.asarray(result.x)
 
 
 @dataclass(frozen=True)
@@ -208,47 +225,54 @@ class Square:
         low_x, low_y, high_x, high_y = self.region.bounds
         return 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
 
-    @property
-    def ranges(self) -> list[tuple[float, float]]:
-        """In which places are sought: the middle in the venue, turned by any angle."""
+    def roughly(self, progress: Progress) -> FloatArray:
+        """The place with the most room downhill from the best of places strewn over the square."""
         outline = self.obstacles[0].outline
-        (low_x, low_y), (high_x, high_y) = outline.min(axis=0), outline.max(axis=0)
-        return [(float(low_x), float(high_x)), (float(low_y), float(high_y)), (0.0, 360.0)]
+        low, size = np.append(outline.min(axis=0), 0.0), np.append(np.ptp(outline, axis=0), 360.0)
+        powers = spread(len(low)) ** -np.arange(1.0, len(low) + 1.0)
+        shares = (0.5 + np.arange(STREWN)[:, np.newaxis] * powers) % 1.0
+        crowded = np.empty(STREWN)
+        for n, place in enumerate(low + size * shares):
+            crowded[n] = self.crowding(place)
+            progress(0.5 * (n + 1) / STREWN, "")
+        starts: list[FloatArray] = []
+        for share in shares[np.argsort(crowded, kind="stable")]:
+            if len(starts) < STARTS and all(np.abs(share - other).max() > APART for other in starts):
+                starts.append(share)
+        ends = []
+        for share in starts:
+            ends.append(downhill(self.crowding, low + size * share, SIMPLEX * size))
+            progress(0.5 + 0.5 * len(ends) / STARTS, "")
+        return downhill(self.crowding, min(ends, key=self.crowding), SIMPLEX * size)
 
-    def pose(self, place: Sequence[float]) -> tuple[tuple[float, float], float]:
+    def pose(self, place: FloatArray) -> tuple[tuple[float, float], float]:
         """What a plan says of a place: route.at, m, and route.turned, degrees, rounded."""
-        x, y, turned = place
+        x, y, turned = place.tolist()
         c, s = math.cos(math.radians(turned)), math.sin(math.radians(turned))
         a, b = self.middle
         # + 0.0, for nobody wants a minus before a zero
         at = round(x - c * a + s * b, DIGITS) + 0.0, round(y - s * a - c * b, DIGITS) + 0.0
         return at, round(turned % 360.0, DIGITS) % 360.0
 
-    def at(self, place: Sequence[float]) -> Plan:
+    def at(self, place: FloatArray) -> Plan:
         """The plan with its dance at a place."""
         at, turned = self.pose(place)
         return self.plan.with_values({"route.at": list(at), "route.turned": turned})
 
-    def crowding(self, place: Sequence[float]) -> float:
+    def crowding(self, place: FloatArray) -> float:
         """What is to be small: minus the least room seen, m; positive where there is none."""
         self.evaluations += 1
         at, turned = self.pose(place)
         moved = self.plan.route.model_copy(update={"at": at, "turned": turned})
         return -min(_room(self.region, moved.unplaced(obstacle)) for obstacle in self.obstacles)
 
-    def exact_crowding(self, place: Sequence[float]) -> float:
+    def exact_crowding(self, place: FloatArray) -> float:
         """The same by exact least distances, wherever the dance lies clear of all."""
         seen = self.crowding(place)
         if seen >= ROUGH:
             return seen
         found = self._answers(*with_all_room(self.at(place)), (1e-6,))
         return -min(answers.distance.lower - answers.obstacle.margin for answers in found)
-
-    def refined(self, place: list[float]) -> list[float]:
-        """A place downhill from another, by exact least distances."""
-        x, y, turned = place
-        near = [(x - 1.0, x + 1.0), (y - 1.0, y + 1.0), (turned - 5.0, turned + 5.0)]
-        return downhill_point(self.exact_crowding, near, place, minima.LOCAL)
 
     def _answers(
         self, walk: Walk, obstacles: Sequence[Obstacle], tolerances: Sequence[float]
@@ -258,7 +282,7 @@ class Square:
             for obstacle in obstacles
         )
 
-    def placed(self, place: Sequence[float], seconds: float) -> PlacedDance:
+    def placed(self, place: FloatArray, seconds: float) -> PlacedDance:
         """The exact answers at a place."""
         plan, (at, turned) = self.at(place), self.pose(place)
         found = self._answers(*with_all_room(plan), TOLERANCES)
