@@ -15,7 +15,7 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator
 from pydantic.fields import FieldInfo
 
 import benchdragon
-from benchdragon.plans import toml
+from benchdragon.plans import toml, units
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.schema import Plan
 
@@ -52,8 +52,8 @@ def constraint(one: object) -> Spec:
         case BeforeValidator(func=function) if function.__name__ == "_day":
             return {"day": True}
         case BeforeValidator(func=function):
-            units = closed_over(function)
-            return {"units": next((name for name in UNITS if getattr(toml, name) is units), "")}
+            found = closed_over(function)
+            return {"units": next((name for name in UNITS if getattr(units, name) is found), "")}
         case AfterValidator(func=function) if function.__name__ in CHECKS:
             return {"check": function.__name__}
         case AfterValidator(func=function):
@@ -133,7 +133,7 @@ def files() -> dict[Path, str]:
         exported(
             "PLAN_TABLES", tables, 'Record<string, Record<string, import("./plan_check.js").Spec>>'
         ),
-        exported("PLAN_UNITS", {name: getattr(toml, name) for name in UNITS}, NUMBERS),
+        exported("PLAN_UNITS", {name: getattr(units, name) for name in UNITS}, NUMBERS),
         exported("BUILT_IN_PLANS", built_in(), "Record<string, Record<string, any>>"),
     ]
     return {FILE: "\n".join([HEADER, *texts])}

@@ -5,7 +5,7 @@ import math
 import signal
 import socket
 from operator import index
-from typing import Any, Self
+from typing import Any
 
 from benchdragon.hosts.trouble import EngineError, Trouble
 from benchdragon.i18n import N_, _
@@ -54,13 +54,13 @@ class WalkError(BenchDragonError):
     def __init__(
         self, status: Status, bench: int, s: float, head: float, size: str, t: float | None = None
     ) -> None:
-        self.status, self.bench, self.s, self.head, self.size, self.t = status, bench, s, head, size, t
         super().__init__(status, bench, s, head, size, t)
+        self.status, self.bench, self.s, self.head, self.size, self.t = status, bench, s, head, size, t
 
-    def at(self, t: float) -> Self:
+    def at(self, t: float) -> "WalkError":
         """The same error at a time, s; one that never comes stays untold."""
         when = t if math.isfinite(t) else None
-        return type(self)(self.status, self.bench, self.s, self.head, self.size, when)
+        return WalkError(self.status, self.bench, self.s, self.head, self.size, when)
 
     def __str__(self) -> str:
         """What went wrong, with advice, in the language in use."""

@@ -56,7 +56,7 @@ function walked(arena, plan) {
 const answers = JSON.parse(readFileSync(questions, "utf-8")).map((data) =>
   tried(() => {
     const plan = checkedPlan(data);
-    const said = { sha256: plan.sha256, data: plan.data(), written: plan.written() };
+    const said = { sha256: plan.sha256, data: plan.data(), written: plan.own() };
     return { ...said, walk: tried(() => withArena(engine, (arena) => walked(arena, plan))) };
   }),
 );

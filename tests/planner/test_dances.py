@@ -132,14 +132,14 @@ def village(read: Plan) -> Any:
 
 def papers(read: Plan) -> Any:
     """How the papers of a plan tell times."""
-    if "people" not in read.data() and not read.cues.said():
+    if "people" not in read.data() and "cues" not in read.own():
         return None
     return {"said": read.cues.clock, "start": read.span(read.build())[0]}
 
 
 def beats(read: Plan) -> Any:
     """The drum of a plan."""
-    if not read.cues.said():
+    if "cues" not in read.own():
         return None
     score = score_of(read, *read.span(read.build()))
     runs = [run._asdict() for run in score.runs]

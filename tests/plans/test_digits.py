@@ -4,7 +4,7 @@ import pytest
 
 from benchdragon.plans.digits import Rounded, measured, number
 from benchdragon.plans.schema import read_plan
-from benchdragon.plans.toml import METRES, quantity
+from benchdragon.plans.units import METRES, quantity
 
 
 @pytest.mark.parametrize("cm", range(1, 400))

@@ -7,17 +7,15 @@ import pytest
 
 from benchdragon import Arc, Clothoid, Line, Spiral
 from benchdragon.plans.schema import Plan, checked, read_plan
-from benchdragon.plans.toml import (
+from benchdragon.plans.toml import PlanError, built_in_names, read_toml
+from benchdragon.plans.units import (
     ACCELERATIONS,
     ANGULAR_SPEEDS,
     DEGREES,
     METRES,
     SECONDS,
     SPEEDS,
-    PlanError,
-    built_in_names,
     quantity,
-    read_toml,
 )
 
 ROUTE = {"kind": "parts", "part": [{"kind": "line", "length": 5}]}
@@ -193,6 +191,7 @@ def test_titles_do_not_change_a_plans_name_but_values_do() -> None:
     plain = read_plan("spiral-in")
     assert read_plan("spiral-in", ['meta.title="Other"']).sha256 == plain.sha256
     assert read_plan("spiral-in", ["route.pitch=0.55"]).sha256 == plain.sha256
+    assert read_plan("spiral-in", ["route.at=[0, 0]", "route.turned=0"]).sha256 == plain.sha256
     assert read_plan("spiral-in", ["route.pitch=0.5500001"]).sha256 != plain.sha256
 
 

@@ -19,16 +19,16 @@ FUNCTIONS_SPELT = """
 FUNCTIONS = frozenset(FUNCTIONS_SPELT.split())
 METHODS_SPELT = """
     add append as_integer_ratio copy count decode endswith extend get index isalpha isprintable isspace
-    items join keys lower partition pop replace reshape setdefault split splitlines strip tolist
-    translate upper values
+    items join keys lower partition pop replace reshape setdefault split splitlines startswith strip
+    tolist translate upper values
 """
 METHODS = frozenset(METHODS_SPELT.split())
 # Methods of regular expressions and of what they match, and of records that pages write by hand.
 KNOWN_SPELT = """
     end findall finditer fullmatch group groups match search split start sub
     answer at called distance first_failure head_position head_where_tail moment moments motion obstacle
-    obstacles point profile progress span tell time time_at told tried value
-    walk ways with_value with_values without_square witness
+    obstacles own point profile progress said span tell time time_at told tried value
+    walk ways whole with_value with_values without_square witness _changed
 """
 KNOWN = frozenset(KNOWN_SPELT.split())
 # Methods that give way between their steps.
@@ -61,7 +61,7 @@ NUMBERS = {
 }
 # Calls that answer with a truth.
 TRUTHS_SPELT = """
-    any all isinstance endswith isalpha isfinite isnan isprintable isspace bool
+    any all isinstance endswith isalpha isfinite isnan isprintable isspace startswith bool
 """
 TRUTHS = frozenset(TRUTHS_SPELT.split())
 # What functions of `py` take by name.

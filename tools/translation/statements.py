@@ -17,6 +17,8 @@ from tools.translation.names import WAITED, UntranslatableError, camel
 
 # What methods may be marked with.
 DECORATORS = {"cached_property", "classmethod", "property", "staticmethod"}
+# Methods that have another name there; what an error says is its message.
+MADE = {"__init__": "constructor", "__str__": "get message"}
 
 
 class Code(Calls):
@@ -67,7 +69,11 @@ class Code(Calls):
     def _assign(self, node: ast.Assign) -> Iterator[str]:
         if ast.unparse(node.targets[0]).endswith(".flags.writeable"):
             return  # which arrays of pages do not know
-        if len(node.targets) == 1:
+        target, value = node.targets[0], node.value
+        if isinstance(target, ast.Tuple) and isinstance(value, ast.Tuple) and _all_apart(target, value):
+            for one, of in zip(target.elts, value.elts, strict=True):
+                yield self._set(one, self.expr(of))
+        elif len(node.targets) == 1:
             yield self._set(node.targets[0], self.expr(node.value))
         else:
             each = " ".join(self._set(target, "all") for target in node.targets)
@@ -265,7 +271,7 @@ class Code(Calls):
         how = {one.id for one in node.decorator_list if isinstance(one, ast.Name)}
         if len(how) != len(node.decorator_list) or not how <= DECORATORS:
             raise UntranslatableError(node, "with such a decorator")
-        name = "constructor" if node.name == "__init__" else node.name
+        name = MADE.get(node.name, node.name)
         if "staticmethod" in how:
             yield self.function(node, f"static {name}", " ")
         elif "cached_property" in how:
@@ -283,6 +289,13 @@ class Code(Calls):
                 return self.default(said["default"])
             return self.expr(ast.Call(said["default_factory"], [], []))
         return self.default(node)
+
+
+def _all_apart(target: ast.Tuple, value: ast.Tuple) -> bool:
+    """Whether what a record is to hold is told by names, so that each can be said by itself."""
+    pairs = [*zip(target.elts, value.elts, strict=False)]
+    named = (isinstance(one, ast.Attribute) and isinstance(of, ast.Name) for one, of in pairs)
+    return len(target.elts) == len(value.elts) and all(named)
 
 
 def _is_of_class(node: ast.FunctionDef) -> bool:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.plans.toml import METRES, SECONDS, SPEEDS, quantity
+from benchdragon.plans.units import METRES, SECONDS, SPEEDS, quantity
 
 if TYPE_CHECKING:
     import numpy as np

@@ -2,16 +2,16 @@
 
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import AfterValidator, Field, model_validator
 
 from benchdragon.errors import brief
 from benchdragon.i18n import N_, _, language
 from benchdragon.kernels.holds import SAME_PLACE
-from benchdragon.model.holds import Hold, HoldError, Standing, Trouble
+from benchdragon.model.holds import Hold, HoldError, Standing, Trouble, with_holds
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.plans.signs import TIME_OF_DAY, narrow
 from benchdragon.plans.source import Fault, KeyedError
@@ -129,10 +129,6 @@ class CuesTable(Table):
     clock: Annotated[str, AfterValidator(time_of_day)] = ""
     cue: Annotated[list[CueTable], Field(max_length=MOST_CUES)] = Field(default_factory=list)
 
-    def said(self) -> dict[str, Any]:
-        """All of it that is not as by default."""
-        return self.model_dump(mode="json", exclude_defaults=True)
-
 
 @dataclass(frozen=True)
 class Moment:
@@ -201,15 +197,7 @@ class Paced:
         return max(self.profile.time(cue.head + float(self.profile.distance(self.start))), self.start)
 
 
-# Puts holds into a profile: `with_holds` of model/holds.py.
-Holding = Callable[
-    [SpeedProfile, float, Sequence[Hold], Sequence[float], float], tuple[SpeedProfile, list[Standing]]
-]
-
-
-def paced(
-    cues: CuesTable, profile: SpeedProfile, start: float, limits: LimitsTable, held: Holding
-) -> Paced:
+def paced(cues: CuesTable, profile: SpeedProfile, start: float, limits: LimitsTable) -> Paced:
     """The head's speed with holds, stops and starts.
 
     Args:
@@ -217,7 +205,6 @@ def paced(
         profile: without them.
         start: of the dance, s.
         limits: of the plan.
-        held: puts holds into a profile.
 
     Raises:
         KeyedError: for a cue that cannot be.
@@ -235,7 +222,7 @@ def paced(
     ]
     times = [time for _number, time in starts]
     try:
-        found, stood = held(profile, start, holds, times, rate * (1.0 - PRUDENCE))
+        found, stood = with_holds(profile, start, holds, times, rate * (1.0 - PRUDENCE))
     except HoldError as error:
         text = _(TROUBLE[error.trouble]).format(rate=f"{rate:g}", start=f"{start:g}")
         raise KeyedError([Fault(f"cues.cue.{holding[error.number]}", text)]) from None

@@ -14,7 +14,6 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
-from benchdragon.model.holds import with_holds
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.walk import Walk
@@ -38,6 +37,10 @@ from benchdragon.plans.tables import (
     WalkTable,
 )
 from benchdragon.plans.toml import PlanError, read_toml, set_value, with_base
+
+# What of a plan does not count for its hash, or only where it is said; what is said of the square.
+ASIDE = ("meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event")
+SQUARE = ("venue", "obstacle")
 
 
 class Plan(Table):
@@ -68,7 +71,23 @@ class Plan(Table):
         """Where it was read."""
         return self._source
 
-    @property
+    def said(self) -> dict[str, Any]:
+        """What the plan says, and no default, table by table; None counts as not said."""
+        return self.model_dump(by_alias=True, exclude_unset=True, exclude_none=True)
+
+    def own(self) -> dict[str, Any]:
+        """What is not as by default, table by table, as plain data."""
+        return self.model_dump(mode="json", by_alias=True, exclude_defaults=True)
+
+    def whole(self, with_none: bool = True) -> dict[str, Any]:
+        """Every key, those left out as by default, table by table, as plain data."""
+        return self.model_dump(mode="json", by_alias=True, exclude_none=not with_none)
+
+    def _changed(self, data: dict[str, Any]) -> "Plan":
+        """A plan that says something else, and was read where this one was."""
+        return checked(data, self._source)
+
+    @cached_property
     def sha256(self) -> str:
         """Name of everything that the plan says, titles and notes left out.
 
@@ -76,30 +95,33 @@ class Plan(Table):
         without keep their names. Where on earth the dance is does not count, nor who dances, nor
         how it is marked on the ground, nor what is said of the event.
         """
-        aside = {"meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event"}
-        data = self.model_dump(mode="json", by_alias=True, exclude=aside)
-        if self.limits.venue_margin is None:
-            del data["limits"]["venue_margin"]
-        if self.route.at in (None, (0.0, 0.0)):
-            del data["route"]["at"]
-        if self.route.turned == 0.0:
-            del data["route"]["turned"]
-        for name in ("venue", "obstacle"):
-            square = getattr(self, name)
-            if square not in (VenueTable(), []):
-                data[name] = self.model_dump(mode="json", include={name})[name]
-        needs = self.people.model_dump(mode="json", include=set(DECIDING), exclude_defaults=True)
+        data, own = self.whole(), self.own()
+        for name in ASIDE:
+            if name not in SQUARE or name not in own:
+                del data[name]
+        limits, route = data["limits"], data["route"]
+        if limits["venue_margin"] is None:
+            del limits["venue_margin"]
+        if route["at"] in (None, [0.0, 0.0]):
+            del route["at"]
+        if route["turned"] == 0.0:
+            del route["turned"]
+        needs = {name: of for name, of in own.get("people", {}).items() if name in DECIDING}
         if needs:
             data["people"] = needs
-        if self.cues.said():
-            data["cues"] = self.cues.said()
-        return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
+        if "cues" in own:
+            data["cues"] = own["cues"]
+        return _hashed(data)
+
+    @cached_property
+    def _dragon(self) -> Dragon:
+        return self.dragon.build()
 
     @property
     def chain(self) -> Dragon | None:
         """The dragon; None where its benches cannot be, of which `build` tells."""
         try:
-            return self.dragon.build()
+            return self._dragon
         except InputError:
             return None
 
@@ -116,10 +138,10 @@ class Plan(Table):
         """
         table, _dot, name = key.partition(".")
         at = getattr(getattr(self, table, None), name, None)
-        tables = self._tables()
+        tables = self.said()
         tables[table] = {**tables.get(table, {}), name: at or 0.0}
         idle = [one.because for one in idle_keys(tables) if one.key == key]
-        if table == "route" and name not in type(self.route).model_fields:
+        if table == "route" and name not in vars(self.route):
             idle = [f'route.kind = "{self.route.kind}"']
         if idle:
             text = _("this needs {key}, which means nothing beside {because}: choose another plan")
@@ -132,27 +154,17 @@ class Plan(Table):
         """The plan as a plan file; what is as by default is left out."""
         import tomlkit  # needed by what writes plans alone
 
-        return tomlkit.dumps(self.model_dump(mode="json", by_alias=True, exclude_defaults=True))
-
-    def _tables(self) -> dict[str, Any]:
-        """What the plan says, and no default, table by table."""
-        return {
-            field.alias or name: _said(getattr(self, name))
-            for name, field in Plan.model_fields.items()
-            if name in self.model_fields_set
-        }
+        return tomlkit.dumps(self.own())
 
     def data(self) -> dict[str, Any]:
         """Every key that has an effect, those left out as by default, as plain data: the same plan.
 
         Of the people, the cues, the marks and the event only what is said.
         """
-        data = self.model_dump(mode="json", by_alias=True, exclude_none=True)
-        for name in ("people", "chalk", "event"):
-            data[name] = getattr(self, name).model_dump(mode="json", exclude_defaults=True)
-        data["cues"] = self.cues.said()
+        data, own = self.whole(False), self.own()
         for name in ("people", "cues", "chalk", "event"):
-            if not data[name]:
+            data[name] = own.get(name)
+            if name not in own:
                 del data[name]
         drop(data, idle_keys(data))
         return data
@@ -183,19 +195,19 @@ class Plan(Table):
         Raises:
             PlanError: as `with_table`.
         """
-        data = self.model_dump(by_alias=True, exclude_unset=True, exclude_none=True)
+        data = self.said()
         for key, value in values.items():
             set_value(data, key, value)
         drop_replaced(data, list(values))
-        return checked(data, self._source)
+        return self._changed(data)
 
     def without_square(self) -> "Plan":
         """The same plan without its venue and its obstacles."""
-        data = self.model_dump(by_alias=True, exclude_unset=True, exclude_none=True)
-        for name in ("venue", "obstacle"):
+        data = self.said()
+        for name in SQUARE:
             data.pop(name, None)
         data.get("limits", {}).pop("venue_margin", None)
-        return checked(data, self._source)
+        return self._changed(data)
 
     def span(self, walk: Walk) -> tuple[float, float]:
         """Start and end of the whole walk, s: as the plan says, else as its route's kind says.
@@ -205,20 +217,20 @@ class Plan(Table):
         Raises:
             PlanError: if the head never comes to the end, or cues lie outside the dance.
         """
-        start, end = self._start, self.walk.end
+        end, pace = self.walk.end, self.pace()
         if end is None:
             end = walk.time_at(self.route.last_position(walk))
-            end = min(end, self._tried_pace().end) if self.cues.cue else end
+            end = min(end, pace.end) if self.cues.cue else end
         if not math.isfinite(end):
             text = _("the head never comes to the end of its walk: set walk.end")
-            raise PlanError(self._source.sentences([Fault("walk", text)]))
-        low, high = walk.head_position([start, end]).tolist()
-        if wrong := outside(self.moments(), start, end, high - low):
-            raise PlanError(self._source.sentences(wrong))
-        return start, end
+            raise self._wrong([Fault("walk", text)])
+        if wrong := outside(self.moments(), self.start, end, pace.way(end)):
+            raise self._wrong(wrong)
+        return self.start, end
 
     @property
-    def _start(self) -> float:
+    def start(self) -> float:
+        """When the dance starts, s."""
         return 0.0 if self.walk.start is None else self.walk.start
 
     def moments(self) -> tuple[Moment, ...]:
@@ -227,7 +239,7 @@ class Plan(Table):
         Raises:
             PlanError: for a cue that cannot be.
         """
-        return self._tried_pace().moments(self.cues) if self.cues.cue else ()
+        return self.pace().moments(self.cues) if self.cues.cue else ()
 
     def profile(self) -> SpeedProfile:
         """The head's speed over time.
@@ -235,21 +247,26 @@ class Plan(Table):
         Raises:
             PlanError: if there is none such.
         """
-        return self._tried_pace().profile
+        return self.pace().profile
 
-    def _tried_pace(self) -> Paced:
+    def pace(self) -> Paced:
+        """The head's speed with all that holds it.
+
+        Raises:
+            PlanError: if there is none such.
+        """
         faults = Faults()
         pace = faults.tried("walk", lambda: self._pace)
         if pace is None:
-            raise self._wrong(faults)
+            raise self._wrong(faults.found)
         return pace
 
     @cached_property
     def _pace(self) -> Paced:
         profile = self.walk.build()
         if not self.cues.cue and self.cues.acceleration is None:
-            return Paced(profile, self._start, ())
-        return paced(self.cues, profile, self._start, self.limits, with_holds)
+            return Paced(profile, self.start, ())
+        return paced(self.cues, profile, self.start, self.limits)
 
     def ways(self) -> tuple[float, float, float]:
         """How far the head walks from time 0, as without cues, to the start; to the end; at most; m.
@@ -259,8 +276,8 @@ class Plan(Table):
         Raises:
             PlanError: for a walk that cannot be.
         """
-        pace, end = self._tried_pace(), self.walk.end
-        begin = float(self.walk.build().distance(self._start))
+        pace, end = self.pace(), self.walk.end
+        begin = float(self.walk.build().distance(self.start))
         most = begin + pace.way(math.inf)
         if end is None:
             return begin, most if pace.end < math.inf else math.nan, most
@@ -273,19 +290,19 @@ class Plan(Table):
             PlanError: for all sizes that cannot be and parts that do not join, a line each.
         """
         faults = Faults()
-        dragon = faults.tried("dragon", self.dragon.build)
-        placed = faults.tried("route", lambda: self._placed(self.route))
+        dragon = faults.tried("dragon", lambda: self._dragon)
+        placed = faults.tried("route", lambda: self._placed)
         pace = faults.tried("walk", lambda: self._pace)
         faults.tried("obstacle", lambda: self._obstacles)
         if dragon is None or placed is None or pace is None or faults.found:
-            raise self._wrong(faults)
-        route, start = placed
-        position = start if self.walk.position is None else self.walk.position
+            raise self._wrong(faults.found)
+        route, begun = placed
+        position = begun if self.walk.position is None else self.walk.position
         if self.cues.cue:  # the dance starts where it does without cues
-            position += self.ways()[0] - float(pace.profile.distance(self._start))
+            position += self.ways()[0] - float(pace.profile.distance(self.start))
         walk = faults.tried("walk.position", lambda: Walk(dragon, route, pace.profile, position))
         if walk is None:
-            raise self._wrong(faults)
+            raise self._wrong(faults.found)
         return walk
 
     def obstacles(self) -> tuple[Obstacle, ...]:
@@ -297,28 +314,25 @@ class Plan(Table):
         faults = Faults()
         found = faults.tried("obstacle", lambda: self._obstacles)
         if found is None:
-            raise self._wrong(faults)
+            raise self._wrong(faults.found)
         return found
 
     @cached_property
     def _obstacles(self) -> tuple[Obstacle, ...]:
         return built_obstacles(self.venue, self.obstacle, self.limits)
 
-    def _placed(self, route: AnyRoute) -> tuple[Route, float]:
+    @property
+    def _placed(self) -> tuple[Route, float]:
         """The route on the square, and where on it the head stands at time 0."""
-        built, start = route.build(self)
-        return route.placed(built), start
+        built, start = self.route.build(self)
+        return self.route.placed(built), start
 
-    def _wrong(self, faults: Faults) -> PlanError:
-        return PlanError(self._source.sentences(faults.found))
+    def _wrong(self, faults: Sequence[Fault]) -> PlanError:
+        return PlanError(self._source.sentences(faults))
 
 
-def _said(table: object) -> object:
-    """What a table says, by name; None counts as not said. Anything else as it is."""
-    if not isinstance(table, Table):
-        return table
-    said = {name: getattr(table, name) for name in table.model_fields_set}
-    return {name: value for name, value in said.items() if value is not None}
+def _hashed(data: dict[str, Any]) -> str:
+    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
 
 
 def read_plan(source: str, settings: Sequence[str] = ()) -> Plan:

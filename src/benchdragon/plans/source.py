@@ -86,7 +86,7 @@ class Source:
         """What is wrong, a line each, with its place; `others` are too many to be told of."""
         told, more = faults[:MOST_FAULTS], len(faults[MOST_FAULTS:]) + others
         lines = lines_of(self.text, {fault.key for fault in told})
-        said = [f"{self._place(fault.key, lines)}: {fault}" for fault in told]
+        said = [f"{_place(self, fault.key, lines)}: {fault}" for fault in told]
         if more:
             said.append(_("and {count} more").format(count=more))
         return "\n".join(said)
@@ -105,13 +105,14 @@ class Source:
             )
         return self.folder / name
 
-    def _place(self, key: str, lines: dict[str, int]) -> str:
-        for setting in self.settings:
-            if f"{key}.".startswith(f"{setting}.") or setting.startswith(f"{key}."):
-                return "--set"
-        while key and key not in lines:
-            key = key.rpartition(".")[0]
-        return f"{self.name}:{lines[key]}" if key else self.name
+
+def _place(source: Source, key: str, lines: dict[str, int]) -> str:
+    for setting in source.settings:
+        if f"{key}.".startswith(f"{setting}.") or setting.startswith(f"{key}."):
+            return "--set"
+    while key and key not in lines:
+        key = key.rpartition(".")[0]
+    return f"{source.name}:{lines[key]}" if key else source.name
 
 
 def lines_of(text: str, wanted: Set[str] | None = None) -> dict[str, int]:

@@ -19,7 +19,7 @@ from benchdragon.model.dragon import MOST_BENCHES, Dragon, SizeError
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.turns import Turn, three_pieces, two_arcs
 from benchdragon.plans.source import Fault, KeyedError
-from benchdragon.plans.toml import (
+from benchdragon.plans.units import (
     ACCELERATIONS,
     ANGULAR_SPEEDS,
     DEGREES,
@@ -135,31 +135,33 @@ class DragonTable(Table):
     def build(self) -> Dragon:
         """The dragon."""
         try:
-            return self._built()
+            return _built(self)
         except SizeError as error:
-            keys = {self._key(bench, size): text for bench, size, text in reversed(error.faults)}
-            raise KeyedError([Fault(*each) for each in reversed(keys.items())]) from None
+            keys: dict[str, str] = {}
+            for bench, size, text in error.faults:
+                keys.setdefault(self._key(bench, size), text)
+            raise KeyedError([Fault(*each) for each in keys.items()]) from None
 
     def _key(self, bench: int, size: str) -> str:
         """The key that says a size of a bench (a row, from 0)."""
-        if self.bench:
-            entry = int(np.searchsorted(np.cumsum([one.count for one in self.bench]), bench, "right"))
-            return f"dragon.bench.{entry}.{size}"
+        for entry, one in enumerate(self.bench):
+            if bench < one.count:
+                return f"dragon.bench.{entry}.{size}"
+            bench -= one.count
         last = self.benches - 1
         place = "head_" if bench == 0 else "tail_" if bench == last else "body_"
         return f"dragon.{place if size == 'length' else ''}{size}"
 
-    def _built(self) -> Dragon:
-        if not self.bench:
-            return Dragon.uniform(**self.model_dump(exclude={"bench"}))
-        if sum(bench.count for bench in self.bench) > MOST_BENCHES:
-            raise InputError(
-                _("a dragon has 1 to {most} benches, not {count}").format(
-                    most=MOST_BENCHES, count=sum(bench.count for bench in self.bench)
-                )
-            )
-        sizes = [[one.length, one.width, one.front_inset, one.rear_inset] for one in self.bench]
-        return Dragon.of_sizes(*np.repeat(sizes, [one.count for one in self.bench], axis=0).T)
+
+def _built(table: DragonTable) -> Dragon:
+    if not table.bench:
+        return Dragon.uniform(**table.model_dump(exclude={"bench"}))
+    counts = [one.count for one in table.bench]
+    if sum(counts) > MOST_BENCHES:
+        text = _("a dragon has 1 to {most} benches, not {count}")
+        raise InputError(text.format(most=MOST_BENCHES, count=sum(counts)))
+    sizes = [[one.length, one.width, one.front_inset, one.rear_inset] for one in table.bench]
+    return Dragon.of_sizes(*np.repeat(sizes, counts, axis=0).T)
 
 
 @dataclass(frozen=True)
@@ -349,9 +351,9 @@ class WalkTable(Table):
 
     def build(self) -> SpeedProfile:
         """The head's speed over time."""
-        times, speeds = zip(*self.profile, strict=True) if self.profile else ((0.0,), (self.speed,))
+        knots = self.profile or [(0.0, self.speed)]
         try:
-            return SpeedProfile(times, speeds)
+            return SpeedProfile(tuple(time for time, _v in knots), tuple(speed for _t, speed in knots))
         except InputError as error:
             key = "walk.profile" if self.profile else "walk.speed"
             raise KeyedError([Fault(key, str(error))]) from None

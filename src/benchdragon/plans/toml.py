@@ -4,7 +4,6 @@ Light to import, so that the command line can see how large a job is before it l
 """
 
 import difflib
-import math
 import re
 import stat
 import tomllib
@@ -14,10 +13,11 @@ from typing import Any
 
 from benchdragon.errors import BenchDragonError, brief, reason
 from benchdragon.i18n import N_, _
-from benchdragon.plans.digits import measured, number, rounded_numbers
+from benchdragon.plans.digits import number, rounded_numbers
 from benchdragon.plans.idle import drop_replaced
-from benchdragon.plans.signs import mistyped, narrow
+from benchdragon.plans.signs import mistyped
 from benchdragon.plans.source import Source
+from benchdragon.plans.units import QUANTITY, UNITS
 
 BUILT_IN_FOLDER = Path(__file__).parent / "builtin"
 # The contest's plans, which are named before the villages'.
@@ -36,36 +36,9 @@ MOST_DEPTH, MOST_DIGITS = 30, 200
 WORD = r"""(?:[A-Za-z0-9_-]++|"(?:\\.|[^"\\\n])*+"|'[^'\n]*+')[ \t]*+"""
 DEEP = re.compile(rf"(?<![\\A-Za-z0-9_-])(?:{WORD}\.[ \t]*+){{{MOST_DEPTH}}}")
 LONG = re.compile(rf"(?<![A-Za-z0-9_])0[box][0-9A-Fa-f_]{{{MOST_DIGITS}}}")
-# Of a number with its unit; to look for both in a very long text would take hours.
-MOST_SIGNS = 100
 # Bases that stand on one another.
 MOST_BASES = 8
 
-# What may stand behind a number, and what it is worth in the first unit.
-METRES = {
-    "m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "米": 1.0, "公尺": 1.0, "厘米": 0.01, "公分": 0.01,
-    "毫米": 0.001,
-}  # fmt: skip
-SECONDS = {
-    "s": 1.0,
-    "min": 60.0,
-    "h": 3600.0,
-    "ms": 0.001,
-    "秒": 1.0,
-    "分": 60.0,
-    "分钟": 60.0,
-    "小时": 3600.0,
-}
-DEGREES = {"deg": 1.0, "°": 1.0, "rad": 180.0 / math.pi, "turn": 360.0, "turns": 360.0, "圈": 360.0}
-SPEEDS = {
-    "m/s": 1.0, "km/h": 1.0 / 3.6, "cm/s": 0.01, "m/min": 1.0 / 60.0, "米/秒": 1.0, "米每秒": 1.0,
-    "米/分": 1.0 / 60.0, "米/分钟": 1.0 / 60.0, "米每分钟": 1.0 / 60.0,
-}  # fmt: skip
-ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "cm/s^2": 0.01, "cm/s²": 0.01, "米/秒²": 1.0}
-ANGULAR_SPEEDS = {"deg/s": 1.0, "°/s": 1.0, "rad/s": 180.0 / math.pi, "度/秒": 1.0}
-UNITS = METRES | SECONDS | DEGREES | SPEEDS | ACCELERATIONS | ANGULAR_SPEEDS
-# Beyond it no double holds a whole number.
-MOST_BITS = 1023
 # What some editors put before the text; it says nothing.
 BYTE_ORDER_MARK = "\ufeff"
 TWICE = N_(
@@ -97,8 +70,6 @@ TOML_FAULTS = (
     ("Invalid value", N_("a value is wanted here: a number, text in quotes, a list, true or false")),
     ("Expected (.*)", N_("{what} is wanted here")),
 )
-# A number with its unit; the 2 of "m/s^2" belongs to the unit.
-QUANTITY = re.compile(r"([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([^\s\d.+^-]+(?:\^\d)?)", re.IGNORECASE)
 
 
 class PlanError(BenchDragonError):
@@ -164,19 +135,22 @@ def with_base(
     own = dict(data)
     if "base" not in own:
         return own
-    base = own.pop("base")
+    below = _below(own.pop("base"), folder, source, (*since, source))
+    merged, keys = _merged(below, own)
+    drop_replaced(merged, keys)
+    return merged
+
+
+def _below(base: Any, folder: Path | None, source: str, chain: tuple[str, ...]) -> dict[str, Any]:
+    """The tables of a base."""
     path = _base_path(base, folder, source)
-    chain = (*since, source)
     if base in chain or len(chain) > MOST_BASES:
         raise PlanError(
             _("{source}: base = {base} comes back to itself, or is the {most}th base in a row").format(
                 source=source, base=brief(base), most=MOST_BASES
             )
         )
-    below = with_base(parsed(_text(path, base), base), path.parent, base, chain)
-    merged, keys = _merged(below, own)
-    drop_replaced(merged, keys)
-    return merged
+    return with_base(parsed(_text(path, base), base), path.parent, base, chain)
 
 
 def _base_path(base: object, folder: Path | None, source: str) -> Path:
@@ -345,70 +319,24 @@ def set_value(data: dict[str, Any], key: str, value: object) -> None:
         PlanError: where no value can stand.
     """
     at: Any = data
-    *folders, last = key.split(".")
-    for name in folders:
-        at = _inside(at, name, key)
-    try:
-        if isinstance(at, list):
-            at[int(last)] = value
-        else:
-            at[last] = value
-    except (ValueError, IndexError):
-        raise _nowhere(key) from None
+    names = key.split(".")
+    for name in names[:-1]:
+        slot = _slot(at, name, key)
+        at = at[slot] if isinstance(at, list) else at.setdefault(slot, {})
+        if not isinstance(at, dict | list):
+            raise _nowhere(key)
+    at[_slot(at, names[-1], key)] = value
 
 
-def _inside(at: Any, name: str, key: str) -> Any:
-    """The table or list under a name or a number; a new table where none was said."""
-    try:
-        found = at[int(name)] if isinstance(at, list) else at.setdefault(name, {})
-    except (ValueError, IndexError):
-        raise _nowhere(key) from None
-    if not isinstance(found, dict | list):
+def _slot(at: Any, name: str, key: str) -> Any:
+    """The key of a table, or the place in a list."""
+    if not isinstance(at, list):
+        return name
+    place = int(name) if re.fullmatch(r"-?[0-9]{1,9}", name) else len(at)
+    if not -len(at) <= place < len(at):
         raise _nowhere(key)
-    return found
+    return place
 
 
 def _nowhere(key: str) -> PlanError:
     return PlanError(_("there is no {key} to set").format(key=key))
-
-
-def quantity(text: object, units: dict[str, float]) -> object:
-    """A number in the first of `units` from text such as "3 min 12 s"; other things unchanged.
-
-    Raises:
-        ValueError: for text without a known unit, for true and false, which are no numbers, and for
-            whole numbers that no double holds.
-    """
-    if isinstance(text, bool):
-        raise ValueError(_("wanted a number, not {text}").format(text=str(text).lower()))
-    if _vast(text):
-        raise ValueError(_("wanted a number with fewer digits"))
-    if not isinstance(text, str) or len(units) == 0:
-        return text
-    if len(text) > MOST_SIGNS:
-        raise ValueError(
-            _("wanted a number, or text with a unit, in at most {most} signs, not {count}").format(
-                most=MOST_SIGNS, count=len(text)
-            )
-        )
-    plain = narrow(text)
-    pieces = [] if QUANTITY.sub("", plain).strip() else QUANTITY.findall(plain)
-    # The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
-    signs = [number[0] for number, _unit in pieces]
-    wrong = ValueError(
-        _("wanted a number, or text with a unit of {units}, not {text}").format(
-            units=", ".join(units), text=repr(text)
-        )
-    )
-    if not pieces or any(sign in "+-" for sign in signs[1:]) or any(u not in units for _n, u in pieces):
-        raise wrong
-    try:
-        size = sum(measured(number, units[unit]) for number, unit in pieces)
-    except ValueError:
-        raise wrong from None
-    return -size if signs[0] == "-" else size
-
-
-def _vast(value: object) -> bool:
-    """Whether it is a whole number that no double holds."""
-    return isinstance(value, int) and value.bit_length() > MOST_BITS

@@ -25,7 +25,7 @@ from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.plans.cues import cue_name
-from benchdragon.plans.people import PeopleTable, village
+from benchdragon.plans.people import village
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
 from benchdragon.player.following import Following, following
@@ -177,7 +177,7 @@ def _cues(plan: Plan, frames: messages.Frames) -> list[messages.Occasion]:
 
 def _beats(plan: Plan) -> messages.Beats | None:
     """The drum of a plan with cues."""
-    if not plan.cues.said():
+    if "cues" not in plan.own():
         return None
     score = score_of(plan, *plan.span(plan.build()))
     runs = [messages.Run(**run._asdict()) for run in score.runs]
@@ -186,7 +186,7 @@ def _beats(plan: Plan) -> messages.Beats | None:
 
 def _papers(plan: Plan) -> messages.Papers | None:
     """How the papers of a plan with people or cues tell times."""
-    if plan.people == PeopleTable() and not plan.cues.said():
+    if not {"people", "cues"} & plan.own().keys():
         return None
     return messages.Papers(said=plan.cues.clock, start=plan.span(plan.build())[0])
 

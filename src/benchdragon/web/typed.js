@@ -2,7 +2,7 @@
 // "150cm", "1米5", "一米五", "0.8米/秒". What might be meant otherwise is no number: it is asked back.
 
 import { PLAN_UNITS } from "./compute/plan_keys.js";
-import { quantity } from "./made/quantity.js";
+import { quantity } from "./made/units.js";
 import { NUMERALS, numeral } from "./made/roster_words.js";
 
 /** The units that may stand behind a number of a unit of the form. @type {Record<string, Record<string, number>>} */

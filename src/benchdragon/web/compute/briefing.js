@@ -8,7 +8,7 @@ import { benchWalks } from "../made/bench_walks.js";
 import { sentence } from "../made/check.js";
 import { Trail, among, usualGap } from "../made/marks.js";
 import { part } from "../made/stages.js";
-import { _, both } from "../words.js";
+import { _, both, language } from "../words.js";
 import { copied, rowOf, withArena, withArenaAsync, within } from "./arena.js";
 import { check } from "./check.js";
 import { BOX } from "./constants.js";
@@ -101,7 +101,7 @@ export async function briefed(arena, plan, walk, span, progress) {
   const ends = s.map((at) => endsOf(walk, at));
   return {
     sha256: plan.sha256,
-    title: both(() => plan.title),
+    title: both(() => plan.title(language())),
     benches,
     landmarks: landmarksOf(arena, obstacles, benches, ground),
     marks: marksOf(walk, span, s[0], chalk.every),

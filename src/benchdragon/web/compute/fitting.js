@@ -4,7 +4,7 @@ import { checkFewest, checkedFit, rounded } from "../made/fits.js";
 import { _ } from "../words.js";
 import { arena } from "./arena.js";
 import { SURVEYS_LINES } from "./constants.js";
-import { keyed } from "./errors.js";
+import { Fault, KeyedError } from "./errors.js";
 
 /** @typedef {[number, number]} Point */
 
@@ -26,12 +26,14 @@ function withoutRepeats(points, closed) {
  */
 export function _fitted({ points, pieces, closed, within }, smooth, deviation, leastRadius) {
   if (pieces.length)
-    throw keyed(
-      "route",
-      _(
-        "this page does not compute routes of surveyed pieces: the command line does, by benchdragon check",
+    throw new KeyedError([
+      new Fault(
+        "route",
+        _(
+          "this page does not compute routes of surveyed pieces: the command line does, by benchdragon check",
+        ),
       ),
-    );
+    ]);
   const kept = withoutRepeats(points, closed);
   checkFewest(kept.length, closed);
   const fit = rounded(arena().table(kept, 2), within, closed, smooth, deviation);

@@ -1,6 +1,6 @@
 // A head that stands still at places or times: twin of model/holds.py.
 
-import { doubles, rowOf, wholes, withArena } from "./arena.js";
+import { arena, doubles, rowOf, wholes, withArena } from "./arena.js";
 import { HOLDS, MODEL_HOLDS } from "./constants.js";
 import { InputError } from "./errors.js";
 import { SpeedProfile } from "../made/profile.js";
@@ -39,14 +39,14 @@ function piecesOf(profile, start) {
 
 /**
  * A profile with holds in it, and where and when each is, one after another.
- * @param {import("../engine.js").Engine} engine
  * @param {SpeedProfile} profile of the walk without holds, whose speeds stay those at its places
  * @param {number} start when the walk begins, s
  * @param {Hold[]} holds in any order
  * @param {number[]} starts times, s, at which a head starts that stands until then
  * @param {number} rate at which the head brakes and starts, m/s^2
  */
-export function withHolds(engine, profile, start, holds, starts, rate) {
+export function withHolds(profile, start, holds, starts, rate) {
+  const { engine } = arena();
   const pieces = piecesOf(profile, start);
   const asked = holds.map(({ way, at, seconds }) => [way ?? Infinity, at ?? Infinity, seconds]);
   for (let room = MODEL_HOLDS.KNOTS * (pieces.length + holds.length + 1); ; room *= 2) {

@@ -3,15 +3,17 @@
 
 import { checkCue, timeOfDay } from "../made/cues.js";
 import { webAddress } from "../made/people.js";
-import { quantity } from "../made/quantity.js";
+import { quantity } from "../made/units.js";
 import { FormationTable, StepTable } from "../made/formation_tables.js";
 import {
   ArcPart,
   ClothoidPart,
+  DragonTable,
   LinePart,
   LogSpiralPart,
   SpiralPart,
   TurnTable,
+  WalkTable,
   oneLine,
 } from "../made/tables.js";
 import {
@@ -28,7 +30,8 @@ import { PLANS_SOURCE } from "./constants.js";
 import { Fault } from "./errors.js";
 import { PLAN_TABLES, PLAN_UNITS } from "./plan_keys.js";
 import { pythonFloat } from "./number_format.js";
-import { ValueError } from "./python.js";
+import { ValueError, py } from "./python.js";
+import { sha256 } from "./sha256.js";
 import { asciiJson, nearestName, pythonJson, pythonText } from "./python_text.js";
 
 /**
@@ -51,16 +54,8 @@ import { asciiJson, nearestName, pythonJson, pythonText } from "./python_text.js
 
 /** What tables do, by their names: those that are built. @type {Record<string, { prototype: object }>} */
 const DOING = {
-  ...{
-    ArcPart,
-    ClothoidPart,
-    LinePart,
-    LogSpiralPart,
-    SpiralPart,
-    TurnTable,
-    FormationTable,
-    StepTable,
-  },
+  ...{ ArcPart, ClothoidPart, LinePart, LogSpiralPart, SpiralPart },
+  ...{ DragonTable, TurnTable, WalkTable, FormationTable, StepTable },
   ...{ CircleTable, LineTable, PolygonTable, RectangleTable, VenueTable },
   ...{ DrawnRoute, FormationRoute, PartsRoute, ProgrammeRoute, SpiralInRoute, TurnRoute },
 };
@@ -377,7 +372,30 @@ function jsonOf(spec, value) {
 }
 
 /** The same of a table, of the keys that it has. @param {string} name @param {Record<string, any>} table @returns {string} */
-export function jsonOfTable(name, table) {
-  const keys = Object.keys(table).sort();
-  return `{${keys.map((key) => `"${key}": ${jsonOf(PLAN_TABLES[name][key], table[key])}`).join(", ")}}`;
+function jsonOfTable(name, table) {
+  const keys = py.keys(table).sort();
+  const said = (/** @type {string} */ key) => jsonOf(PLAN_TABLES[name][key], py.at(table, key));
+  return `{${keys.map((/** @type {string} */ key) => `"${key}": ${said(key)}`).join(", ")}}`;
+}
+
+/** The hash of a plan's tables. @param {Record<string, any>} data */
+export function _hashed(data) {
+  return sha256(jsonOfTable("Plan", data));
+}
+
+// Tables within tables that are copied: no plan has so many.
+const DEEPEST = 30;
+
+/**
+ * A copy of plain data, its dicts as objects; without the keys that hold null unless they are wanted.
+ * @param {any} value @param {boolean} [withNull] @param {number} [deep] @returns {any}
+ */
+export function plain(value, withNull = true, deep = 0) {
+  if (deep > DEEPEST) return value;
+  if (Array.isArray(value)) return value.map((one) => plain(one, withNull, deep + 1));
+  if (!isTable(value)) return value;
+  /** @type {[string, any][]} */
+  const all = py.items(value);
+  const kept = all.filter(([, of]) => withNull || (of !== null && of !== undefined));
+  return Object.fromEntries(kept.map(([key, of]) => [key, plain(of, withNull, deep + 1)]));
 }

@@ -184,7 +184,7 @@ export const py = {
       float: typeof a === "number",
       list: Array.isArray(a),
       tuple: Array.isArray(a),
-      dict: typeof a === "object" && a !== null && !Array.isArray(a),
+      dict: typeof a === "object" && a !== null && !Array.isArray(a) && !(a instanceof Date),
     })[kind],
   // Lists and texts by places.
   iter(a) {
@@ -287,7 +287,7 @@ export const py = {
   items: (a) => (isTuple(a) ? [...a] : Object.entries(a)),
   keys: (a) => py.list(a),
   values: (a) => (a instanceof Map ? [...a.values()] : Object.values(a)),
-  get: (a, key, otherwise = null) => (py.has(a, key) ? py.at(a, key) : otherwise),
+  get: (a, key, otherwise = null) => (a != null && py.has(a, key) ? py.at(a, key) : otherwise),
   setdefault(a, key, value = null) {
     if (!py.has(a, key)) py.set(a, key, value);
     return py.at(a, key);
@@ -348,7 +348,7 @@ export const py = {
   },
   perf_counter: () => performance.now() / 1000,
   // Texts.
-  str: (a) => (typeof a === "number" ? String(a) : a instanceof Error ? a.message : pythonText(a)),
+  str: (a) => (typeof a === "number" ? String(a) : (a?.message ?? pythonText(a))),
   repr: (a) => (typeof a === "string" ? pythonRepr(a) : String(a)),
   ord: (a) => a.codePointAt(0),
   chr: String.fromCodePoint,
@@ -379,6 +379,7 @@ export const py = {
     const n = a.indexOf(by);
     return n < 0 ? [a, "", ""] : [a.slice(0, n), by, a.slice(n + by.length)];
   },
+  startswith: (a, by) => [by].flat().some((one) => a.startsWith(one)),
   endswith: (a, by) => [by].flat().some((one) => a.endsWith(one)),
   decode: (a, encoding) =>
     encoding === "latin-1"

@@ -32,7 +32,7 @@ const SIZES = ["pitch", "disc", "width", "length"];
 
 /** Questions about a plan. @type {Record<string, (asked: Asked) => unknown>} */
 export const QUESTIONS = {
-  toml: ({ plan }) => stringify(plan.written()),
+  toml: ({ plan }) => stringify(plan.own()),
   verdict: judged,
   shape,
   sketch: (asked) => danced(asked, SKETCH),

@@ -6,7 +6,7 @@ import { cueName } from "../made/cues.js";
 import { shownName } from "../made/findings.js";
 import { occasion } from "../made/occasions.js";
 import { village } from "../made/people.js";
-import { _, both } from "../words.js";
+import { _, both, language } from "../words.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { question } from "./budget.js";
 import { FRAMES, PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
@@ -148,14 +148,15 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
     const sent = {
       ...dance.sent,
       plan_sha256: plan.sha256,
-      title: both(() => plan.title),
+      title: both(() => plan.title(language())),
       disc: tables.disc.radius,
       margin: tables.limits.margin,
       speed_limit: tables.limits.speed,
       obstacles: plan.obstacles().map(drawnObstacle),
       occasions: occasions.sort((a, b) => a.time - b.time),
       beats: beatsOf(plan, start, end),
-      papers: plan.hasPapers ? { said: tables.cues.clock, start } : null,
+      papers:
+        "people" in plan.own() || "cues" in plan.own() ? { said: tables.cues.clock, start } : null,
       village: village(tables.people, walk.dragon.benches),
       north: tables.survey.crs !== null,
     };
@@ -258,7 +259,7 @@ function cueOccasions(plan, { start, step, count }) {
 
 /** The drum of a plan with cues. @param {Plan} plan @param {number} start @param {number} end */
 function beatsOf(plan, start, end) {
-  if (!plan.saidCues) return null;
+  if (!("cues" in plan.own())) return null;
   const { tempo, runs, strokes } = scoreOf(plan, start, end);
   return { tempo, runs, strokes };
 }
