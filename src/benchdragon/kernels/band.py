@@ -99,7 +99,9 @@ def set_slab(
 ) -> None:
     """Fill slabs[n] with what holds all that lies square to the route between low and high, m.
 
-    An arc between two foci lies within an ellipse about its chord.
+    A way of length L that turns by at most T, up to half a turn, in all is within L / 2 sin(T / 2) of its
+    chord: so far off is the corner of the way that turns at its middle alone. Length and chord would say
+    it more closely, but their difference is lost in rounding where the route is nearly straight.
     """
     j, u, _ = locate(rows, low)
     next_j, next_u, _ = locate(rows, high)
@@ -108,8 +110,9 @@ def set_slab(
     chord = math.hypot(next_x - x, next_y - y)
     if chord > 0.0:
         tx, ty = (next_x - x) / chord, (next_y - y) / chord
-    around = 0.5 * math.sqrt(max((high - low) ** 2 - chord**2, 0.0)) + near
-    swing = min(heading_bound(rows, j, u, next_j, next_u), 0.5 * math.pi)
+    turn = heading_bound(rows, j, u, next_j, next_u)
+    around = 0.5 * (high - low) * math.sin(0.5 * min(turn, math.pi)) + near
+    swing = min(turn, 0.5 * math.pi)
     pad = around + (out + around) * math.sin(swing)
     slabs[n, X], slabs[n, Y], slabs[n, ALONG_X], slabs[n, ALONG_Y] = x, y, tx, ty
     slabs[n, LOW], slabs[n, HIGH], slabs[n, AROUND], slabs[n, SWING] = -pad, chord + pad, around, swing
