@@ -57,7 +57,7 @@ async function turned(plan, goal) {
   } = await withArenaAsync(engine, () =>
     turning.bestTurn(plan, new TurnGoal(objective, least_radius, longest, longest_way), progress),
   );
-  return { ...rest, turn: found.tables.turn, pieces: turn.pieces, sha256: found.sha256 };
+  return { ...rest, turn: found.turn, pieces: turn.pieces, sha256: found.sha256 };
 }
 
 /** What random dances need, in plain data. */

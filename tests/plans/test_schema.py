@@ -239,6 +239,7 @@ def test_a_plan_without_its_square_is_the_plan_before_it_had_one() -> None:
     assert [(one.kind, one.margin) for one in plan.obstacles()] == [("venue", 0.5), ("circle", 0.1)]
     assert plan.without_square().sha256 == plain.sha256 != plan.sha256
     assert plan.without_square().obstacles() == ()
+    assert read_plan("turn", ["limits.margin=0.1", well]).sha256 != plain.sha256
 
 
 def test_a_plan_is_named_by_all_that_the_square_does_to_it() -> None:

@@ -23,6 +23,7 @@ from benchdragon.kernels.turn_trial import APART, BESIDE, KINDS
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.progress import silent
+from benchdragon.solve import place
 from benchdragon.solve.place import best_place, enough_room
 from benchdragon.solve.size import feasible_sizes, limit
 from benchdragon.solve.size_family import PlanFamily, question
@@ -230,6 +231,17 @@ def test_no_place_that_is_tried_has_more_room_than_the_best() -> None:
         turned = best.turned + random.normal(0.0, 5.0) if near else random.uniform(0.0, 360.0)
         tried = plan.with_values({"route.at": at.tolist(), "route.turned": turned})
         assert room(tried) <= best.room.upper + 2e-3  # metres are told to millimetres
+
+
+def test_the_place_is_looked_at_by_exact_distances_last(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the dance covers is drawn so coarsely here that its drawing leads to a poorer place."""
+    monkeypatch.setattr(place, "ROUGH", 0.6)
+    plan = read_plan("spiral-in", SQUARE)
+    square = place.Square(plan.with_values({"route.at": [0.0, 0.0], "route.turned": 0.0}))
+    by_drawing = square.roughly(silent)
+    found = best_place(plan).room.value
+    assert isinstance(found, float)
+    assert found > 2e-3 - square.exact_crowding(by_drawing)
 
 
 def test_a_dance_that_fits_nowhere_is_told_so(capsys: pytest.CaptureFixture[str]) -> None:

@@ -93,7 +93,7 @@ export function briefing({ engine, plan, progress }) {
 export async function briefed(arena, plan, walk, span, progress) {
   const benches = await benchWalks(plan, walk, span, 0, progress);
   const s = places(walk, ...span);
-  const { people, cues, chalk, route, survey, event } = plan.tables;
+  const { people, cues, chalk, route, survey, event } = plan;
   const { points, low, high } = wayOf(walk, s);
   const obstacles = plan.obstacles();
   const edges = obstacles.filter(({ kind }) => kind === "venue").map(({ outline }) => outline);

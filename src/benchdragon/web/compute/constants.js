@@ -88,7 +88,7 @@ export const NUMBER_FORMAT = { FIGURES: 5 };
 
 export const PLANS_ROUTES = { RUN_UP: 1 };
 
-export const PLANS_SOURCE = { MOST_SIGNS: 200, MOST_FAULTS: 20 };
+export const PLANS_SOURCE = { MOST_FAULTS: 20 };
 
 export const PLANS_TOML = { MOST_KEYS: 500000, MOST_ENTRIES: 1000000 };
 

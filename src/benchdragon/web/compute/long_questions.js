@@ -103,7 +103,7 @@ export function pace({ engine, plan, progress }) {
 /** The best turn. @param {Asked} asked @returns {Promise<TurnFound>} */
 export function turn({ engine, plan, progress }) {
   return withArenaAsync(engine, async (arena) => {
-    const wayBefore = plan.ownTurn(arena).way(TurnRoute.disc(plan.tables));
+    const wayBefore = plan.ownTurn(arena).way(TurnRoute.disc(plan));
     const found = await bestTurn(plan, undefined, progress);
     return {
       plan: found.plan.data(),

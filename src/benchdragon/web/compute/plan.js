@@ -32,11 +32,6 @@ export class Plan extends /** @type {new () => Made} */ (/** @type {any} */ (Mad
     Object.assign(this, filledTable("Plan", said), { _source: new Source(source) });
   }
 
-  /** The tables themselves. @returns {any} */
-  get tables() {
-    return this;
-  }
-
   /** Only what is said; null counts as not said. @returns {Tables} */
   said() {
     return plain(this.#said, false);

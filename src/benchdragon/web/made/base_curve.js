@@ -2,9 +2,10 @@
 // Made from model/base_curve.py by tools/make_twins.py; to make it again: make generate
 
 import { Curve } from "../compute/curve.js";
-import { InputError, finite, positive } from "../compute/errors.js";
+import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
+import { finite, positive } from "./errors.js";
 import { Pose } from "./poses.js";
 
 const MOST_METRES = 100000000.0;

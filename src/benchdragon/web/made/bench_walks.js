@@ -2,10 +2,11 @@
 // Made from analysis/bench_walks.py by tools/make_twins.py; to make it again: make generate
 
 import { _handles, _nearest, _seen } from "../compute/bench_walks.js";
-import { InputError, brief, inOrder } from "../compute/errors.js";
+import { InputError, brief } from "../compute/error_kinds.js";
 import { ValueError, py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Bends, turningOf } from "./bends.js";
+import { inOrder } from "./errors.js";
 import { part, silent } from "./stages.js";
 
 const BOX_COLUMNS = 6;

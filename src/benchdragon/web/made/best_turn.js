@@ -1,7 +1,7 @@
 // @ts-nocheck
 // Made from solve/turn.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, NoSolutionError } from "../compute/errors.js";
+import { InputError, NoSolutionError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Answer } from "./answer.js";

@@ -1,10 +1,11 @@
 // @ts-nocheck
 // Made from model/connections.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, positive } from "../compute/errors.js";
+import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Route, curvesOf } from "./curves.js";
+import { positive } from "./errors.js";
 
 export class Step {
   constructor(formation, at = /** @type {any} */ (null), turned = 0.0) {

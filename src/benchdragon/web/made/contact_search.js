@@ -4,13 +4,14 @@
 import { asideMost as budgetAsideMost, memory as budgetMemory } from "../compute/budget.js";
 import { nearnessAt } from "../compute/distance.js";
 import { EngineQuestion } from "../compute/engine_question.js";
-import { UnsureError, inOrder, notNegative } from "../compute/errors.js";
+import { UnsureError } from "../compute/error_kinds.js";
 import { mustStand, originAt } from "../compute/nearby.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Answer, Witness } from "./answer.js";
 import { beginnings as tablesBeginnings, inColumns as tablesInColumns, tooManyKinds as tablesTooManyKinds } from "./bench_tables.js";
 import { nearnessOf } from "./distance.js";
+import { inOrder, notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
 import { checkedOff, seenFrom } from "./nearby.js";
 import { atMost } from "./number_format.js";
@@ -52,8 +53,14 @@ class ContactSearch extends EngineQuestion {
     }
     [near, figures] = py.list([py.empty(NEARNESS), py.zeros(28)]);
     super(handle, py.entered("bd_contact_question_step_contact"), py.entered("bd_contact_question_read_contact"), figures, near);
-    [this.walk, this.origin, this._near] = py.list([seen, origin, near]);
-    [this.start, this.end, this.progress, this.spans, this.slack] = py.list([start, end, progress, ways, slack]);
+    this.walk = seen;
+    this.origin = origin;
+    this._near = near;
+    this.start = start;
+    this.end = end;
+    this.progress = progress;
+    this.spans = ways;
+    this.slack = slack;
     this.times = new HeadTimes(seen, start, since, until);
     this._began = py.perf_counter();
   }

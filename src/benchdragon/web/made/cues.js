@@ -1,12 +1,13 @@
 // @ts-nocheck
 // Made from plans/cues.py by tools/make_twins.py; to make it again: make generate
 
-import { Fault, KeyedError, brief } from "../compute/errors.js";
-import { HoldError } from "../compute/holds.js";
+import { brief } from "../compute/error_kinds.js";
+import { HoldError, withHolds } from "../compute/holds.js";
 import { ValueError, py } from "../compute/python.js";
 import { N_, _, language } from "../words.js";
 import { Hold } from "./holds.js";
 import { TIME_OF_DAY, narrow } from "./signs.js";
+import { Fault, KeyedError } from "./source.js";
 
 const SAME_PLACE = 1e-09;
 const PRUDENCE = 1e-09;
@@ -96,7 +97,7 @@ export class Paced {
     return py.max(this.profile.time(py.add(cue.head, py.float(this.profile.distance(this.start)))), this.start);
   }
 }
-export function paced(cues, profile, start, limits, held) {
+export function paced(cues, profile, start, limits) {
   let asked, found, holding, holds, rate, starts, stood, text, times;
   rate = ((cues.acceleration == null) ? limits.head_acceleration : cues.acceleration);
   if ((rate > limits.head_acceleration)) {
@@ -110,7 +111,7 @@ export function paced(cues, profile, start, limits, held) {
   starts = py.list(py.enumerate(cues.cue)).flatMap(([n, cue]) => ((((cue.kind === "start") && (cue.at != null))) ? [[n, cue.at]] : []));
   times = py.list(starts).map(([_number, time]) => time);
   try {
-    [found, stood] = py.list(held(profile, start, holds, times, (rate * (1.0 - PRUDENCE))));
+    [found, stood] = py.list(withHolds(profile, start, holds, times, (rate * (1.0 - PRUDENCE))));
   } catch (error) {
     if (error instanceof HoldError) {
       text = py.filled(_(py.at(TROUBLE, error.trouble)), { rate: `${py.format(rate, `g`)}`, start: `${py.format(start, `g`)}` });

@@ -2,10 +2,11 @@
 // Made from model/curves.py by tools/make_twins.py; to make it again: make generate
 
 import { Curve } from "../compute/curve.js";
-import { InputError, finite, notNegative } from "../compute/errors.js";
+import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
 import { OneCurve, checkPose, checkedBend, checkedSize, laidRows } from "./base_curve.js";
+import { finite, notNegative } from "./errors.js";
 
 const JOINT_GAP = 1e-09;
 const JOINT_KINK = 1e-09;

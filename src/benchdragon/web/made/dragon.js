@@ -1,9 +1,10 @@
 // @ts-nocheck
 // Made from model/dragon.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, brief, notNegative, positive } from "../compute/errors.js";
+import { InputError, brief } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
+import { notNegative, positive } from "./errors.js";
 
 const LONGEST_BENCH = 10000.0;
 const MOST_BENCHES = 1000000;

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from errors.py by tools/make_twins.py; to make it again: make types
+// Made from errors.py by tools/make_twins.py; to make it again: make generate
 
 import { BenchDragonError, InputError, _with } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";

@@ -2,11 +2,12 @@
 // Made from plans/formations.py by tools/make_twins.py; to make it again: make generate
 
 import { emptyPlacements } from "../compute/arrays.js";
-import { Fault, InputError, KeyedError } from "../compute/errors.js";
+import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Step } from "./connections.js";
 import { FORMATIONS, SizeError } from "./formations.js";
+import { Fault, KeyedError } from "./source.js";
 
 const Status = { OK: 0, BEFORE_ROUTE: 1, AFTER_ROUTE: 2, ROUTE_TOO_SHORT: 3, FOLDED: 4, LINK_OVER_DIAMETER: 5 };
 const END_SLACK = 1e-09;

@@ -1,10 +1,11 @@
 // @ts-nocheck
 // Made from model/formations.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, finite } from "../compute/errors.js";
+import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
 import { Route, curvesOf } from "./curves.js";
+import { finite } from "./errors.js";
 
 const FormationKind = { COIL_IN: 0, COIL_OUT: 1, FIGURE_EIGHT: 2, THREE_PLUM_BLOSSOMS: 3, DOUBLE_DOOR: 4, STRAIGHT_DRAGON: 5, TAIL_SWING: 6 };
 const MOST_PARTS = 128;

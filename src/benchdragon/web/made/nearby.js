@@ -1,7 +1,7 @@
 // @ts-nocheck
 // Made from analysis/nearby.py by tools/make_twins.py; to make it again: make generate
 
-import { UnsureError } from "../compute/errors.js";
+import { UnsureError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { atMost } from "./number_format.js";

@@ -1,11 +1,12 @@
 // @ts-nocheck
 // Made from model/obstacle.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, brief, finite, notNegative } from "../compute/errors.js";
+import { InputError, brief } from "../compute/error_kinds.js";
 import { Standing, _crossing } from "../compute/obstacle.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { checkedSize } from "./base_curve.js";
+import { finite, notNegative } from "./errors.js";
 
 const asNumbers = (_name, values) => values;
 const MOST_METRES = 100000000.0;

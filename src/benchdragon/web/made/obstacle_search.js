@@ -3,7 +3,7 @@
 
 import { refined } from "../compute/budget.js";
 import { EngineQuestion } from "../compute/engine_question.js";
-import { UnsureError, inOrder } from "../compute/errors.js";
+import { UnsureError } from "../compute/error_kinds.js";
 import { mustStand, originAt } from "../compute/nearby.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
@@ -11,6 +11,7 @@ import { Answer, Witness } from "./answer.js";
 import { inColumns } from "./bench_tables.js";
 import { assumedWithin } from "./contact_search.js";
 import { FEATURES } from "./distance.js";
+import { inOrder } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
 import { checkedOff, seenFrom } from "./nearby.js";
 import { returns } from "./rounds.js";

@@ -1,7 +1,7 @@
 // @ts-nocheck
 // Made from plans/people.py by tools/make_twins.py; to make it again: make generate
 
-import { brief } from "../compute/errors.js";
+import { brief } from "../compute/error_kinds.js";
 import { ValueError, py } from "../compute/python.js";
 import { N_, _, both } from "../words.js";
 import { oneLine } from "./tables.js";
@@ -24,6 +24,7 @@ class Village {
     this.before = before;
   }
 }
+export const DECIDING = ["beside", "ahead", "sway", "imprecision", "most_speed"];
 export function called(people, bench, count) {
   if ((!py.truth(people.count_head) && (bench === 1))) {
     return _("the head");

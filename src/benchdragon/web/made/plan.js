@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from plans/schema.py by tools/make_twins.py; to make it again: make types
+// Made from plans/schema.py by tools/make_twins.py; to make it again: make generate
 
 import { InputError, PlanError } from "../compute/error_kinds.js";
 import { _hashed } from "../compute/plan_check.js";

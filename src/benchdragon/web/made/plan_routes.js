@@ -1,13 +1,14 @@
 // @ts-nocheck
 // Made from plans/routes.py by tools/make_twins.py; to make it again: make generate
 
-import { Fault, Faults, InputError, KeyedError } from "../compute/errors.js";
+import { InputError } from "../compute/error_kinds.js";
 import { _fitted } from "../compute/fitting.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { programme } from "./connections.js";
 import { Line, Route, Spiral } from "./curves.js";
 import { formationOf, linksBelow, refuseTight, wholeDragonOn } from "./formation_tables.js";
+import { Fault, Faults, KeyedError } from "./source.js";
 
 const MOST_CURVES = 10000;
 const TRAIL = 1000.0;

@@ -1,10 +1,11 @@
 // @ts-nocheck
 // Made from model/profile.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, finite, notNegative } from "../compute/errors.js";
+import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _along } from "../compute/stretches.js";
 import { _ } from "../words.js";
+import { finite, notNegative } from "./errors.js";
 
 const asList = (_name, values) => values;
 const asNumbers = (_name, values) => values;

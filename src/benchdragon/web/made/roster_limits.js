@@ -1,7 +1,7 @@
 // @ts-nocheck
 // Made from rosters/extent.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError } from "../compute/errors.js";
+import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 

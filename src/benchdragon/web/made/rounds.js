@@ -19,7 +19,8 @@ function _repeats(rows, seams, reach) {
 }
 export class Rounds {
   constructor(walk, known) {
-    [this._walk, this._known] = py.list([walk, known]);
+    this._walk = walk;
+    this._known = known;
   }
   new(first, last) {
     let at, count, links, missed, places, rows, spans;

@@ -1,11 +1,12 @@
 // @ts-nocheck
 // Made from solve/size.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, PlanError, notNegative } from "../compute/errors.js";
+import { InputError, PlanError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Answer } from "./answer.js";
 import { standAlone } from "./contact_search.js";
+import { notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
 import { touching } from "./obstacles.js";
 import { PlanFamily, question } from "./size_family.js";

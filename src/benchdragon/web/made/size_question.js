@@ -3,7 +3,7 @@
 
 import { memory as budgetMemory } from "../compute/budget.js";
 import { EngineQuestion } from "../compute/engine_question.js";
-import { UnsureError } from "../compute/errors.js";
+import { UnsureError } from "../compute/error_kinds.js";
 import { originAt } from "../compute/nearby.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
@@ -51,7 +51,10 @@ export class SizeQuestion extends EngineQuestion {
     [state, doubts] = py.list([py.zeros(24), py.empty(py.add(80, 40))]);
     [meetings, figures] = py.list([py.full([4, 4], -1.0), py.zeros(16)]);
     super(handle, py.entered("bd_size_question_step_size"), py.entered("bd_size_question_read_size"), figures, state, doubts, meetings);
-    [this.state, this._doubts, this._meetings, this.progress] = py.list([state, doubts, meetings, progress]);
+    this.state = state;
+    this._doubts = doubts;
+    this._meetings = meetings;
+    this.progress = progress;
   }
   get evaluations() {
     return py.int(py.at(this.figures, 2));

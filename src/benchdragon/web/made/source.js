@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from plans/source.py by tools/make_twins.py; to make it again: make types
+// Made from plans/source.py by tools/make_twins.py; to make it again: make generate
 
 import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";

@@ -1,10 +1,10 @@
 // @ts-nocheck
 // Made from plans/square.py by tools/make_twins.py; to make it again: make generate
 
-import { Fault, Faults, KeyedError } from "../compute/errors.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Obstacle, rectangleOutline } from "./obstacle.js";
+import { Fault, Faults, KeyedError } from "./source.js";
 
 export class VenueTable {
   build(margin) {

@@ -1,10 +1,14 @@
 // @ts-nocheck
 // Made from plans/tables.py by tools/make_twins.py; to make it again: make generate
 
-import { brief } from "../compute/errors.js";
+import { SizeError } from "../compute/dragon.js";
+import { InputError, brief } from "../compute/error_kinds.js";
+import { _built } from "../compute/plan_parts.js";
 import { ValueError, py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Arc, Clothoid, Line, LogSpiral, Spiral } from "./curves.js";
+import { SpeedProfile } from "./profile.js";
+import { Fault, KeyedError } from "./source.js";
 import { threePieces, twoArcs } from "./turns.js";
 
 const ROOMY = 0.9;
@@ -13,6 +17,35 @@ export function oneLine(text) {
     throw new ValueError(py.filled(_("wanted text that can be printed on one line, not {text}"), { text: brief(text) }));
   }
   return text;
+}
+export class DragonTable {
+  build() {
+    let bench, keys, size, text;
+    try {
+      return _built(this);
+    } catch (error) {
+      if (error instanceof SizeError) {
+        keys = py.dict([]);
+        for ([bench, size, text] of py.iter(error.faults)) {
+          py.setdefault(keys, this._key(bench, size), text);
+        }
+        throw new KeyedError(py.list(py.items(keys)).map((each) => new Fault(...py.iter(each))));
+      } else
+      throw error;
+    }
+  }
+  _key(bench, size) {
+    let entry, last, one, place;
+    for ([entry, one] of py.iter(py.enumerate(this.bench))) {
+      if ((bench < one.count)) {
+        return `dragon.bench.${py.str(entry)}.${py.str(size)}`;
+      }
+      bench = py.sub(bench, one.count);
+    }
+    last = (this.benches - 1);
+    place = ((bench === 0) ? "head_" : (py.eq(bench, last) ? "tail_" : "body_"));
+    return `dragon.${py.str(((size === "length") ? place : ""))}${py.str(size)}`;
+  }
 }
 class CurvePart {
   
@@ -60,5 +93,20 @@ export class TurnTable {
     }
     bend = ((this.family === "arc-arc-arc") ? this.curvature : 0.0);
     return threePieces(pitch, entry, exit, radii, bend, this.ease);
+  }
+}
+export class WalkTable {
+  build() {
+    let key, knots;
+    knots = py.or(this.profile, () => [[0.0, this.speed]]);
+    try {
+      return new SpeedProfile(py.tuple(py.list(knots).map(([time, _v]) => time)), py.tuple(py.list(knots).map(([_t, speed]) => speed)));
+    } catch (error) {
+      if (error instanceof InputError) {
+        key = (py.truth(this.profile) ? "walk.profile" : "walk.speed");
+        throw new KeyedError([new Fault(key, py.str(error))]);
+      } else
+      throw error;
+    }
   }
 }

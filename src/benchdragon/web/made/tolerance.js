@@ -1,9 +1,10 @@
 // @ts-nocheck
 // Made from solve/tolerance.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, UnsureError, WalkError, notNegative } from "../compute/errors.js";
+import { InputError, UnsureError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
+import { WalkError, notNegative } from "./errors.js";
 import { answered } from "./random_dance.js";
 import { foundLimit } from "./size.js";
 import { silent } from "./stages.js";

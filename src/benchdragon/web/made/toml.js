@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from plans/toml.py by tools/make_twins.py; to make it again: make types
+// Made from plans/toml.py by tools/make_twins.py; to make it again: make generate
 
 import { PlanError } from "../compute/error_kinds.js";
 import { _below } from "../compute/plan_parts.js";

@@ -1,9 +1,10 @@
 // @ts-nocheck
 // Made from solve/turn_goal.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, finite, positive } from "../compute/errors.js";
+import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
+import { finite, positive } from "./errors.js";
 import { TurnRoute } from "./plan_routes.js";
 
 const DEEPEST = 0.3;
@@ -40,7 +41,8 @@ export class TurnFamily {
     if (!(route instanceof TurnRoute)) {
       throw new InputError(_("a best turn is sought for plans whose route is a turn"));
     }
-    [this.plan, this.goal] = py.list([plan, goal]);
+    this.plan = plan;
+    this.goal = goal;
     [this.pitch, this.disc] = py.list([route.pitch, TurnRoute.disc(plan)]);
     this.obstacles = py.list(plan.obstacles()).map((obstacle) => route.unplaced(obstacle));
     this.dragon = plan.dragon.build();

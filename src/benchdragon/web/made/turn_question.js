@@ -56,7 +56,8 @@ export class TurnQuestion extends EngineQuestion {
     handle = py.entry("bd_turn_question_open_turn", toldOfLimits(family), low, high, sizes, py.slice(family.dragon.links, null, 40), py.reshape(py.array(standing), -1, BOX_COLUMNS), py.array(border, "q"), py.reshape(py.array(keep), -1, 2))[0];
     [found, seen] = py.list([py.zeros(py.len(low)), py.zeros(11)]);
     super(handle, py.entered("bd_turn_question_step_turn"), py.entered("bd_turn_question_read_turn"), py.zeros(7), found, seen);
-    [this._found_at, this._seen] = py.list([found, seen]);
+    this._found_at = found;
+    this._seen = seen;
     this.factors = py.add(py.times([(1.0 + PRUDENCE)], 5), py.times([1.0], py.sub(11, 5)));
     for (kind of py.iter([5, 6])) {
       py.set(this.factors, kind, 0.0);

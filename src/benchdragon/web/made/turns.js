@@ -1,11 +1,12 @@
 // @ts-nocheck
 // Made from model/turns.py by tools/make_twins.py; to make it again: make generate
 
-import { InputError, brief, finite, notNegative, positive } from "../compute/errors.js";
+import { InputError, brief } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
 import { checkedBend, checkedSize, laidRows } from "./base_curve.js";
 import { Route, curvesOf, joinedCurves } from "./curves.js";
+import { finite, notNegative, positive } from "./errors.js";
 
 const asNumbers = (_name, values) => values;
 const PART_COLUMNS = 8;

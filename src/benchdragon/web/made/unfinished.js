@@ -7,7 +7,7 @@ import { _ } from "../words.js";
 const NEARLY = 0.01;
 const TENTHS = 10.0;
 const DUST = 1e-06;
-class Unfinished {
+export class Unfinished {
   constructor(way, end) {
     this.way = way;
     this.end = end;

@@ -1,5 +1,5 @@
 // @ts-nocheck
-// Made from plans/toml.py by tools/make_twins.py; to make it again: make generate
+// Made from plans/units.py by tools/make_twins.py; to make it again: make generate
 
 import { ValueError, py } from "../compute/python.js";
 import { _vast } from "../compute/python_text.js";
