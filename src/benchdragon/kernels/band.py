@@ -99,9 +99,9 @@ def set_slab(
 ) -> None:
     """Fill slabs[n] with what holds all that lies square to the route between low and high, m.
 
-    A way of length L that turns by at most T, up to half a turn, in all is within L / 2 sin(T / 2) of its
-    chord: so far off is the corner of the way that turns at its middle alone. Length and chord would say
-    it more closely, but their difference is lost in rounding where the route is nearly straight.
+    A way of length L that turns by at most T in all, up to half a turn, is within L / 2 sin(T / 2) of
+    its chord: so far off is the corner of the way that turns at its middle alone. Length and chord
+    would say it more closely, but on a nearly straight route rounding takes their difference.
     """
     j, u, _ = locate(rows, low)
     next_j, next_u, _ = locate(rows, high)

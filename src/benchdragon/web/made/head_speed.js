@@ -2,7 +2,7 @@
 // Made from solve/head_speed.py by tools/make_twins.py; to make it again: make generate
 
 import { expect as budgetExpect, spend as budgetSpend } from "../compute/budget.js";
-import { InputError, UnsureError } from "../compute/errors.js";
+import { InputError, UnsureError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { Answer } from "./answer.js";

@@ -3,10 +3,11 @@
 
 import { memory as budgetMemory } from "../compute/budget.js";
 import { EngineQuestion } from "../compute/engine_question.js";
-import { InputError, UnsureError, inOrder } from "../compute/errors.js";
+import { InputError, UnsureError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { inColumns } from "./bench_tables.js";
+import { inOrder } from "./errors.js";
 import { PlanFamily, QUESTIONS, kernelFamily } from "./size_family.js";
 
 const MORE = 8;

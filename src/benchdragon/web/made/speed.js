@@ -3,10 +3,11 @@
 
 import { OverBudgetError, allow as budgetAllow } from "../compute/budget.js";
 import { EngineQuestion } from "../compute/engine_question.js";
-import { InputError, UnsureError, inOrder } from "../compute/errors.js";
+import { InputError, UnsureError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
 import { Answer, Witness } from "./answer.js";
+import { inOrder } from "./errors.js";
 import { SpeedProfile, Stretches } from "./profile.js";
 import { Rounds, repeats } from "./rounds.js";
 import { silent } from "./stages.js";
