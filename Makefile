@@ -124,11 +124,12 @@ atlas: .venv/engine
 bench: .venv/engine
 	$(BIN)/python benchmarks/run.py $(if $(BEFORE),--before $(BEFORE))
 
-# The moving picture of README and manual, to be committed.
+# The moving picture of README and manual, and the manual's pictures of contact, to be committed.
 DANCE := animate turn --set dragon.benches=50 --start -10 --end 80 --speed-up 15 --fps 5 --size 400x340 -o dance.gif
 picture: .venv/demo
 	cd docs/en && ../../$(BIN)/benchdragon $(DANCE) --lang en --force
 	cd docs/zh && ../../$(BIN)/benchdragon $(DANCE) --lang zh --force
+	$(BIN)/python design/contact_pictures.py docs/contact.svg
 
 truth: .venv/installed
 	$(BIN)/python -m tests.truth.make_truth

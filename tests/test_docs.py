@@ -172,6 +172,13 @@ def test_each_folder_of_a_sweep_holds_one_sweep(language: str) -> None:
     assert {folder: lines for folder, lines in told.items() if len(lines) > 1} == {}
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_pages_of_design_and_tests_that_the_manual_names_are_there(language: str) -> None:
+    names = [re.findall(r"`((?:design|tests)/[\w/.-]+)`", source(language, page)) for page in PAGES]
+    assert sum(map(len, names)) > 20
+    assert [name for found in names for name in found if not (ROOT / name).exists()] == []
+
+
 @pytest.mark.parametrize("page", ["CONTRIBUTING.md", "docs/en/extend.md", "docs/zh/extend.md"])
 def test_files_and_tests_that_the_steps_of_an_extension_name_are_there(page: str) -> None:
     names = set(re.findall(r"`([\w/.-]+)`", (ROOT / page).read_text("utf-8")))
