@@ -24,7 +24,7 @@ from benchdragon import (
     smallest_pitch,
 )
 from benchdragon.analysis.distance import nearest_each
-from benchdragon.kernels import contact_question, own_room, question, size_question
+from benchdragon.kernels import contact_question, question, search_room, size_question
 from benchdragon.kernels.beginning import begin_walk
 from benchdragon.kernels.course import Room, Walk
 from benchdragon.solve.size import QUICK_SIZE
@@ -59,7 +59,7 @@ def in_python(job: Callable[[], Answer | None], *, bound: bool = True) -> Answer
             for name in names:
                 plain = getattr(module, name).__wrapped__
                 stack.enter_context(mock.patch.object(module, name, plain))
-        stack.enter_context(mock.patch.object(own_room, "begin_walk", begin_without))
+        stack.enter_context(mock.patch.object(search_room, "begin_walk", begin_without))
         found = job()
     if not begun:
         raise AssertionError("searches no longer begin where the bound was taken from them")

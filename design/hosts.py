@@ -8,8 +8,8 @@ Node is not where Python is.
 
 A search works on many arrays. If each were copied into the module's memory and back at each call, a
 first contact would move 27 MB both ways, most of it room that is never used. So what searches work on
-is the engine's own (kernels/own_room.py); the little that is passed is copied, or made in the module's
-memory (`hosts.serving.placed`): whoever passes an array need not know who serves.
+is the engine's own (kernels/search_room.py); the little that is passed is copied, or made in the
+module's memory (`hosts.serving.placed`): whoever passes an array need not know who serves.
 """
 
 import os

@@ -17,8 +17,8 @@ from benchdragon.analysis.swept_steps import MOST_STEPS, merged, placed_steps
 from benchdragon.analysis.swept_width import _stretches
 from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.figures.walk import bench_corners
-from benchdragon.kernels.band import band_sides
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.ground_covered import band_sides
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.dragon import Bench, Dragon
 from benchdragon.model.profile import SpeedProfile

@@ -48,7 +48,7 @@ from tests.solve.asked_in_python import in_python
 from tests.solve.dances import Laid, brute, laid
 
 # Its plain functions call its entries, which no compiled function does.
-MIXED = tuple(f"benchdragon.kernels.{name}" for name in ("grid", "own_room", "contact_steps"))
+MIXED = tuple(f"benchdragon.kernels.{name}" for name in ("grid", "search_room", "contact_steps"))
 
 
 def wrap(wrapper: Callable[[str, Any], Callable[..., Any]]) -> None:

@@ -24,7 +24,7 @@ from benchdragon.analysis.distance import pair_distances
 from benchdragon.analysis.nearby import errors_at, seams_of
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.errors import WalkError
-from benchdragon.kernels import cells, course, own_room, search
+from benchdragon.kernels import cells, course, search, search_room
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, distances_along, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
@@ -235,7 +235,7 @@ def test_what_benches_behind_may_reach_is_boxed(monkeypatch: pytest.MonkeyPatch)
         ground, count = found.room.ground, int(found.room.ground.counts[cells.CELLS])
         whole = ground.tree[: 2 * len(ground.middles)].reshape(2, -1, cells.TREE_COLUMNS)
         boxed.append(int((whole[:, :count, cells.STATE] == cells.BOXED).sum()))
-        monkeypatch.setattr(own_room, "begin_walk", begun_without_spans)
+        monkeypatch.setattr(search_room, "begin_walk", begun_without_spans)
     assert bounds[0] == pytest.approx(bounds[1], abs=1e-10)
     assert boxed[0] < boxed[1]
 

@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from benchdragon import Dragon, Route, Spiral, Walk
 from benchdragon.analysis.contact import first_contact, least_clearance
-from benchdragon.kernels import own_room
+from benchdragon.kernels import search_room
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.spiral_bound import (
@@ -122,7 +122,7 @@ def test_answers_are_the_same_without_the_bound(
     for _turn in range(2):
         answers.append((first_contact(walk, 0.0, end), least_clearance(walk, 0.0, 60.0)))
         in_python(monkeypatch)
-        monkeypatch.setattr(own_room, "begin_walk", begun_without_spans)
+        monkeypatch.setattr(search_room, "begin_walk", begun_without_spans)
     (contact, least), (other, other_least) = answers
     assert least.value == pytest.approx(other_least.value, abs=1e-12)
     assert (contact is None) == (other is None) == (spiral.end_angle > spiral.start_angle)

@@ -14,10 +14,10 @@ from benchdragon.kernels import contact_steps, course, memory, question
 from benchdragon.kernels.beginning import begin_walk
 from benchdragon.kernels.contact_memory import BASE, Hunt
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.own_room import ROOMY
 from benchdragon.kernels.question import MORE, SPENT
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import FOUND, PAIR
+from benchdragon.kernels.search_room import ROOMY
 from benchdragon.kernels.walk_search import SEEK
 from benchdragon.progress import silent
 from tests.solve.asked_in_python import in_python

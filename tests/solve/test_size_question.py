@@ -15,7 +15,7 @@ from benchdragon.analysis import tables
 from benchdragon.analysis.contact import first_contact
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.hosts.serving import VARIABLE
-from benchdragon.kernels import memory, own_room, size_memory
+from benchdragon.kernels import memory, search_room, size_memory
 from benchdragon.kernels import size_question as kernel
 from benchdragon.kernels.curve import X, Y
 from benchdragon.kernels.memory import group_at, held
@@ -298,10 +298,10 @@ def test_pairs_of_a_step_stay_known_when_room_is_made(monkeypatch: pytest.Monkey
         sought, block = sought_by(search), memory.recall(search._handle)
         meeting, sizes = sought.room.meeting, sought.sizes
         meeting.first[:2], meeting.second[:2] = (1, 0), (3, 4)
-        sizes[own_room.OF_PAIRS] *= 3
-        assert own_room.make_step(block, size_memory.ROOM_SLOT, sizes) == own_room.ROOMY
+        sizes[search_room.OF_PAIRS] *= 3
+        assert search_room.make_step(block, size_memory.ROOM_SLOT, sizes) == search_room.ROOMY
         wider = sought_by(search).room.meeting
-        assert len(wider.first) == len(wider.other) == sizes[own_room.OF_PAIRS]
+        assert len(wider.first) == len(wider.other) == sizes[search_room.OF_PAIRS]
         assert (wider.first[:2].tolist(), wider.second[:2].tolist()) == ([1, 0], [3, 4])
         assert (wider.place == -1).all()
 

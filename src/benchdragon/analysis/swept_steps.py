@@ -12,9 +12,9 @@ import numpy as np
 
 from benchdragon.errors import BenchDragonError, InputError, UnsureError
 from benchdragon.i18n import _
-from benchdragon.kernels.band import strays
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.ground_covered import strays
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.route import IntArray, positions
 from benchdragon.kernels.step_bounds import place_chain

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from benchdragon.analysis.swept_steps import SLACK, Steps, placed_steps
-from benchdragon.kernels.band import band_sides
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.ground_covered import band_sides
 from benchdragon.model.answer import Answer
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk

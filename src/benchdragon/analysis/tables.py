@@ -4,7 +4,7 @@ import numpy as np
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.kernels import course, own_room
+from benchdragon.kernels import course, search_room
 from benchdragon.kernels.cells import Kinds
 from benchdragon.kernels.course import Benches
 from benchdragon.kernels.curve import FloatArray
@@ -30,17 +30,17 @@ def in_columns(told: dict[int, float]) -> FloatArray:
 
 
 def beginnings() -> IntArray:
-    """The room that searches begin with, as the engine takes it: see kernels/own_room.py."""
+    """The room that searches begin with, as the engine takes it: see kernels/search_room.py."""
     named = {
-        own_room.A_CELL: A_CELL,
-        own_room.AT_FIRST: AT_FIRST,
-        own_room.FIRST_PAIRS: PAIRS,
-        own_room.FIRST_MEMBERS: MEMBERS,
-        own_room.FIRST_DOUBTS: DOUBTS,
-        own_room.MOST_CELLS: MOST_CELLS,
-        own_room.PLACES: PLACES,
+        search_room.A_CELL: A_CELL,
+        search_room.AT_FIRST: AT_FIRST,
+        search_room.FIRST_PAIRS: PAIRS,
+        search_room.FIRST_MEMBERS: MEMBERS,
+        search_room.FIRST_DOUBTS: DOUBTS,
+        search_room.MOST_CELLS: MOST_CELLS,
+        search_room.PLACES: PLACES,
     }
-    return np.array([named[n] for n in range(own_room.BEGINNINGS)], dtype=np.int64)
+    return np.array([named[n] for n in range(search_room.BEGINNINGS)], dtype=np.int64)
 
 
 def too_many_kinds(sizes: FloatArray) -> InputError:

@@ -18,11 +18,11 @@ from benchdragon.kernels.kinds import same_size
 from benchdragon.kernels.memory import ROW
 from benchdragon.kernels.nearness import NEARNESS
 from benchdragon.kernels.obstacle import fill_boxes, sides
-from benchdragon.kernels.own_room import WIDER, placements, searches
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import NOTES, Search
+from benchdragon.kernels.search_room import WIDER, placements, searches
 from benchdragon.kernels.spans import BEGUN, HIGH, LOW, PERIOD, REPEAT
 from benchdragon.kernels.standing import Bench, Standing
 

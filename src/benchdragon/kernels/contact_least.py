@@ -14,9 +14,9 @@ from benchdragon.kernels.course import GOAL as WAY_GOAL
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.low_points import MOST_SAMPLED, low_pair
 from benchdragon.kernels.memory import group_at
-from benchdragon.kernels.own_room import ROOMY
 from benchdragon.kernels.question import MORE, OVER_MEMORY, SPENT
 from benchdragon.kernels.search import CLEAR, FALLEN, FLOOR, FOUND, LEAST, NEAREST, PAIR, UPPER
+from benchdragon.kernels.search_room import ROOMY
 from benchdragon.kernels.walk_search import SEEK
 
 # What LEAST is doing.

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from benchdragon.kernels import memory, own_room
+from benchdragon.kernels import memory, search_room
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
@@ -12,11 +12,11 @@ from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.kinds import find_kinds
 from benchdragon.kernels.memory import ROW
 from benchdragon.kernels.nearness import NEARNESS
-from benchdragon.kernels.own_room import lay_block, placements, walks
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import NOTES
+from benchdragon.kernels.search_room import lay_block, placements, walks
 from benchdragon.kernels.spiral import LANES
 
 # What may be sought besides FIRST_TOUCH and TOUCH_END, each from where the one before was found, LEAST
@@ -74,7 +74,7 @@ class Hunt(NamedTuple):
     seams: Table  # (rows, SEAM_COLUMNS)
     room: Room
     sizes: IntVector  # of the room
-    beginnings: IntVector  # likewise: see own_room
+    beginnings: IntVector  # likewise: see search_room
     spans: Table  # of the head's way, m, (spans, 2)
     at: Vector
     placed: Placements
@@ -113,7 +113,8 @@ class Asked(NamedTuple):
 @kernel
 def lay_hunt(slots: IntArray, address: int, asked: Asked) -> int:
     """Lay all from an address on that keeps its size; the bytes that takes."""
-    rows, benches, places = asked.rows.shape[0], asked.links.shape[0], asked.beginnings[own_room.PLACES]
+    rows, benches = asked.rows.shape[0], asked.links.shape[0]
+    places = asked.beginnings[search_room.PLACES]
     kinds, count = (
         min(benches, int(asked.limits[MOST_KINDS])),
         max(FEWEST, min(LANES, places // (benches + 1))),
@@ -123,10 +124,10 @@ def lay_hunt(slots: IntArray, address: int, asked: Asked) -> int:
     ))  # fmt: skip
     end = lay_block(slots, ROOM_SLOT, slots[memory.ADDRESS], benches, places)
     return end - address + memory.lay(slots, SIZES_SLOT, end, (
-        (own_room.SIZES, ROW), (own_room.BEGINNINGS, ROW), (asked.spans.shape[0], 2), (count, ROW),
-        *placements(benches + 1, count), (2, BOX_COLUMNS), (benches, ROW), (benches + 1, ROW),
-        (benches, ROW), (LIMITS, ROW), (asked.tolerances.shape[0], ROW), (FIGURES, ROW),
-        (NEARNESS, ROW), (NOTES, ROW),
+        (search_room.SIZES, ROW), (search_room.BEGINNINGS, ROW), (asked.spans.shape[0], 2),
+        (count, ROW), *placements(benches + 1, count), (2, BOX_COLUMNS), (benches, ROW),
+        (benches + 1, ROW), (benches, ROW), (LIMITS, ROW), (asked.tolerances.shape[0], ROW),
+        (FIGURES, ROW), (NEARNESS, ROW), (NOTES, ROW),
     ))  # fmt: skip
 
 
@@ -147,7 +148,7 @@ def fill_hunt(block: int, asked: Asked) -> bool:
     memory.copy_table(hunt.spans, asked.spans)
     memory.copy_row(hunt.limits, asked.limits)
     memory.copy_row(hunt.tolerances, asked.tolerances)
-    hunt.sizes[own_room.ROUTE_ROWS] = asked.rows.shape[0]
+    hunt.sizes[search_room.ROUTE_ROWS] = asked.rows.shape[0]
     for n in range(FIGURES):
         hunt.figures[n] = 0.0
     count = find_kinds(benches.sizes, kinds.sizes, benches.kind, kinds.group)

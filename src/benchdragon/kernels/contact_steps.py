@@ -3,7 +3,7 @@
 import math
 
 from benchdragon.kernels import contact_memory as told
-from benchdragon.kernels import own_room
+from benchdragon.kernels import search_room
 from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal, set_box
 from benchdragon.kernels.cells import CELL, RADIUS
 from benchdragon.kernels.chain import march
@@ -102,7 +102,7 @@ def tightest(hunt: Hunt) -> float:
     """The least distance of three or more benches of the dragon in slot 0, m; those are at hand."""
     f, crowd, sizes, placed = hunt.figures, hunt.room.crowd, hunt.walk.benches.sizes, hunt.placed
     hulls, grid, widest, reach = crowd.hulls, crowd.grid, 0.0, FIRST_LOOK
-    grid.side[0] = own_room.square_side(hunt.walk, reach)
+    grid.side[0] = search_room.square_side(hunt.walk, reach)
     for i in range(hulls.shape[0]):
         set_box(sizes, i, placed.x, placed.y, 0, hulls, i)
         hulls[i, RADIUS] = half_diagonal(hulls, i)
@@ -133,21 +133,21 @@ def tightest(hunt: Hunt) -> float:
 @kernel
 def room_ending(hunt: Hunt, ending: int) -> int:
     """How a step ends for which room was made so; ROOMY if it goes on."""
-    if ending == own_room.TOO_LARGE:
-        hunt.figures[WANTED] = own_room.ground_bytes(hunt.sizes, own_room.group_count(hunt.walk))
+    if ending == search_room.TOO_LARGE:
+        hunt.figures[WANTED] = search_room.ground_bytes(hunt.sizes, search_room.group_count(hunt.walk))
         return OVER_MEMORY
-    if ending == own_room.NO_MEMORY:
+    if ending == search_room.NO_MEMORY:
         return OUT_OF_MEMORY
-    if ending == own_room.TOO_LONG:
+    if ending == search_room.TOO_LONG:
         return told.ENDLESS
-    return ending if ending == own_room.ROOMY else told.UNSHOWN
+    return ending if ending == search_room.ROOMY else told.UNSHOWN
 
 
 @kernel
-def aim_of(hunt: Hunt) -> own_room.Aim:
+def aim_of(hunt: Hunt) -> search_room.Aim:
     """What the search along the span at hand is after."""
     f, n = hunt.figures, int(hunt.figures[told.SPAN])
-    return own_room.Aim(hunt.spans[n, 0], hunt.spans[n, 1], f[told.NEAR], hunt.limits[told.BYTES])
+    return search_room.Aim(hunt.spans[n, 0], hunt.spans[n, 1], f[told.NEAR], hunt.limits[told.BYTES])
 
 
 @kernel
@@ -160,13 +160,13 @@ def span_begun(block: int, n: int) -> int:
     if stands(hunt, first):
         tail = walk.rows[placed.row[last, 0], S_START]
         tail += length_at(walk.rows, placed.row[last, 0], placed.u[last, 0])
-    drop(integers_at(block, told.END_SLOT), own_room.GROUND_MEMORY)
-    own_room.size_room(hunt.sizes, hunt.beginnings, walk, tail, hunt.spans[n, 1])
-    hunt.room.crowd.grid.side[0] = own_room.square_side(walk, f[told.NEAR])
-    made = own_room.make_step(block, told.ROOM_SLOT, hunt.sizes)
+    drop(integers_at(block, told.END_SLOT), search_room.GROUND_MEMORY)
+    search_room.size_room(hunt.sizes, hunt.beginnings, walk, tail, hunt.spans[n, 1])
+    hunt.room.crowd.grid.side[0] = search_room.square_side(walk, f[told.NEAR])
+    made = search_room.make_step(block, told.ROOM_SLOT, hunt.sizes)
     hunt = group_at(Hunt, block + told.BASE)
-    if made == own_room.ROOMY:
-        made = own_room.aim_room(block, told.ROOM_SLOT, hunt.sizes, hunt.walk, aim_of(hunt))
+    if made == search_room.ROOMY:
+        made = search_room.aim_room(block, told.ROOM_SLOT, hunt.sizes, hunt.walk, aim_of(hunt))
     return room_ending(group_at(Hunt, block + told.BASE), made)
 
 
@@ -190,7 +190,7 @@ def begun_again(block: int) -> int:
             way[n] = hunt.figures[told.BEGUN]
     for n in range(TALLY):
         tally[n] = 0
-    return own_room.ROOMY
+    return search_room.ROOMY
 
 
 @kernel
@@ -214,14 +214,14 @@ def searched_on(block: int, goal: int, slack: float, left: float, counted: int) 
         if ending == MORE or f[counted] > left:
             return MORE
         if ending == CROWDED:
-            made = own_room.widen_room(block, told.ROOM_SLOT, hunt.sizes, walk, aim_of(hunt))
+            made = search_room.widen_room(block, told.ROOM_SLOT, hunt.sizes, walk, aim_of(hunt))
             made = room_ending(group_at(Hunt, block + told.BASE), made)
         elif ending == CLEAR and f[told.SPAN] + 1.0 < hunt.spans.shape[0]:
             f[told.LEFT] = limits[told.MOST_LEAST] if goal == LEAST else limits[told.MOST]
             made = span_begun(block, int(f[told.SPAN]) + 1)
         else:
             return judged(hunt, ending)
-        if made != own_room.ROOMY:
+        if made != search_room.ROOMY:
             return made
 
 

@@ -98,7 +98,7 @@ class Course(NamedTuple):
 
 
 class Room(NamedTuple):
-    """What a search along a walk works on: see kernels/own_room.py."""
+    """What a search along a walk works on: see kernels/search_room.py."""
 
     ground: Ground
     grids: Grids

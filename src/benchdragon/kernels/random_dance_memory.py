@@ -21,12 +21,12 @@ from benchdragon.kernels.memory import (
     slot_of,
     take,
 )
-from benchdragon.kernels.own_room import placements, searches, walks
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.random_dance_bound import FACTS, Bound
 from benchdragon.kernels.random_numbers import DEVIATIONS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import NOTES, Search
+from benchdragon.kernels.search_room import placements, searches, walks
 
 # What hosts say of a question, a row of floats.
 WHAT = 0  # NEEDED: the pitch that the dance needs; TOUCHES: whether benches touch with the plan's own

@@ -27,7 +27,12 @@ from benchdragon.kernels.memory import (
     slot_of,
     take,
 )
-from benchdragon.kernels.own_room import (
+from benchdragon.kernels.question import TOLD
+from benchdragon.kernels.rounding import SEAM_COLUMNS
+from benchdragon.kernels.rounds import ROOM as REPEATS
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import NOTES
+from benchdragon.kernels.search_room import (
     BEGINNINGS,
     GROUND_MEMORY,
     ROOMY,
@@ -40,11 +45,6 @@ from benchdragon.kernels.own_room import (
     square_side,
     walks,
 )
-from benchdragon.kernels.question import TOLD
-from benchdragon.kernels.rounding import SEAM_COLUMNS
-from benchdragon.kernels.rounds import ROOM as REPEATS
-from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import NOTES
 from benchdragon.kernels.size_bracket import MOST_GROWTHS, MOST_TRIALS, STATE
 from benchdragon.kernels.size_search import MEETINGS
 from benchdragon.kernels.spans import REPEAT
@@ -106,7 +106,7 @@ class Sought(NamedTuple):
     room: Room
     family: Family
     sizes: IntVector  # of the room
-    beginnings: IntVector  # likewise: see own_room
+    beginnings: IntVector  # likewise: see search_room
     at: Vector
     placed: Placements
     still: Placements  # of one slot

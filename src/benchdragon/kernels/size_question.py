@@ -29,18 +29,6 @@ from benchdragon.kernels.memory import (
     remember,
     take,
 )
-from benchdragon.kernels.own_room import (
-    NO_MEMORY,
-    PLACES,
-    ROOMY,
-    ROUTE_ROWS,
-    TOO_LARGE,
-    Aim,
-    aim_room,
-    ground_bytes,
-    group_count,
-    widen_room,
-)
 from benchdragon.kernels.question import (
     CLOSED,
     MORE,
@@ -54,6 +42,18 @@ from benchdragon.kernels.rounding import bench_errors, find_seams
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.route_parts import settle_rows
 from benchdragon.kernels.search import CLEAR, EVALUATIONS, FALLEN, FIRST_TOUCH, LOWER, OFF, PAIR, UPPER
+from benchdragon.kernels.search_room import (
+    NO_MEMORY,
+    PLACES,
+    ROOMY,
+    ROUTE_ROWS,
+    TOO_LARGE,
+    Aim,
+    aim_room,
+    ground_bytes,
+    group_count,
+    widen_room,
+)
 from benchdragon.kernels.size_bracket import (
     BAD,
     CAUTION,
@@ -146,7 +146,7 @@ FAR = 10.0
 def open_size(family: Family, walk: Walk, square: Square, limits: Vector, beginnings: IntVector) -> int:
     """Open a question about a family, of which `walk` is one; its handle, 0 if there is no memory.
 
-    What is handed over is copied. See LIMITS, and `own_room.BEGINNINGS`.
+    What is handed over is copied. See LIMITS, and `search_room.BEGINNINGS`.
     """
     block = new_block(END_SLOT - HEADER)
     if block == 0:

@@ -10,9 +10,9 @@ from benchdragon.kernels.drive import DRIVE_COLUMNS, MOST_JUMPS, QUANTITIES
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.head_speed import HULL_COLUMNS
 from benchdragon.kernels.memory import ROW, Shapes
-from benchdragon.kernels.own_room import placements
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search_room import placements
 from benchdragon.kernels.speed_search import (
     COUNTS,
     NOTES,

@@ -14,11 +14,11 @@ from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.curve import COLUMNS as ROUTE_COLUMNS
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.memory import ROW
-from benchdragon.kernels.own_room import placements
 from benchdragon.kernels.question import CLOSED, MORE, SPENT
 from benchdragon.kernels.question import TOLD as OWN
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.route_parts import PART_COLUMNS
+from benchdragon.kernels.search_room import placements
 from benchdragon.kernels.turn_descent import Descent, begin_at, descend
 from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
 from benchdragon.kernels.turn_trial import Trial, exceeding, figures_of, greatest, look

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import shapely
 
-from benchdragon.kernels.band import band_sides, strays
 from benchdragon.kernels.box import BOX_COLUMNS, boxes_at, corner
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.ground_covered import band_sides, strays
 from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 
