@@ -12,8 +12,18 @@ from typing import Literal
 import numpy as np
 
 from benchdragon.errors import InputError
-from benchdragon.kernels import holds as kernel
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.holds import (
+    COUNTS,
+    FINE,
+    HOLD_COLUMNS,
+    KNOT_COLUMNS,
+    SHORT,
+    STOOD_COLUMNS,
+    TOLD,
+    Held,
+    hold_head,
+)
+from benchdragon.kernels.holds import KNOTS as LAID
 from benchdragon.model.profile import SpeedProfile
 
 Trouble = Literal["overlap", "room", "unreachable", "outside", "over"]
@@ -72,35 +82,39 @@ def with_holds(
         HoldError: for the first hold that cannot be.
     """
     pieces, count = _pieces(profile, start), len(holds)
-    asked = [(_or_inf(hold.way), _or_inf(hold.at), hold.seconds) for hold in holds]
-    room, counts = KNOTS * (len(pieces) + count + 1), np.empty(kernel.COUNTS, dtype=np.int64)
-    while True:
-        held = kernel.Held(
-            pieces, np.array(sorted(starts), dtype=np.float64),
-            np.array(asked, dtype=np.float64).reshape(-1, kernel.HOLD_COLUMNS),
-            np.empty((room, kernel.KNOT_COLUMNS)), np.empty((count, kernel.STOOD_COLUMNS)),
+    asked = [[_or_inf(hold.way), _or_inf(hold.at), hold.seconds] for hold in holds]
+    room, counts = KNOTS * (len(pieces) + count + 1), np.zeros(COUNTS, dtype=np.int64)
+    counts[SHORT] = 1
+    while counts[SHORT]:
+        held = Held(
+            np.array(pieces), np.array(sorted(starts), dtype=np.float64),
+            np.array(asked, dtype=np.float64).reshape(-1, HOLD_COLUMNS),
+            np.empty((room, KNOT_COLUMNS)), np.empty((count, STOOD_COLUMNS)),
             np.empty(count, dtype=np.int64), counts,
         )  # fmt: skip
-        trouble = kernel.hold_head(held, start, rate)
-        if not counts[kernel.SHORT]:
-            break
+        trouble = hold_head(held, start, rate)
         room *= 2
-    if trouble != kernel.FINE:
-        raise HoldError(int(counts[kernel.TOLD]), TROUBLES[trouble - 1])
-    times, _ways, speeds = held.knots[: counts[kernel.KNOTS]].T.tolist()
-    stood = [Standing(int(number), *rest) for number, *rest in held.stood.tolist()]
+    if trouble != FINE:
+        raise HoldError(int(counts[TOLD]), TROUBLES[trouble - 1])
+    knots = held.knots[: counts[LAID]].tolist()
+    stood = [
+        Standing(int(number), way, since, until) for number, way, since, until in held.stood.tolist()
+    ]
+    times, speeds = [time for time, _way, _speed in knots], [speed for _time, _way, speed in knots]
     return SpeedProfile(tuple(times), tuple(speeds)), stood
 
 
-def _pieces(profile: SpeedProfile, start: float) -> FloatArray:
+def _pieces(profile: SpeedProfile, start: float) -> list[list[float]]:
     """A profile from a time on as squared speeds along the way: see kernels/holds.py."""
     end = max(profile.times[-1], start)
-    cut = profile.stretches(start, end) if end > start else profile.stretches(start, start)
-    ways, squares = cut.ways - cut.ways[0, 0], np.square(cut.speeds)
-    rests = np.where(ways[:, 1] > ways[:, 0], 0.0, cut.times[:, 1] - cut.times[:, 0])
-    whole = np.column_stack([ways, squares, rests])
+    times, ways, speeds, _rates = profile.stretches(start, end)
+    first, found = ways[0, 0], []
+    for (since, until), (a, b), (v, w) in zip(
+        times.tolist(), ways.tolist(), speeds.tolist(), strict=True
+    ):
+        found.append([a - first, b - first, v * v, w * w, 0.0 if b > a else until - since])
     square = float(profile.speed(end)) ** 2
-    return np.vstack([whole, [ways[-1, 1], math.inf, square, square, 0.0]])
+    return [*found, [found[-1][1], math.inf, square, square, 0.0]]
 
 
 def _or_inf(value: float | None) -> float:

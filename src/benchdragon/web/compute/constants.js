@@ -33,20 +33,6 @@ export const FOLLOWING = { FINE: 1e-9, LONGEST: 20, MOST_NODES: 4096, STRETCH_CO
 
 export const FRAMES = { QUANTUM: 0.0001, SLOTS: 32 };
 
-export const HOLDS = {
-  PIECE_COLUMNS: 5,
-  TIME: 0,
-  SPEED: 2,
-  KNOT_COLUMNS: 3,
-  HOLD_COLUMNS: 3,
-  STOOD_COLUMNS: 4,
-  KNOTS: 0,
-  TOLD: 2,
-  SHORT: 3,
-  COUNTS: 4,
-  FINE: 0,
-};
-
 export const OBSTACLE = { CIRCLE: 0, BODY: 1, LINE: 2, VENUE: 3 };
 
 export const QUESTION = { SPENT: 0, WANTED: 1, OVER_MEMORY: 20, OUT_OF_MEMORY: 21, CLOSED: 22 };
@@ -79,8 +65,6 @@ export const ERRORS = { MOST_SHOWN: 80 };
 export const MODEL_ANSWER = { ROUNDING: 1e-11 };
 
 export const MODEL_DRAGON = { MOST_BENCHES: 1000000, MOST_FAULTS: 20 };
-
-export const MODEL_HOLDS = { KNOTS: 6 };
 
 export const MODEL_PLACEMENT = { PLACE: 40 };
 

@@ -1,15 +1,14 @@
 // What a check leaves open once contact is decided: it takes too much work, or rounding hides it. Twin of
 // analysis/left_open.py.
 
+import { Answer, Witness } from "../made/answer.js";
 import { DEAR, HIDDEN, openFinding } from "../made/left_open.js";
 import { fastestHandle } from "../made/speed.js";
-import { answered } from "./answer.js";
 import { doubles, withArena } from "./arena.js";
 import { OverBudgetError, allow } from "./budget.js";
 import { ANALYSIS_LEFT_OPEN, MODEL_ANSWER } from "./constants.js";
 import { UnsureError } from "./errors.js";
 
-/** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("../made/findings.js").Finding} Finding */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -39,12 +38,10 @@ export function speedAtStart(walk, start) {
     const motion = walk.motion(arena, [start]);
     const row = fastestHandle(doubles(motion.ratio));
     const value = motion.speed[row];
-    const [x, y] = [doubles(motion.x)[row], doubles(motion.y)[row]];
-    const benches = [Math.min(row + 1, walk.dragon.benches)];
-    const place = { time: start, s: motion.headS[0], benches, point: /** @type {[number, number]} */ ([x, y]) }; // prettier-ignore
-    return answered(value, value * (1 - MODEL_ANSWER.ROUNDING), Infinity, "m/s", {
-      status: "undecided",
-      witness: { ...place, gap: NaN, features: [], handle: row, obstacle: null },
-    });
+    const point = [doubles(motion.x)[row], doubles(motion.y)[row]];
+    const bench = Math.min(row + 1, walk.dragon.benches);
+    const witness = new Witness(start, motion.headS[0], [bench], point, NaN, [], row);
+    const low = value * (1 - MODEL_ANSWER.ROUNDING);
+    return new Answer(value, low, Infinity, "m/s", "undecided", witness);
   });
 }

@@ -143,7 +143,7 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
     const walk = plan.build(arena);
     const [start, end] = plan.span(walk);
     const dance = await question(() => plainDance(walk, { start, end, ...shown }, progress));
-    const { tables } = plan;
+    const tables = plan;
     const occasions = [...dance.sent.occasions, ...cueOccasions(plan, dance.sent.frames)];
     const sent = {
       ...dance.sent,

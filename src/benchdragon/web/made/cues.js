@@ -2,10 +2,9 @@
 // Made from plans/cues.py by tools/make_twins.py; to make it again: make generate
 
 import { brief } from "../compute/error_kinds.js";
-import { HoldError, withHolds } from "../compute/holds.js";
 import { ValueError, py } from "../compute/python.js";
 import { N_, _, language } from "../words.js";
-import { Hold } from "./holds.js";
+import { Hold, HoldError, withHolds } from "./holds.js";
 import { TIME_OF_DAY, narrow } from "./signs.js";
 import { Fault, KeyedError } from "./source.js";
 
