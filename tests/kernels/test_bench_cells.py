@@ -19,6 +19,8 @@ from benchdragon.model.placement import Placement
 from tests.kernels import rooms
 from tests.kernels.quantities import QUANTITIES, size_of
 
+pytestmark = pytest.mark.plain
+
 LONGEST, SHORTEST = 0.44, 0.05
 ROUTES = {
     "spiral": Route((Spiral(0.9, 40.0, 8.0),)),

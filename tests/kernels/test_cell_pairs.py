@@ -50,6 +50,7 @@ CONTRARY = [
 ]
 
 
+@pytest.mark.plain
 @pytest.mark.compiled
 @pytest.mark.parametrize("benches", [BENCHES, MIXED, CONTRARY], ids=["alike", "mixed", "contrary"])
 @pytest.mark.parametrize("name", SMOOTH)
@@ -70,6 +71,7 @@ def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[
                 assert abs(across) <= ground.hulls[row, HALF_WIDTH] + 1e-12
 
 
+@pytest.mark.plain
 @pytest.mark.parametrize("name", SMOOTH)
 def test_cells_leave_room_for_how_far_corners_bulge_between_their_borders(name: str) -> None:
     """A corner's way bulges from its chord by an eighth of the square of the step times its bend."""
@@ -182,6 +184,7 @@ MEETING_SIZES = {
 }
 
 
+@pytest.mark.plain
 @pytest.mark.compiled
 @pytest.mark.parametrize("name", MEETINGS)
 def test_no_pair_comes_near_but_in_the_steps_that_name_it(name: str) -> None:
@@ -207,6 +210,7 @@ def test_no_pair_comes_near_but_in_the_steps_that_name_it(name: str) -> None:
     assert 20 < near < sum(map(len, named))
 
 
+@pytest.mark.plain
 @pytest.mark.parametrize("longest", ["head", "last"])
 def test_no_dragon_is_placed_where_only_a_head_could_meet_others_that_has_passed(longest: str) -> None:
     route = Route.joined([Line(20.0), Arc(1.2, 2.8), Line(60.0)])

@@ -111,14 +111,18 @@ each_route = pytest.mark.parametrize("route", ROUTES.values(), ids=list(ROUTES))
 @each_route
 @pytest.mark.parametrize("times", [1, 2 * LANES + 5])
 def test_many_times_abreast_give_what_each_time_gives_alone(route: Route, times: int) -> None:
+    """Every seventh time, and so in turn each of the lanes that a processor takes at once."""
     links = random_links(1, 30)
     heads = np.linspace(0.1, 1.0, times) * route.length
-    many, alone = abreast(route, links, heads), one_by_one(route, links, heads)
+    many, alone = abreast(route, links, heads), one_by_one(route, links, heads[::7])
     assert (many.failed == 0).all()
-    np.testing.assert_allclose(many.x, alone.x, rtol=0.0, atol=1e-11)
-    np.testing.assert_allclose(many.y, alone.y, rtol=0.0, atol=1e-11)
-    np.testing.assert_allclose(many.ratio, alone.ratio, rtol=0.0, atol=1e-11)
-    np.testing.assert_allclose(many.positions(route), alone.positions(route), rtol=0.0, atol=1e-11)
+    for found, wanted in (
+        (many.x, alone.x),
+        (many.y, alone.y),
+        (many.ratio, alone.ratio),
+        (many.positions(route), alone.positions(route)),
+    ):
+        np.testing.assert_allclose(found[:, ::7], wanted, rtol=0.0, atol=1e-11)
 
 
 @each_route

@@ -1,5 +1,6 @@
 """The engine's question about contact, of small dragons: passes, spans, room that grows, its work."""
 
+import gc
 import math
 from collections.abc import Iterator
 
@@ -36,6 +37,7 @@ BENT = Walk(Dragon.uniform(4, 2.2), Route.joined([Line(12.0), Arc(2.2, 2.0), Lin
 @pytest.fixture(autouse=True)
 def nothing_is_left() -> Iterator[None]:
     """All that the engine holds for questions is given back."""
+    gc.collect()  # searches that other tests let go of
     before = held()
     yield
     assert held() == before

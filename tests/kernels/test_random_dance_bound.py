@@ -45,6 +45,7 @@ def distances(dance: Laid, at: float, first: np.ndarray, second: np.ndarray) -> 
     return distance
 
 
+@pytest.mark.plain
 @pytest.mark.parametrize("case", ["aside", "stray", "benches", "plenty"])
 @pytest.mark.parametrize(
     "name",

@@ -1,6 +1,7 @@
 """The search for a greatest value: what it finds, what it leaves out, and how it is resumed."""
 
 import math
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +17,8 @@ from benchdragon.kernels.status import Ended
 from benchdragon.model.placement import Placement
 from tests.kernels import rooms
 from tests.kernels.quantities import QUANTITIES, size_of
+
+pytestmark = pytest.mark.plain
 
 DRAGON = Dragon.of_sizes(np.array([1.6, 1.1, 1.1, 1.1]), 0.2, 0.0, 0.0)
 LINKS, INVERSE = np.unique(DRAGON.links, return_inverse=True)
@@ -96,6 +99,12 @@ def seek(
     return Found(notes, counts.tolist(), max(notes[peak.UPPER], notes[peak.SEEN]), ends)
 
 
+@cache
+def found_of(quantity: int, by_cells: int) -> Found:
+    """What a search for a thousandth finds, which several tests ask for."""
+    return seek(quantity, 1e-3, by_cells=by_cells)
+
+
 def sampled(name: str, at: FloatArray, end: float = MIDDLE) -> FloatArray:
     """A quantity's greatest size with the head at these places, at `end` as just before it."""
     one = Placement(DRAGON, ROUTE, at)
@@ -109,7 +118,7 @@ def sampled(name: str, at: FloatArray, end: float = MIDDLE) -> FloatArray:
 @pytest.mark.parametrize("by_cells", [0, 1])
 @pytest.mark.parametrize("name", QUANTITIES)
 def test_what_is_found_is_what_sampling_sees(name: str, by_cells: int) -> None:
-    found = seek(QUANTITIES[name], 1e-3, by_cells=by_cells)
+    found = found_of(QUANTITIES[name], by_cells)
     most = sampled(name, np.linspace(FIRST, LAST, 2001)).max()
     assert most <= found.upper * (1.0 + 1e-9)
     assert found.notes[peak.SEEN] <= found.upper <= found.notes[peak.SEEN] * (1.0 + 1.01e-3)
@@ -124,7 +133,7 @@ def test_what_is_found_is_what_sampling_sees(name: str, by_cells: int) -> None:
 
 def test_cells_spare_most_chains_and_change_no_answer() -> None:
     for name, quantity in QUANTITIES.items():
-        with_cells, without = (seek(quantity, 1e-3, by_cells=n) for n in (1, 0))
+        with_cells, without = (found_of(quantity, n) for n in (1, 0))
         assert with_cells.counts[peak.EVALUATIONS] < without.counts[peak.EVALUATIONS], name
         lowest = max(found.notes[peak.SEEN] for found in (with_cells, without))
         assert lowest <= min(with_cells.upper, without.upper)

@@ -1,5 +1,6 @@
 """Questions about a size of a plan, asked of the engine: trials of walks, and the search among them."""
 
+import gc
 import math
 import os
 import subprocess
@@ -38,6 +39,7 @@ EASED = ["turn.ease=0.8", "dragon.head_length=2.5", "turn.exit_radius=4.4"]
 @pytest.fixture(autouse=True)
 def nothing_is_left() -> Iterator[None]:
     """All that the engine holds for questions is given back."""
+    gc.collect()  # searches that other tests let go of
     before = held()
     yield
     assert held() == before
