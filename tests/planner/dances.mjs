@@ -4,9 +4,8 @@ import { pathToFileURL } from "node:url";
 
 const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const [{ Engine }, { checkedPlan }, { danceOf, SKETCH }, { Scene }, { Table }] = await Promise.all(
-  ["engine", "compute/plan", "compute/scene", "scene", "following"].map(load),
-);
+const [{ Engine }, { checkedPlan }, { danceOf, SKETCH }, { Scene, unpackedScene }, { Table }] =
+  await Promise.all(["engine", "compute/plan", "compute/scene", "scene", "following"].map(load));
 const [{ withArenaAsync }, { check }, { judgedDance }, { verdictOf }] = await Promise.all(
   ["compute/arena", "compute/check", "compute/questions", "made/records"].map(load),
 );
@@ -28,15 +27,14 @@ async function danced({ plan: data, shown = SKETCH, rounds = 1, at, judge }) {
     const begun = performance.now();
     const plan = checkedPlan(data);
     const dance = await danceOf(engine, plan, shown);
-    const { sent, nodes, told, tables } = judge ? await judged(plan, dance) : dance;
+    const { sent, nodes, framed, tables } = judge ? await judged(plan, dance) : dance;
     least = Math.min(least, performance.now() - begun);
     if (round + 1 < rounds) continue;
     const readers = tables.map((table, i) => new Table(sent.following.tables[i], table));
-    const scene = new Scene(sent, nodes, told, readers);
+    const scene = new Scene(sent, nodes, framed, readers);
     const stand = scene.stand(at ?? sent.frames.start, scene.room());
     const lists = {
       nodes,
-      told,
       places: scene.places,
       speeds: scene.speeds,
       s: stand.s,
@@ -49,10 +47,16 @@ async function danced({ plan: data, shown = SKETCH, rounds = 1, at, judge }) {
   }
 }
 
+/** The frames of a dance that Python sent. */
+async function unpacked(sent) {
+  const { places, speeds } = await unpackedScene(sent);
+  return { places: Array.from(places), speeds: Array.from(speeds) };
+}
+
 const answers = [];
 for (const question of JSON.parse(readFileSync(questions, "utf-8"))) {
   try {
-    answers.push(await danced(question));
+    answers.push(await (question.sent ? unpacked(question.sent) : danced(question)));
   } catch (error) {
     answers.push({ error: error.message, kind: error.constructor.name });
   }

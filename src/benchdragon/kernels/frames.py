@@ -8,6 +8,7 @@ from benchdragon.kernels.chain import Placements, march
 from benchdragon.kernels.curve import S_START, FloatArray, length_at
 from benchdragon.kernels.drawn_route import cubic
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Status
 
 # Route positions are kept to this, m, and speeds, m/s.
@@ -40,50 +41,52 @@ def position(rows: FloatArray, places: Placements, i: int, t: int) -> float:
     return float(rows[j, S_START] + length_at(rows, j, places.u[i, t]))
 
 
+@kernel
+def keep(i: int, k: int, s: float, speed: float, step: float, leap: float, shot: Shot) -> None:
+    """Keep where handle i is in frame k, m, and how fast, m/s; a leap to there counts before it."""
+    frames, errors = shot.frames, shot.errors
+    frames[i, k] = (quanta(s) << HALF) + quanta(speed)
+    a, b = frames[i, max(k - 1, 0)], frames[i, k]
+    walked = 0.5 * (QUANTUM * step) * ((a & LOW) + (b & LOW))
+    off = abs(((b >> HALF) - (a >> HALF)) * QUANTUM - walked)
+    if k > 0 and off > leap:
+        errors[k - 1] = max(errors[k - 1], off)
+
+
+@kernel
+def between(i: int, k: int, share: float, step: float, frames: IntArray) -> float:
+    """Where frames have handle i, m, a share of a step, s, behind frame k."""
+    a, b, rise = frames[i, k], frames[i, k + 1], QUANTUM * step
+    s, t = (a >> HALF) * QUANTUM, (b >> HALF) * QUANTUM
+    return cubic(s, t, (a & LOW) * rise, (b & LOW) * rise, share)
+
+
 @entry
 def look_at_frames(
-    rows: Table,
-    links: Vector,
-    heads: Vector,
-    speeds: Vector,
-    first: int,
-    last: int,
-    share: float,
-    step: float,
-    leap: float,
-    shot: Shot,
-) -> None:
+    rows: Table, links: Vector, heads: Vector, speeds: Vector, first: int, last: int, share: float,
+    step: float, leap: float, shot: Shot,
+) -> None:  # fmt: skip
     """Keep frames first <= k < last, whose share is 0; or see how far off what is behind them is.
 
     The head is at heads[k], m, and that fast, m/s, a share of a step, s, behind frame k. Frames that
     are kept count as off where a handle is farther than `leap`, m, from where speeds lead it.
     """
-    places, frames, errors, rise = shot.places, shot.frames, shot.errors, QUANTUM * step
-    for k in range(first, last):
-        t = (k - first) % SLOTS
-        if t == 0:
-            count = min(SLOTS, last - k)
-            for n in range(count):
-                shot.at[n] = heads[k + n]
-            march(rows, links, shot.at, 0, count, places)
-        if places.failed[0, t] != Status.OK:
-            errors[k] = math.inf
-            if share == 0.0:
-                errors[max(k - 1, 0)] = math.inf
-            continue
-        for i in range(frames.shape[0]):
-            s = position(rows, places, i, t)
-            if share == 0.0:
-                frames[i, k] = (quanta(s) << HALF) + quanta(places.ratio[i, t] * speeds[k])
-                a, b = frames[i, max(k - 1, 0)], frames[i, k]
-                walked = 0.5 * rise * ((a & LOW) + (b & LOW))
-                off = abs(((b >> HALF) - (a >> HALF)) * QUANTUM - walked)
-                if k > 0 and off > leap:
-                    errors[k - 1] = max(errors[k - 1], off)
-            else:
-                a, b = frames[i, k], frames[i, k + 1]
-                near = cubic(
-                    (a >> HALF) * QUANTUM, (b >> HALF) * QUANTUM, (a & LOW) * rise, (b & LOW) * rise,
-                    share,
-                )  # fmt: skip
-                errors[k] = max(errors[k], abs(near - s))
+    places, errors = shot.places, shot.errors
+    for start in range(first, last, SLOTS):
+        count = min(SLOTS, last - start)
+        for t in range(count):
+            shot.at[t] = heads[start + t]
+        march(rows, links, shot.at, 0, count, places)
+        for i in range(links.shape[0] + 1):
+            for t in range(count):
+                k = start + t
+                if places.failed[0, t] != Status.OK:
+                    errors[k] = math.inf
+                    if share == 0.0:
+                        errors[max(k - 1, 0)] = math.inf
+                    continue
+                s = position(rows, places, i, t)
+                if share == 0.0:
+                    keep(i, k, s, places.ratio[i, t] * speeds[k], step, leap, shot)
+                else:
+                    errors[k] = max(errors[k], abs(between(i, k, share, step, shot.frames) - s))

@@ -49,19 +49,40 @@ export async function unpackedScene(sent) {
   return new Scene(
     sent,
     new Float32Array(course),
-    new Int32Array(frames),
+    foretold(new Int32Array(frames), sent.frames),
     tables.map((table, i) => new Table(table, new Int32Array(nodes[i]))),
   );
+}
+
+/**
+ * Speeds, then positions, from what they add to what is foretold of them, in its place.
+ * @param {Int32Array} told
+ * @param {Dance["frames"]} frames
+ */
+function foretold(told, { count, step }) {
+  const [size, half] = [told.length / 2, 0.5 * step];
+  for (let first = 0; first < size; first += count) {
+    let [speed, rise, place] = [0, 0, 0];
+    for (let k = first; k < first + count; k++) {
+      rise += told[k];
+      const walked = k > first ? Math.floor((2 * speed + rise) * half + 0.5) : 0;
+      speed += rise;
+      place += walked + told[size + k];
+      told[k] = speed;
+      told[size + k] = place;
+    }
+  }
+  return told;
 }
 
 export class Scene {
   /**
    * @param {Dance} sent
    * @param {Float32Array} nodes x, y, heading of the route's nodes
-   * @param {Int32Array} told what speeds and positions add to what is foretold of them
+   * @param {Int32Array} numbers speeds, then positions, in quanta, handle by handle
    * @param {Table[]} tables how handles follow the one before, where the frames are the head's alone
    */
-  constructor(sent, nodes, told, tables) {
+  constructor(sent, nodes, numbers, tables) {
     this.sent = sent;
     /** How papers tell times, where there are any. */
     this.papers = sent.papers ? new Clock(sent.papers.said, sent.papers.start) : null;
@@ -86,35 +107,12 @@ export class Scene {
     }
     /** How many handles have frames of their own. */
     this.framed = sent.following ? 1 : this.handles;
-    this.speeds = new Int32Array(this.framed * count);
-    this.places = new Int32Array(this.framed * count);
-    this.#foretell(told);
+    this.speeds = numbers.subarray(0, this.framed * count);
+    this.places = numbers.subarray(this.framed * count);
     this.fastest = this.#fastest();
     const { range, change } = this.#ranges();
     this.speedRange = range;
     this.greatestChange = change;
-  }
-
-  /** @param {Int32Array} told */
-  #foretell(told) {
-    const { speeds, places, count, step } = this;
-    const half = 0.5 * step;
-    for (let first = 0; first < speeds.length; first += count) {
-      let speed = 0;
-      let rise = 0;
-      for (let k = first; k < first + count; k++) {
-        rise += told[k];
-        speed += rise;
-        speeds[k] = speed;
-      }
-      let place = told[speeds.length + first];
-      places[first] = place;
-      for (let k = first + 1; k < first + count; k++) {
-        const walked = Math.floor((speeds[k - 1] + speeds[k]) * half + 0.5);
-        place += walked + told[speeds.length + k];
-        places[k] = place;
-      }
-    }
   }
 
   /** Greatest speed of every bench's front handle among the frames, m/s, and when, s. */

@@ -202,12 +202,12 @@ export class WorkerAnswers {
 
   /** @param {Asked} asked @param {AbortSignal} signal */
   async #drawn(asked, signal) {
-    const { sent, nodes, told, tables } = await this.drawing.ask(asked, signal);
+    const { sent, nodes, framed, tables } = await this.drawing.ask(asked, signal);
     const behind = sent.following?.tables ?? [];
     const follow = behind.map(
       (/** @type {any} */ one, /** @type {number} */ i) => new Table(one, tables[i]),
     );
-    return new Scene(sent, nodes, told, follow);
+    return new Scene(sent, nodes, framed, follow);
   }
 
   /** @param {string} text @returns {Promise<Plan>} */

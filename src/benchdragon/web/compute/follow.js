@@ -4,7 +4,7 @@
 import { doubles, wholes, withArenaAsync } from "./arena.js";
 import { spend } from "./budget.js";
 import { FOLLOWING, FRAMES, PLAYER_FOLLOWING, PLAYER_FRAMES } from "./constants.js";
-import { checkFarthest, evenTimes, shotAt } from "./frames.js";
+import { checkFarthest, evenTimes, shotAt, taken } from "./frames.js";
 import { linspace } from "./numbers.js";
 import { tick } from "./tick.js";
 
@@ -69,8 +69,9 @@ export async function following(walk, start, end, most, shares, care = CAREFUL) 
 /** The fewest frames of the head's handle that are nowhere farther off than `most`, m. @param {Walk} walk @param {number} start @param {number} end @param {number} most @param {readonly number[]} shares @returns {Promise<Frames | null>} */
 async function headFrames(walk, start, end, most, shares) {
   for (const step of PLAYER_FRAMES.STEPS) {
-    const { found } = await shotAt(walk, [], evenTimes(start, end, step), shares, most);
-    if (found.error <= most) return found;
+    const times = evenTimes(start, end, step);
+    const shot = await shotAt(walk, [], times, shares, most);
+    if (shot.error <= most) return taken(shot, times.length, shot.error, false);
   }
   return null;
 }

@@ -13,11 +13,12 @@ import { tick } from "./tick.js";
 /** @typedef {import("./walk.js").Walk} Walk */
 
 /**
- * Route positions and speeds of all handles, in quanta, handle by handle (handles, count).
+ * Speeds and route positions of all handles, in quanta, handle by handle (handles, count).
  * @typedef {object} Frames
  * @property {number} start s
  * @property {number} step s
  * @property {number} count
+ * @property {Int32Array} numbers speeds, then places: `Scene` of web/scene.js takes these
  * @property {Int32Array} places
  * @property {Int32Array} speeds
  * @property {number} error the largest distance of an interpolated route position from the exact one, m
@@ -36,7 +37,7 @@ const PLACES = 60_000;
  * @param {number} end
  * @param {number} most
  * @param {readonly number[]} [shares] where between two frames that is looked at, as shares of the step; if
- *   nowhere, halfway between TRIED of them alone
+ *   nowhere, halfway between TRIED of them alone, and they end up to a step before a leap
  * @returns {Promise<Frames>}
  */
 export async function frames(walk, start, end, most, shares = SHARES) {
@@ -48,9 +49,13 @@ export async function frames(walk, start, end, most, shares = SHARES) {
     if (times.length * (benches + 1) > MOST_PLACES) break;
     const seen = shares.length ? 0 : await triedError(walk, times);
     if (seen > most && ++tried) continue;
-    const { found, errors } = await shotAt(walk, link, times, shares, most);
-    if (found.error <= most) return { ...found, error: Math.max(found.error, seen), leap };
-    const before = await beforeLeap(walk, times, errors);
+    const shot = await shotAt(walk, link, times, shares, most);
+    if (shot.error <= most) return taken(shot, times.length, Math.max(shot.error, seen), leap);
+    const before = await beforeLeap(walk, times, shot.errors);
+    const kept = Math.min(Math.floor((before - start) / shot.step), times.length - 2) + 1;
+    const cut = before < until && kept > 1 && !shares.length;
+    const off = cut ? await triedError(walk, times.subarray(0, kept)) : Infinity;
+    if (off <= most) return taken(shot, kept, off, true);
     if (before < until) [until, leap] = [before, true];
     else tried++;
   }
@@ -89,20 +94,20 @@ export function evenTimes(start, end, step) {
 }
 
 /**
- * Frames of handles so linked at times, s; how far off each is, m, until the next. No more is looked at
- * once one is off by more than `most`, m; if nothing is, it is looked for leaps alone.
+ * Frames of handles so linked at times, s, a step apart: `table` holds a speed, then a place of each. How far
+ * off each is, m, until the next. No more is looked at once one is off by more than `most`, m; if nothing
+ * is, it is looked for leaps alone.
  * @param {Walk} walk
  * @param {ArrayLike<number>} links
  * @param {Float64Array} times
  * @param {readonly number[]} shares
  * @param {number} [most]
- * @param {number[]} [few] the frames that are looked at with the next, if not all
+ * @param {number} [apart] the step, s, if that is not the mean one
  */
-export function shotAt(walk, links, times, shares, most = Infinity, few = undefined) {
+export function shotAt(walk, links, times, shares, most = Infinity, apart = undefined) {
   const [count, handles, start] = [times.length, links.length + 1, times[0]];
-  const step = (times[count - 1] - start) / (count - 1);
+  const step = apart ?? (times[count - 1] - start) / (count - 1);
   const per = Math.max(Math.floor(PLACES / handles), FRAMES.SLOTS);
-  const spans = few?.map((k) => [k, k + 2]) ?? Array.from({ length: Math.ceil(count / per) }, (_span, n) => [n * per, Math.min((n + 1) * per, count)]); // prettier-ignore
   const leap = shares.length ? Infinity : LEAP;
   return withArenaAsync(walk.engine, async (arena) => {
     const [frames, errors] = [arena.array("q", handles, count), arena.full([count], 0)];
@@ -114,29 +119,42 @@ export function shotAt(walk, links, times, shares, most = Infinity, few = undefi
       const looked = times.map((time) => time + share * step);
       const heads = arena.vector(looked.map((time) => walk.headPosition(time)));
       const speeds = arena.vector(looked.map((time) => walk.profile.speed(time)));
-      for (const [first, last] of spans) {
-        const until = look && (few || last === count) ? last - 1 : last;
+      const last = look ? count - 1 : count;
+      for (let first = 0; first < last; first += per) {
+        const until = Math.min(first + per, last);
         spend(handles * (until - first));
         walk.engine.call("bd_frames_look_at_frames", walk.route.rows, linked, heads, speeds, first, until, share, step, leap, shot); // prettier-ignore
-        if (!few) await tick();
+        await tick();
       }
       arena.drop(heads, speeds);
       error = doubles(errors).reduce((worst, one) => Math.max(worst, one), 0);
     }
     const { buffer, byteOffset } = frames.view;
-    const [halves, size] = [new Int32Array(buffer, byteOffset, 2 * frames.size), frames.size];
-    const [places, speeds] = [new Int32Array(size), new Int32Array(size)];
-    for (let k = 0; k < size; k++) [speeds[k], places[k]] = [halves[2 * k], halves[2 * k + 1]];
-    const found = { start, step, count, places, speeds, error, leap: false };
-    return { found, errors: doubles(errors).slice(0, -1) };
+    const table = new Int32Array(buffer, byteOffset, 2 * frames.size).slice();
+    return { start, step, handles, table, error, errors: doubles(errors).slice(0, -1) };
   });
+}
+
+/** The first frames of a shot. @param {Awaited<ReturnType<typeof shotAt>>} shot @param {number} count @param {number} error @param {boolean} leap @returns {Frames} */
+export function taken({ start, step, handles, table, errors }, count, error, leap) {
+  const [size, width] = [handles * count, 2 * errors.length + 2];
+  const numbers = new Int32Array(2 * size);
+  const [speeds, places] = [numbers.subarray(0, size), numbers.subarray(size)];
+  for (let i = 0, n = 0; i < handles; i++) {
+    for (let k = i * width; n < (i + 1) * count; n++) {
+      speeds[n] = table[k++];
+      places[n] = table[k++];
+    }
+  }
+  return { start, step, count, numbers, places, speeds, error, leap };
 }
 
 /** The largest error halfway between TRIED frames and the next, m, where the dragon stands. @param {Walk} walk @param {Float64Array} times */
 async function triedError(walk, times) {
   const few = Array.from(linspace(0, times.length - 2, TRIED), rint);
-  const { errors } = await shotAt(walk, walk.dragon.link, times, [0.5], Infinity, few);
-  return errors.reduce((worst, one) => (Number.isFinite(one) ? Math.max(worst, one) : worst), 0);
+  const pairs = Float64Array.from(few.flatMap((k) => [times[k], times[k + 1]]));
+  const { errors } = await shotAt(walk, walk.dragon.link, pairs, [0.5], Infinity, times[1] - times[0]);
+  return errors.filter((error, n) => n % 2 === 0 && error < Infinity).reduce((worst, one) => Math.max(worst, one), 0); // prettier-ignore
 }
 
 /** When frames at these times, s, are to end, as a bench leaps behind the first far off; infinite if none. @param {Walk} walk @param {Float64Array} times @param {Float64Array} errors */
@@ -147,25 +165,4 @@ async function beforeLeap(walk, times, errors) {
   const looked = await shotAt(walk, walk.dragon.link, close, [0.5]);
   const leap = looked.errors.findIndex((error) => error > LEAP);
   return leap < 0 ? Infinity : close[leap] - BEFORE;
-}
-
-/**
- * Frames as `Scene` of web/scene.js takes them: speeds, then positions, each as what it cannot foretell.
- * Twin of `packed_frames`, whose bytes these are.
- * @param {Frames} frames
- */
-export function foretold({ places, speeds, count, step }) {
-  const found = new Int32Array(2 * places.length);
-  const half = 0.5 * step;
-  for (let first = 0; first < places.length; first += count) {
-    let [speed, rise] = [0, 0];
-    for (let k = first; k < first + count; k++) {
-      const change = speeds[k] - speed;
-      found[k] = change - rise;
-      [speed, rise] = [speeds[k], change];
-      const walked = k > first ? Math.floor((speeds[k - 1] + speeds[k]) * half + 0.5) : 0;
-      found[places.length + k] = places[k] - (k > first ? places[k - 1] : 0) - walked;
-    }
-  }
-  return found;
 }

@@ -13,7 +13,7 @@ import { FRAMES, PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
 import { course } from "./course.js";
 import { InputError, finite } from "./errors.js";
 import { CAREFUL, following } from "./follow.js";
-import { foretold, frames } from "./frames.js";
+import { frames } from "./frames.js";
 import { nearness } from "./nearness.js";
 import { general } from "./number_format.js";
 import { interpolated, rounded } from "./numbers.js";
@@ -36,9 +36,9 @@ import { silent } from "./tick.js";
  */
 
 /**
- * A dance, and the lists that `Scene` of web/scene.js takes beside it: `new Scene(sent, nodes, told, tables)`
+ * A dance, and the lists that `Scene` of web/scene.js takes beside it: `new Scene(sent, nodes, framed, tables)`
  * with `new Table(sent.following.tables[i], tables[i])` of each.
- * @typedef {{ sent: Dance, nodes: Float32Array, told: Int32Array, tables: Int32Array[] }} Unpacked
+ * @typedef {{ sent: Dance, nodes: Float32Array, framed: Int32Array, tables: Int32Array[] }} Unpacked
  */
 
 /** How carefully a dance is shown first, until a finer one is computed: see `Shown`. */
@@ -97,7 +97,7 @@ async function plainDance(walk, shown, progress = silent) {
     north: false,
   };
   const tables = behind ? behind.tables.map((table) => table.nodes) : [];
-  return { sent, nodes: way.nodes, told: foretold(shot), tables };
+  return { sent, nodes: way.nodes, framed: shot.numbers, tables };
 }
 
 /** Whether a dance is long: frames of all its handles would take too long to find. @param {Walk} walk @param {Shown} shown */
