@@ -16,9 +16,9 @@ from benchdragon.i18n import Words, _, both, spoken_in
 from benchdragon.kernels.box import corner
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.player import messages
+from benchdragon.player.occasions import MOST_JOINTS
 from benchdragon.player.scene import (
     MOST_BENCHES,
-    MOST_JOINTS,
     REACH,
     Span,
     checked_dance,

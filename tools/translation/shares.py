@@ -53,7 +53,9 @@ TWINS = {
     "model.profile": ("profile", "SpeedProfile"),
     "model.turns": ("turns", "Turn"),
     "number_format": ("number_format", "at_most", "finite_or_none", "known", "seconds"),
-    "player.occasions": ("occasions", "occasion", "occasions_found", "tighten"),
+    "player.occasions": (
+        "occasions", "cued", "ending", "joints_passed", "occasions_found", "tighten",
+    ),
     "progress": ("stages", "part", "stages"),
     "plans.cues": ("cues", "Moment", "check_cue", "cue_name", "time_of_day"),
     "plans.digits": ("digits", "measured"),

@@ -1,13 +1,21 @@
 """What happens when in a dance: moments as pages show them, and those that a check found."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
+
+import numpy as np
 
 from benchdragon.analysis.check import in_one_coil
 from benchdragon.analysis.findings import named, touch_text
 from benchdragon.analysis.records import Answer, ObstacleRecord, Verdict, bracketed
 from benchdragon.i18n import N_, _, both
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.frames import QUANTUM
 from benchdragon.model.obstacle import Obstacle
+from benchdragon.plans.cues import Moment, cue_name
 from benchdragon.player.messages import Nearest, Occasion, OccasionKind
+
+MOST_JOINTS = 200
 
 
 def occasion(
@@ -19,6 +27,42 @@ def occasion(
 ) -> Occasion:
     """Something that happens at a time, s."""
     return Occasion(kind=kind, time=time, text=both(say), benches=list(benches), obstacle=obstacle)
+
+
+def joints_passed(
+    joints: Sequence[float] | FloatArray, times: FloatArray, ends: Sequence[FloatArray] | FloatArray
+) -> list[Occasion]:
+    """When head and tail pass joints of a route, m; none where there are too many.
+
+    They are at `ends`, m, at increasing times, s. Whoever stands at a joint when the dance begins or
+    ends does not pass it.
+    """
+    found: list[Occasion] = []
+    tail = N_("the tail passes joint {n} of the route")
+    for s, says in zip(ends, (N_("the head passes joint {n} of the route"), tail), strict=True):
+        for n, joint in enumerate(joints if len(joints) <= MOST_JOINTS else (), start=1):
+            if s[0] + QUANTUM < joint < s[-1] - QUANTUM:
+                text = partial(_numbered, says, n)
+                found.append(occasion("joint", float(np.interp(joint, s, times)), text))
+    return found
+
+
+def _numbered(says: str, n: int) -> str:
+    return _(says).format(n=n)
+
+
+def ending(time: float) -> Occasion:
+    """Why frames end before the end of the walk, at a time, s."""
+    return occasion("end", time, lambda: _("from here on the benches cannot follow"))
+
+
+def cued(moments: Sequence[Moment], start: float, end: float) -> list[Occasion]:
+    """The cues of a plan from start to end, s, each with what it is called."""
+    return [
+        occasion("cue", one.time, partial(cue_name, one.cue))
+        for one in moments
+        if start <= one.time <= end
+    ]
 
 
 def occasions_found(

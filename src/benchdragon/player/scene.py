@@ -1,9 +1,7 @@
 """A dance as a page shows it: frames, route, sizes, what happens when, what is tight."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -24,7 +22,6 @@ from benchdragon.kernels.frames import QUANTUM
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
-from benchdragon.plans.cues import cue_name
 from benchdragon.plans.people import village
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
@@ -38,7 +35,7 @@ from benchdragon.player.frames import (
     packed_bytes,
     packed_frames,
 )
-from benchdragon.player.occasions import occasion, occasions_found, tighten
+from benchdragon.player.occasions import cued, ending, joints_passed, occasions_found, tighten
 from benchdragon.progress import Progress, silent, stages
 from benchdragon.version import __version__
 
@@ -53,7 +50,6 @@ MOST_BENCHES = 5_000
 # Benches times seconds above which a dance is long: frames of all handles would take tens of seconds to
 # find, and from three times as much on would not fit a page at all.
 LONG = 500_000
-MOST_JOINTS = 200
 
 
 @dataclass(frozen=True)
@@ -139,7 +135,8 @@ def _of_plan(
     plan: Plan, dance: messages.Dance, verdict: Verdict, found: list[messages.Occasion]
 ) -> messages.Dance:
     """A dance with what its plan says, and what was found."""
-    told = village(plan.people, len(dance.benches.length))
+    told, frames = village(plan.people, len(dance.benches.length)), dance.frames
+    last = frames.start + frames.step * (frames.count - 1)
     return dance.model_copy(
         update={
             "plan_sha256": plan.sha256,
@@ -150,7 +147,7 @@ def _of_plan(
             "obstacles": [_drawn(obstacle) for obstacle in plan.obstacles()],
             "verdict": verdict,
             "occasions": sorted(
-                [*found, *dance.occasions, *_cues(plan, dance.frames)],
+                [*found, *dance.occasions, *cued(plan.moments(), frames.start, last)],
                 key=lambda occasion: occasion.time,
             ),
             "beats": _beats(plan),
@@ -159,20 +156,6 @@ def _of_plan(
             "north": plan.survey.north,
         }
     )
-
-
-def _last(frames: messages.Frames) -> float:
-    """The time of the last frame, s."""
-    return frames.start + frames.step * (frames.count - 1)
-
-
-def _cues(plan: Plan, frames: messages.Frames) -> list[messages.Occasion]:
-    """The cues of a plan that are among its frames, each with what it is called."""
-    return [
-        occasion("cue", one.time, partial(cue_name, one.cue))
-        for one in plan.moments()
-        if frames.start <= one.time <= _last(frames)
-    ]
 
 
 def _beats(plan: Plan) -> messages.Beats | None:
@@ -240,7 +223,7 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
             packed=packed_frames(shot), largest_error=shot.error + way.error,
         ),
         following=None if behind is None else _following(behind),
-        occasions=[*_joints(walk, shot, behind), *_end(shot)],
+        occasions=[*_joints(walk, shot, behind), *([ending(shot.end)] if shot.leap else [])],
         nearest=nearest,
         tightness=tightness,
         margin=0.0,
@@ -343,33 +326,8 @@ def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[messages.Nearest, me
 
 
 def _joints(walk: Walk, shot: Frames, behind: Following | None) -> list[messages.Occasion]:
-    """When head and tail pass the joints of the route; none where there are too many.
-
-    Whoever stands at a joint when the dance begins or ends does not pass it.
-    """
-    joints = walk.route.joints[1:-1]
-    if len(joints) > MOST_JOINTS:
-        return []
-    times, ends = shot.start + shot.step * np.arange(shot.count), shot.places[[0, -1]] * QUANTUM
+    """When head and tail pass the joints of the route."""
     if behind is not None:
-        times, ends = behind.times, behind.ends
-    found = []
-    for s, head in zip(ends, (True, False), strict=True):
-        inside = (joints > s[0] + QUANTUM) & (joints < s[-1] - QUANTUM)
-        passed = np.where(inside, np.interp(joints, s, times), math.nan)
-        for n, time in enumerate(passed.tolist(), start=1):
-            if math.isfinite(time):
-                found.append(occasion("joint", time, partial(_joint_text, n, head)))
-    return found
-
-
-def _joint_text(n: int, head: bool) -> str:
-    text = _("the tail passes joint {n} of the route")
-    return (_("the head passes joint {n} of the route") if head else text).format(n=n)
-
-
-def _end(shot: Frames) -> list[messages.Occasion]:
-    """Why the frames end, where that is not the end of the walk."""
-    if not shot.leap:
-        return []
-    return [occasion("end", shot.end, lambda: _("from here on the benches cannot follow"))]
+        return joints_passed(walk.route.joints[1:-1], behind.times, behind.ends)
+    times = shot.start + shot.step * np.arange(shot.count, dtype=float)
+    return joints_passed(walk.route.joints[1:-1], times, shot.places[[0, -1]].astype(float) * QUANTUM)

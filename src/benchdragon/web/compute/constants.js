@@ -104,7 +104,6 @@ export const PLAYER_SCENE = {
   AROUND: 5,
   MOST_BENCHES: 5000,
   LONG: 500000,
-  MOST_JOINTS: 200,
 };
 
 export const ROSTERS_EXTENT = {

@@ -21,26 +21,6 @@ export function rounded(value, decimals) {
   return rint(value * scale) / scale;
 }
 
-/**
- * A value between increasing places by straight lines; not a number outside: `numpy.interp`.
- * @param {number} x
- * @param {ArrayLike<number>} xs
- * @param {ArrayLike<number>} values
- */
-export function interpolated(x, xs, values) {
-  const last = xs.length - 1;
-  if (!(x >= xs[0] && x <= xs[last])) return NaN;
-  let [low, high] = [0, last];
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (xs[middle] <= x) low = middle;
-    else high = middle;
-  }
-  if (x === xs[high]) return values[high];
-  const slope = (values[high] - values[low]) / (xs[high] - xs[low]);
-  return slope * (x - xs[low]) + values[low];
-}
-
 const SHOWN = new Float64Array(1);
 const STORED = new BigInt64Array(SHOWN.buffer);
 

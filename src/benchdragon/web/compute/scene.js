@@ -2,9 +2,8 @@
 // the message, not packed into it.
 
 import { scoreOf } from "../made/beats.js";
-import { cueName } from "../made/cues.js";
 import { shownName } from "../made/findings.js";
-import { occasion } from "../made/occasions.js";
+import { cued, ending, jointsPassed } from "../made/occasions.js";
 import { village } from "../made/people.js";
 import { _, both, language } from "../words.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
@@ -16,7 +15,7 @@ import { CAREFUL, following } from "./follow.js";
 import { frames } from "./frames.js";
 import { nearness } from "./nearness.js";
 import { general } from "./number_format.js";
-import { interpolated, rounded } from "./numbers.js";
+import { rounded } from "./numbers.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./follow.js").Following} Following */
@@ -65,6 +64,7 @@ async function plainDance(walk, shown, progress = silent) {
   const { nearest, tightness } = await nearness(walk, shot, times);
   progress(0.8, _("drawing the route"));
   const way = wayOf(walk, shot);
+  const last = shot.start + shot.step * (shot.count - 1);
   const sent = {
     version: "",
     plan_sha256: "",
@@ -82,7 +82,7 @@ async function plainDance(walk, shown, progress = silent) {
       largest_error: shot.error + way.error,
     },
     following: behind && followingMessage(behind),
-    occasions: [...joints(walk, shot, behind), ...endOf(shot)],
+    occasions: [...joints(walk, shot, behind), ...(shot.leap ? [ending(last)] : [])],
     nearest,
     tightness,
     margin: 0,
@@ -144,7 +144,9 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
     const [start, end] = plan.span(walk);
     const dance = await question(() => plainDance(walk, { start, end, ...shown }, progress));
     const tables = plan;
-    const occasions = [...dance.sent.occasions, ...cueOccasions(plan, dance.sent.frames)];
+    const { start: first, step, count } = dance.sent.frames;
+    const cues = cued(plan.moments(), first, first + step * (count - 1));
+    const occasions = [...dance.sent.occasions, ...cues];
     const sent = {
       ...dance.sent,
       plan_sha256: plan.sha256,
@@ -206,55 +208,13 @@ function wayOf(walk, shot) {
   return course(route, low, Math.min(head * FRAMES.QUANTUM + AROUND, route.length));
 }
 
-/**
- * When head and tail pass the joints of the route; none where there are too many. Whoever stands at a
- * joint when the dance begins or ends does not pass it.
- * @param {Walk} walk
- * @param {Frames} shot
- * @param {Following | null} behind
- */
-function joints(walk, { start, step, count, places }, behind) {
-  const inner = walk.route.joints.subarray(1, -1);
-  if (inner.length > PLAYER_SCENE.MOST_JOINTS) return [];
+/** When head and tail pass the joints of the route. @param {Walk} walk @param {Frames} shot @param {Following | null} behind @returns {Occasion[]} */
+function joints({ route }, { start, step, count, places }, behind) {
   const times = behind?.times ?? Float64Array.from({ length: count }, (_time, k) => start + step * k);
   const framed = (/** @type {number} */ first) =>
-    Float64Array.from(places.subarray(first, first + count)).map((place) => place * FRAMES.QUANTUM);
+    Float64Array.from(places.subarray(first, first + count), (place) => place * FRAMES.QUANTUM);
   const ends = behind?.ends ?? [framed(0), framed(places.length - count)];
-  /** @type {Occasion[]} */
-  const found = [];
-  for (const head of [true, false]) {
-    const s = ends[head ? 0 : 1];
-    const [low, high] = [s[0] + FRAMES.QUANTUM, s[s.length - 1] - FRAMES.QUANTUM];
-    inner.forEach((joint, n) => {
-      const time = interpolated(joint, s, times);
-      if (low < joint && joint < high)
-        found.push(occasion("joint", time, () => jointText(n + 1, head)));
-    });
-  }
-  return found;
-}
-
-/** @param {number} n @param {boolean} head */
-function jointText(n, head) {
-  return head
-    ? _("the head passes joint {n} of the route", { n })
-    : _("the tail passes joint {n} of the route", { n });
-}
-
-/** Why the frames end, where that is not the end of the walk. @param {Frames} shot */
-function endOf({ leap, start, step, count }) {
-  if (!leap) return [];
-  const end = start + step * (count - 1);
-  return [occasion("end", end, () => _("from here on the benches cannot follow"))];
-}
-
-/** The cues of a plan that are among its frames, each with what it is called. @param {Plan} plan @param {Dance["frames"]} frames */
-function cueOccasions(plan, { start, step, count }) {
-  const last = start + step * (count - 1);
-  return plan
-    .moments()
-    .filter(({ time }) => start <= time && time <= last)
-    .map(({ time, cue }) => occasion("cue", time, () => cueName(cue)));
+  return jointsPassed(route.joints.subarray(1, -1), times, ends);
 }
 
 /** The drum of a plan with cues. @param {Plan} plan @param {number} start @param {number} end */

@@ -6,10 +6,36 @@ import { py } from "../compute/python.js";
 import { N_, _, both } from "../words.js";
 import { shown, vanishing } from "./answer.js";
 import { inOneCoil } from "./check.js";
+import { cueName } from "./cues.js";
 import { named, touchText } from "./findings.js";
 
-export function occasion(kind, time, say, benches = [], obstacle = /** @type {any} */ (null)) {
+const QUANTUM = 0.0001;
+const MOST_JOINTS = 200;
+function occasion(kind, time, say, benches = [], obstacle = /** @type {any} */ (null)) {
   return ({ kind: kind, time: time, text: both(say), benches: py.list(benches), obstacle: obstacle });
+}
+export function jointsPassed(joints, times, ends) {
+  let found, joint, n, s, says, tail, text;
+  found = [];
+  tail = N_("the tail passes joint {n} of the route");
+  for ([s, says] of py.iter(py.zip(ends, [N_("the head passes joint {n} of the route"), tail]))) {
+    for ([n, joint] of py.iter(py.enumerate(((py.len(joints) <= MOST_JOINTS) ? joints : []), 1))) {
+      if (((py.add(py.at(s, 0), QUANTUM) < joint) && (joint < py.sub(py.at(s, -1), QUANTUM)))) {
+        text = ((given0, given1) => () => _numbered(given0, given1))(says, n);
+        py.append(found, occasion("joint", py.float(py.interp(joint, s, times)), text));
+      }
+    }
+  }
+  return found;
+}
+function _numbered(says, n) {
+  return py.filled(_(says), { n: n });
+}
+export function ending(time) {
+  return occasion("end", time, () => _("from here on the benches cannot follow"));
+}
+export function cued(moments, start, end) {
+  return py.list(moments).flatMap((one) => ((((start <= one.time) && (one.time <= end))) ? [occasion("cue", one.time, ((given0) => () => cueName(given0))(one.cue))] : []));
 }
 export function occasionsFound(verdict, obstacles, margin, speedLimit) {
   let clearance, contact, fast, found, gap, least, most, near, says, saysMost, speed, text, time;
