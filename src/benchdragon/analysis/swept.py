@@ -45,7 +45,7 @@ GROUP = 48
 SMOOTHED_SHARE, SMOOTHED_TWICE = 0.04, 2.0
 # Segments of a quarter circle in what is widened, by so much more that no chord cuts in; and how far it
 # may reach then.
-QUARTER, WIDENED, REACHED = 16, 1.005, 1.02
+QUARTER, WIDENED, REACHED = 64, 1.0002, 1.005
 
 # A polygon, or several.
 Shape = BaseGeometry
