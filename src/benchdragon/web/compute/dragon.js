@@ -69,14 +69,6 @@ export class Dragon {
     });
   }
 
-  /** The dragon of its first benches alone. @param {Arena} arena @param {number} benches */
-  first(arena, benches) {
-    const [length, width, front_inset, rear_inset] = SIZE_NAMES.map((name) =>
-      this[name].slice(0, benches),
-    );
-    return new Dragon(arena, { length, width, front_inset, rear_inset });
-  }
-
   /** The most that any point of a bench moves when both its handles move by at most 1. */
   get lever() {
     let most = 0;
@@ -89,7 +81,7 @@ export class Dragon {
 
   /** The largest distance between a bench's two holes, m. */
   get longest_link() {
-    return greatest(this.link);
+    return this.link.reduce((most, link) => Math.max(most, link));
   }
 
   /** From handle to handle, m: summed as NumPy sums, in pairs. */
@@ -148,9 +140,4 @@ function pairwiseSum(values) {
   let sum = r[0] + r[1] + (r[2] + r[3]) + (r[4] + r[5] + (r[6] + r[7]));
   for (let i = whole; i < n; i++) sum += values[i];
   return sum;
-}
-
-/** The greatest of a list of numbers. @param {Float64Array} values */
-export function greatest(values) {
-  return values.reduce((most, value) => Math.max(most, value), -Infinity);
 }

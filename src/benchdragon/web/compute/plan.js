@@ -83,11 +83,6 @@ export class Plan extends /** @type {new () => Made} */ (/** @type {any} */ (Mad
   }
 }
 
-/** The dragon of a plan's table. @param {Arena} arena @param {Tables} table @returns {import("./dragon.js").Dragon} */
-export function builtDragon(arena, table) {
-  return within(arena, () => table.build());
-}
-
 /**
  * The plan in parsed TOML or JSON; `source` is named in errors.
  * @param {Tables} data

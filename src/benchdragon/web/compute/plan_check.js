@@ -302,20 +302,29 @@ export function checkedTables(data) {
  */
 export function filledTable(name, said) {
   const keys = Object.entries(PLAN_TABLES[name]);
-  const made = keys.map(([key, spec]) => [key, filled(spec, key in said ? said[key] : spec.default)]);
+  const made = keys.map(([key, spec]) => [
+    key,
+    inside(spec, key in said ? said[key] : spec.default, filledTable),
+  ]);
   return Object.assign(
     Object.create(DOING[name]?.prototype ?? Object.prototype),
     Object.fromEntries(made),
   );
 }
 
-/** @param {Spec} spec @param {any} value @returns {any} */
-function filled(spec, value) {
+/** A value of a spec, its tables as `made` makes them. @param {Spec} spec @param {any} value @param {(name: string, table: any) => any} made @returns {any} */
+function inside(spec, value, made) {
   if (value === null) return null;
-  if (spec.type === "table") return filledTable(/** @type {string} */ (spec.table), value);
-  if (spec.type === "union") return filledTable(/** @type {any} */ (spec.tables)[value.kind], value);
-  if (spec.type === "list") return value.map((/** @type {any} */ one) => filled(spec.of, one));
-  return value;
+  const name = tableOf(spec, value);
+  if (name) return made(name, value);
+  return spec.type === "list"
+    ? value.map((/** @type {any} */ one) => inside(spec.of, one, made))
+    : value;
+}
+
+/** The name of the table that a value of a spec is; undefined if it is none. @param {Spec} spec @param {any} value */
+function tableOf(spec, value) {
+  return spec.table ?? spec.tables?.[value.kind];
 }
 
 /**
@@ -327,24 +336,13 @@ function filled(spec, value) {
 export function withoutDefaults(name, table) {
   const keys = Object.entries(PLAN_TABLES[name]);
   const own = keys.filter(([key, spec]) => spec.required || !isDefault(spec, table[key]));
-  return Object.fromEntries(own.map(([key, spec]) => [key, less(spec, table[key])]));
+  return Object.fromEntries(own.map(([key, spec]) => [key, inside(spec, table[key], withoutDefaults)]));
 }
 
 /** Whether a value is the one of who says nothing, be it -0. @param {Spec} spec @param {any} value */
 function isDefault(spec, value) {
   const plain = (/** @type {any} */ one) => jsonOf(spec, one).replace(/-(0\.0)(?!\d)/g, "$1");
-  return plain(value) === plain(filled(spec, spec.default));
-}
-
-/** @param {Spec} spec @param {any} value @returns {any} */
-function less(spec, value) {
-  if (value === null) return null;
-  if (spec.type === "table") return withoutDefaults(/** @type {string} */ (spec.table), value);
-  if (spec.type === "union")
-    return withoutDefaults(/** @type {any} */ (spec.tables)[value.kind], value);
-  if (spec.type === "list" && spec.of.type !== "tuple")
-    return value.map((/** @type {any} */ one) => less(spec.of, one));
-  return value;
+  return plain(value) === plain(inside(spec, spec.default, filledTable));
 }
 
 /**
@@ -363,9 +361,8 @@ function jsonOf(spec, value) {
     case "tuple":
       return `[${spec.of.map((/** @type {Spec} */ one, /** @type {number} */ i) => jsonOf(one, value[i])).join(", ")}]`;
     case "table":
-      return jsonOfTable(/** @type {string} */ (spec.table), value);
     case "union":
-      return jsonOfTable(/** @type {any} */ (spec.tables)[value.kind], value);
+      return jsonOfTable(/** @type {string} */ (tableOf(spec, value)), value);
     default:
       return typeof value === "string" ? asciiJson(value) : String(value);
   }
