@@ -27,7 +27,7 @@ for (const { plan: data, span } of plans) {
   try {
     const plan = checkedPlan(data);
     const told = await withArenaAsync(engine, (arena) =>
-      briefed(arena, plan, plan.build(arena), span, () => {}),
+      briefed(plan, plan.build(arena), span, () => {}),
     );
     answers.push({ benches: told.benches, en: sentences(told, "en"), zh: sentences(told, "zh") });
   } catch (error) {

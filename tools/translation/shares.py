@@ -15,7 +15,7 @@ TWINS = {
     "analysis.findings": (
         "findings", "Finding", "all_findings", "named", "shown_name", "touch_text",
     ),
-    "analysis.ground": ("ground", "Ground"),
+    "analysis.ground": ("ground", "Ground", "own_peg"),
     "analysis.head_times": ("head_times", "HeadTimes"),
     "analysis.marks": ("marks", "Trail", "among", "usual_gap"),
     "analysis.nearby": ("nearby", "checked_off"),
@@ -23,6 +23,7 @@ TWINS = {
     "analysis.tables": ("bench_tables", "beginnings", "in_columns", "kinds_of", "walk_tables"),
     "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),
     "analysis.not_looked_at": ("not_looked_at", "not_looked_at"),
+    "analysis.obstacle_distance": ("obstacle_distance", "nearest_boxes"),
     "analysis.obstacle_search": ("obstacle_search", "ObstacleSearch"),
     "analysis.obstacles": (
         "obstacles", "ObstacleAnswers", "least_distance", "obstacle_answers", "touching",
@@ -37,6 +38,7 @@ TWINS = {
     "analysis.stops": ("stops", "stops_of"),
     "analysis.unfinished": ("unfinished", "Unfinished", "unfinished"),
     "errors": ("errors", "WalkError", "finite", "in_order", "not_negative", "positive"),
+    "explain.bench_basis": ("bench_basis", "halts_of", "landmark_of"),
     "explain.bench_text": (
         "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
     ),

@@ -1,7 +1,7 @@
 """What sentences about the benches of a plan rest on: its clock, people, landmarks by each bench."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -12,7 +12,6 @@ from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.explain.bench_text import Basis, BenchText, Halt, Landmark, bench_lines
 from benchdragon.kernels.box import CX, CY, UX, UY
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.cues import cue_name
 from benchdragon.plans.schema import Plan
 
@@ -40,15 +39,14 @@ def landmark_of(plan: Plan, found: BenchWalk, ground: Ground) -> Landmark:
         far, which = nearest_boxes(np.array([found.box]), obstacle)
         apart = max(float(far[0]) - obstacle.radius, 0.0)
         if apart < best.apart:
-            side = obstacle.boxes[int(which[0])]
+            side = obstacle.boxes[int(which[0])].tolist()
             edge = _edge(found, ground, side) if obstacle.kind == "venue" else None
             best = Landmark(apart, named(obstacle), edge)
     return best
 
 
-def _edge(found: BenchWalk, ground: Ground, side: FloatArray) -> int:
+def _edge(found: BenchWalk, ground: Ground, side: Sequence[float]) -> int:
     """Over which edge the way out is nearest that leads over a side of the venue (a box)."""
-    out = np.array([side[UY], -side[UX]])
-    if out @ (side[[CX, CY]] - np.array(found.box)[[CX, CY]]) < 0.0:
-        out = -out
-    return ground.edge(out.tolist())
+    x, y = side[UY], -side[UX]
+    inwards = x * (side[CX] - found.box[CX]) + y * (side[CY] - found.box[CY]) < 0.0
+    return ground.edge((-x, -y) if inwards else (x, y))

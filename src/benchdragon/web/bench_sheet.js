@@ -4,7 +4,7 @@ import { SHEETS_BRIEFING } from "./compute/constants.js";
 import { decimals } from "./compute/number_format.js";
 import { drawnCode } from "./code.js";
 import { make } from "./elements.js";
-import { Basis, Halt, Landmark, benchLines, tightestLine } from "./made/bench_text.js";
+import { Basis, benchLines, tightestLine } from "./made/bench_text.js";
 import { Clock } from "./made/clock.js";
 import { Ground } from "./made/ground.js";
 import { called } from "./made/people.js";
@@ -54,11 +54,8 @@ export class Sayings {
 
   /** What sentences rest on, in the language in use. */
   get basis() {
-    const { people, coiled } = this.briefing;
-    const halts = this.briefing.halts.map(
-      ({ start, end, said }) => new Halt(start, end, said[language()]),
-    );
-    return new Basis(this.clock, people, this.ground, halts, coiled);
+    const { people, coiled, halts } = this.briefing;
+    return new Basis(this.clock, people, this.ground, halts[language()], coiled);
   }
 
   /** What the village calls a bench (number, from 1). @param {number} bench */
@@ -120,8 +117,7 @@ export class Sayings {
   /** What a bench does; others in it as `name` calls them. @param {number} bench @param {(bench: number) => string} name */
   text(bench, name) {
     const { benches, landmarks } = this.briefing;
-    const { apart, name: words, edge } = landmarks[bench - 1];
-    const landmark = new Landmark(apart, words?.[language()] ?? "", edge);
+    const landmark = landmarks[language()][bench - 1];
     return benchLines(this.basis, benches[bench - 1], landmark, name);
   }
 

@@ -38,8 +38,9 @@ export function N_(text) {
 
 /**
  * The same words in both languages.
- * @param {() => string} say
- * @returns {{ en: string, zh: string }}
+ * @template T
+ * @param {() => T} say
+ * @returns {{ en: T, zh: T }}
  */
 export function both(say) {
   const before = spoken;

@@ -1,6 +1,6 @@
 // What stands on the square, as kernels see it; and which sides of an outline meet.
 
-import { arena as arenaHere, doubles, wholes } from "./arena.js";
+import { arena as here, wholes } from "./arena.js";
 import { BOX, OBSTACLE } from "./constants.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
@@ -29,13 +29,9 @@ export class Standing {
     return arena.table(this.outline, 2);
   }
 
-  /** The same boxes in the arena of what is built. */
+  /** Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py. */
   get boxes() {
-    return this.boxesIn(arenaHere());
-  }
-
-  /** Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py. @param {Arena} arena */
-  boxesIn(arena) {
+    const arena = here();
     const count = this.outline.length - (this.kind === "line" ? 1 : 0);
     const made = arena.array("d", count, BOX.BOX_COLUMNS);
     arena.engine.call("bd_obstacle_fill_boxes", this.sort, this.corners(arena), made);
@@ -48,20 +44,6 @@ export class Standing {
     const corners = this.corners(arena);
     arena.engine.call("bd_obstacle_forbidden", this.sort, corners, this.radius, points, out);
     return wholes(out).map((flag) => flag === 1);
-  }
-
-  /**
-   * How far each box of benches is from the nearest of its own, m; which box. A radius lies within, and
-   * whether a bench stands where none may is not asked.
-   * @param {Arena} arena
-   * @param {Numbers} table boxes of benches, (N, BOX_COLUMNS) of kernels/box.py
-   */
-  nearest(arena, table) {
-    const [count] = table.shape;
-    const [out, which] = [arena.array("d", count), arena.array("q", count)];
-    const [boxes, near] = [this.boxesIn(arena), arena.array("d", 2, BOX.BOX_COLUMNS)];
-    arena.engine.call("bd_standing_distances_to", table, boxes, near, out, which);
-    return { apart: doubles(out).slice(), which: wholes(which), boxes };
   }
 }
 

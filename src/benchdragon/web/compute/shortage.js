@@ -1,7 +1,8 @@
 // How far a pair of benches, or a bench and what stands still, is apart: of analysis/shortage.py what fills
 // arrays.
 
-import { doubles, withArena } from "./arena.js";
+import { nearestBoxes } from "../made/obstacle_distance.js";
+import { doubles, withArena, within } from "./arena.js";
 import { BOX } from "./constants.js";
 import { boxes } from "./distance.js";
 
@@ -64,7 +65,7 @@ function pairsApart(arena, table) {
 
 /** How far boxes are from an obstacle, m. @param {Arena} arena @param {Numbers} table @param {Obstacle} obstacle */
 function apartFrom(arena, table, obstacle) {
-  const { apart } = obstacle.nearest(arena, table);
+  const [apart] = within(arena, () => nearestBoxes(table, obstacle));
   const forbidden = obstacle.forbids(arena, table);
-  return apart.map((distance, t) => (forbidden[t] ? -Infinity : distance - obstacle.radius));
+  return doubles(apart).map((distance, t) => (forbidden[t] ? -Infinity : distance - obstacle.radius));
 }

@@ -67,6 +67,12 @@ export class Ground {
     return [py.add((x * ux), (y * uy)), py.add((x * vx), (y * vy))];
   }
 }
+export function ownPeg(plan, route) {
+  if ((plan.chalk.peg != null)) {
+    return plan.chalk.peg;
+  }
+  return (!py.eq(route.centre, [0.0, 0.0]) ? route.centre : py.or(plan.route.at, () => [0.0, 0.0]));
+}
 function baseAngle(outline) {
   let ends, lengths, n, sides, turned;
   ends = py.zip(outline, [...py.iter(py.slice(outline, 1, null)), py.at(outline, 0)]);
