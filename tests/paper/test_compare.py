@@ -15,6 +15,7 @@ from tests.paper.workbooks import (
     ALL_TIMES,
     CONTACT,
     TIMES,
+    Compared,
     values,
     values_at,
     write_moment,
@@ -28,17 +29,17 @@ AT_CONTACT = values_at("result2", [CONTACT])
 
 
 @pytest.mark.parametrize("result", ["result1", "result4"])
-def test_right_workbooks_agree(tmp_path: Path, result: str) -> None:
+def test_right_workbooks_agree(compared: Compared, result: str) -> None:
     times = ALL_TIMES[result]
-    found = compare(write_series(tmp_path / "a.xlsx", values_at(result, times), times))
+    found = compared(values_at(result, times), times)
     assert_agrees(found, result)
     assert (found.places.cells, found.places.agreeing) == (448 * len(times),) * 2
     assert (found.speeds.cells, found.speeds.agreeing) == (224 * len(times),) * 2
 
 
-def test_a_right_moment_agrees(tmp_path: Path) -> None:
+def test_a_right_moment_agrees(compared: Compared) -> None:
     for moment in (CONTACT, 412.473838):
-        found = compare(write_moment(tmp_path / "a.xlsx", values_at("result2", [moment])))
+        found = compared(values_at("result2", [moment]))
         assert_agrees(found, "result2")
 
 
@@ -66,13 +67,13 @@ def test_sheets_with_each_others_name_are_swapped(tmp_path: Path) -> None:
     assert found.finding.startswith("the names of the sheets are swapped")
 
 
-def test_a_file_that_is_another_one_than_it_says_is_swapped(tmp_path: Path) -> None:
+def test_a_file_that_is_another_one_than_it_says_is_swapped(compared: Compared, tmp_path: Path) -> None:
     times = ALL_TIMES["result4"]
-    turn = write_series(tmp_path / "result1.xlsx", values_at("result4", times), times)
-    found = compare(turn)
+    turn = values_at("result4", times)
+    found = compared(turn, times, name="result1.xlsx")
     assert (found.result, found.mistake) == ("result1", "swapped")
     assert found.residual < 5e-7
-    assert_agrees(compare(turn, result="result4"), "result4")
+    assert_agrees(compared(turn, times, name="result1.xlsx", result="result4"), "result4")
     moment = write_moment(tmp_path / "Result 4 (2).xlsx", AT_CONTACT)
     found = compare(moment)
     assert (found.result, found.mistake) == ("result2", "swapped")
@@ -80,11 +81,11 @@ def test_a_file_that_is_another_one_than_it_says_is_swapped(tmp_path: Path) -> N
     assert_agrees(compare(moment, result="result2"), "result2")
 
 
-def test_empty_cells_and_missing_times_are_counted(tmp_path: Path) -> None:
+def test_empty_cells_and_missing_times_are_counted(compared: Compared) -> None:
     times = ALL_TIMES["result1"]
     table = values_at("result1", times)
     table[:, 5, 3] = np.nan
-    found = compare(write_series(tmp_path / "a.xlsx", table, times))
+    found = compared(table, times)
     assert (found.mistake, found.agrees) == (None, False)
     assert (found.places.empty, found.speeds.empty) == (2, 1)
     assert found.remarks == ("3 of the 202272 cells that the contest asks for are empty",)
@@ -93,7 +94,7 @@ def test_empty_cells_and_missing_times_are_counted(tmp_path: Path) -> None:
     assert first is not None
     assert (first.time, first.handle, first.quantity, first.theirs) == (5.0, 3, "x", None)
     assert first.exact == pytest.approx(values_at("result1", [5.0])[0, 0, 3], abs=1e-12)
-    found = compare(write_series(tmp_path / "b.xlsx", table[:, ::60], times[::60]))
+    found = compared(table[:, ::60], times[::60])
     assert (found.places.cells, found.places.empty) == (6 * 448, 295 * 448)
 
 
@@ -112,11 +113,10 @@ ASKED = {"result1": 301 * 224 * 3, "result2": 224 * 3, "result4": 201 * 224 * 3}
     ],
 )
 def test_the_cells_that_the_contest_asks_for_are_counted(
-    tmp_path: Path, result: Result, times: FloatArray, held: int
+    compared: Compared, result: Result, times: FloatArray, held: int
 ) -> None:
     """Whatever other times a workbook holds, the contest asks for its own."""
-    path = write_series(tmp_path / "a.xlsx", np.ones((3, len(times), 224)), times)
-    found = compare(path, result=result)
+    found = compared(np.ones((3, len(times), 224)), times, result=result, tolerance=1e3)
     empty = ASKED[result] - held * 224 * 3
     assert found.places.asked + found.speeds.asked == ASKED[result]
     assert found.places.empty + found.speeds.empty == empty
@@ -124,18 +124,18 @@ def test_the_cells_that_the_contest_asks_for_are_counted(
     assert (text in found.remarks) == bool(empty)
 
 
-def test_result2_asks_for_224_handles(tmp_path: Path) -> None:
-    found = compare(write_moment(tmp_path / "a.xlsx", AT_CONTACT))
+def test_result2_asks_for_224_handles(compared: Compared) -> None:
+    found = compared(AT_CONTACT)
     assert found.places.asked + found.speeds.asked == ASKED["result2"]
 
 
-def test_the_first_departure_is_the_earliest_then_of_the_first_handle(tmp_path: Path) -> None:
+def test_the_first_departure_is_the_earliest_then_of_the_first_handle(compared: Compared) -> None:
     table = values("result1").copy()
     table[0, 20, 0] += 1.0
     table[2, 7, 9] += 1.0
     table[1, 7, 5] += 1e-4
     table[2, 7, 5] += 1e-4
-    found = compare(write_series(tmp_path / "a.xlsx", table, TIMES["result1"]))
+    found = compared(table, TIMES["result1"])
     first = found.first_departure
     assert first is not None
     assert (first.time, first.handle, first.quantity) == (277.0, 5, "y")

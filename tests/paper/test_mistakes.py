@@ -10,10 +10,9 @@ from benchdragon.paper.compare import compare
 from tests.paper.workbooks import (
     CONTACT,
     TIMES,
+    Compared,
     values,
     values_at,
-    write_moment,
-    write_series,
 )
 from tests.paper.wrong_workbooks import (
     AT_CONTACT,
@@ -36,9 +35,9 @@ WORKBOOKS = Path(__file__).parents[1] / "cases" / "workbooks"
 
 
 @pytest.mark.parametrize("name", MISTAKES)
-def test_a_mistake_made_on_purpose_is_named(tmp_path: Path, name: str) -> None:
+def test_a_mistake_made_on_purpose_is_named(compared: Compared, name: str) -> None:
     result, make, mistake, amount, sentence = MISTAKES[name]
-    found = compare(write_series(tmp_path / f"{result}.xlsx", make(), TIMES[result]))
+    found = compared(make(), TIMES[result], name=f"{result}.xlsx")
     assert (found.result, found.mistake, found.agrees) == (result, mistake, False)
     assert sentence in found.finding
     assert found.amount == (None if amount is None else pytest.approx(amount, abs=1e-6))
@@ -48,11 +47,11 @@ def test_a_mistake_made_on_purpose_is_named(tmp_path: Path, name: str) -> None:
 
 
 @pytest.mark.parametrize("name", MISTAKES)
-def test_wrong_cells_beside_a_mistake_hide_nothing(tmp_path: Path, name: str) -> None:
+def test_wrong_cells_beside_a_mistake_hide_nothing(compared: Compared, name: str) -> None:
     """Each mistake with one to three cells that hold anything: it is named, and they beside it."""
     result, make, mistake, amount, sentence = MISTAKES[name]
     wrong, cells = spoilt(make(), sum(map(ord, name)))
-    found = compare(write_series(tmp_path / f"{result}.xlsx", wrong, TIMES[result]))
+    found = compared(wrong, TIMES[result], name=f"{result}.xlsx")
     assert (found.result, found.mistake) == (result, mistake)
     assert sentence in found.finding
     assert found.amount == (None if amount is None else pytest.approx(amount, abs=1e-6))
@@ -66,12 +65,12 @@ def test_wrong_cells_beside_a_mistake_hide_nothing(tmp_path: Path, name: str) ->
 
 
 @pytest.mark.parametrize("name", MOMENTS)
-def test_wrong_cells_hide_nothing_of_one_moment(tmp_path: Path, name: str) -> None:
+def test_wrong_cells_hide_nothing_of_one_moment(compared: Compared, name: str) -> None:
     make, mistake, amount = MOMENTS[name]
     for seed in range(3):
         share = np.random.default_rng(seed).uniform()
         wrong, cells = spoilt(make(share), seed)
-        found = compare(write_moment(tmp_path / "result2.xlsx", wrong))
+        found = compared(wrong, name="result2.xlsx")
         wanted = amount(share)
         assert found.mistake == mistake
         assert found.amount == (None if wanted is None else pytest.approx(wanted, abs=1e-6, rel=1e-7))
@@ -79,10 +78,10 @@ def test_wrong_cells_hide_nothing_of_one_moment(tmp_path: Path, name: str) -> No
         assert found.residual < 5e-7
 
 
-def test_two_wrong_speeds_among_equal_ones_are_no_rounding(tmp_path: Path) -> None:
+def test_two_wrong_speeds_among_equal_ones_are_no_rounding(compared: Compared) -> None:
     wrong = with_speeds(values("result1"), np.ones((31, 224)))
     wrong[2, 21, 98], wrong[2, 1, 140] = -1742.09, 847.0
-    found = compare(write_series(tmp_path / "a.xlsx", wrong, TIMES["result1"]))
+    found = compared(wrong, TIMES["result1"])
     assert (found.mistake, found.finding) == ("handle", "all speeds are the head's")
     assert found.beside == 2
 
@@ -121,23 +120,23 @@ def test_workbooks_of_others_get_their_names(name: str) -> None:
 
 
 @pytest.mark.parametrize("change", ENTRIES)
-def test_benches_that_are_not_yet_in_are_seen(tmp_path: Path, change: str) -> None:
-    found = compare(write_series(tmp_path / "a.xlsx", not_yet_in(change), np.arange(21.0)))
+def test_benches_that_are_not_yet_in_are_seen(compared: Compared, change: str) -> None:
+    found = compared(not_yet_in(change), np.arange(21.0))
     assert (found.mistake, found.agrees) == ("entry", False)
     assert ENTRIES[change] in found.finding
 
 
 @pytest.mark.parametrize("name", PAIRS)
-def test_two_mistakes_are_both_named(tmp_path: Path, name: str) -> None:
+def test_two_mistakes_are_both_named(compared: Compared, name: str) -> None:
     result, make, mistake, sentences = PAIRS[name]
     wrong, _cells = spoilt(make(), sum(map(ord, name)))
-    found = compare(write_series(tmp_path / f"{result}.xlsx", wrong, TIMES[result]))
+    found = compared(wrong, TIMES[result], name=f"{result}.xlsx")
     assert found.mistake == mistake
     for sentence in sentences:
         assert any(sentence in text for text in (found.finding, *found.remarks))
 
 
-def test_single_wrong_cells_rows_and_columns_are_told(tmp_path: Path) -> None:
+def test_single_wrong_cells_rows_and_columns_are_told(compared: Compared) -> None:
     table, times = values("result1"), TIMES["result1"]
     row, column = table.copy(), table.copy()
     row[:, :, 9] += 0.5
@@ -147,7 +146,7 @@ def test_single_wrong_cells_rows_and_columns_are_told(tmp_path: Path) -> None:
         (row, "93 of 20832 numbers are off, all of Body 9; all others agree"),
         (column, "672 of 20832 numbers are off, all at t = 277 s; all others agree"),
     ):
-        found = compare(write_series(tmp_path / "a.xlsx", wrong, times))
+        found = compared(wrong, times)
         assert (found.mistake, found.finding) == ("cells", text)
         assert found.residual < 5e-7
     assert any(said.startswith("beside that, ") for said in found.remarks)
@@ -164,9 +163,9 @@ def test_single_wrong_cells_rows_and_columns_are_told(tmp_path: Path) -> None:
     ],
 )
 def test_another_moment_than_that_of_first_contact_is_told(
-    tmp_path: Path, moment: float, sentence: str
+    compared: Compared, moment: float, sentence: str
 ) -> None:
-    found = compare(write_moment(tmp_path / "a.xlsx", values_at("result2", [moment])))
+    found = compared(values_at("result2", [moment]))
     assert (found.result, found.mistake, found.unit) == ("result2", "time", "s")
     assert found.amount == pytest.approx(moment - CONTACT, abs=2e-6 if moment < 440.0 else 1e-3)
     assert f"the moment is {moment:.2f}" in found.finding
@@ -174,48 +173,48 @@ def test_another_moment_than_that_of_first_contact_is_told(
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_every_angle_is_recovered(tmp_path: Path, seed: int) -> None:
+def test_every_angle_is_recovered(compared: Compared, seed: int) -> None:
     angle = np.random.default_rng(seed).uniform(-np.pi, np.pi)
-    found = compare(write_moment(tmp_path / "a.xlsx", turned(AT_CONTACT, angle)))
+    found = compared(turned(AT_CONTACT, angle))
     assert (found.mistake, found.unit) == ("rotated", "rad")
     assert found.amount == pytest.approx(angle, abs=1e-6)
-    found = compare(write_moment(tmp_path / "a.xlsx", turned(AT_CONTACT, angle, mirror=True)))
+    found = compared(turned(AT_CONTACT, angle, mirror=True))
     assert found.mistake == "mirrored"
     assert found.amount == pytest.approx(angle / 2.0, abs=1e-6)
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_every_moment_is_recovered(tmp_path: Path, seed: int) -> None:
+def test_every_moment_is_recovered(compared: Compared, seed: int) -> None:
     moment = np.random.default_rng(seed).uniform(0.0, 440.0)
-    found = compare(write_moment(tmp_path / "a.xlsx", values_at("result2", [moment])))
+    found = compared(values_at("result2", [moment]))
     assert found.mistake == "time"
     assert found.amount == pytest.approx(moment - CONTACT, abs=3e-6)
 
 
 @pytest.mark.parametrize("name", UNKNOWN)
-def test_what_fits_no_mistake_is_called_unknown(tmp_path: Path, name: str) -> None:
+def test_what_fits_no_mistake_is_called_unknown(compared: Compared, name: str) -> None:
     make, remark = UNKNOWN[name]
-    found = compare(write_series(tmp_path / "a.xlsx", make(), TIMES["result1"]))
+    found = compared(make(), TIMES["result1"])
     assert (found.mistake, found.amount, found.agrees) == ("unknown", None, False)
     assert found.finding == "no known mistake explains what is off"
     assert any(remark in said for said in found.remarks)
 
 
-def test_two_mistakes_at_once_are_both_told(tmp_path: Path) -> None:
+def test_two_mistakes_at_once_are_both_told(compared: Compared) -> None:
     wrong = turned(gradient(values("result1")), 1.0)
-    found = compare(write_series(tmp_path / "a.xlsx", wrong, TIMES["result1"]))
+    found = compared(wrong, TIMES["result1"])
     assert found.mistake == "rotated"
     assert found.residual < 5e-7
     text = "the speeds are central differences of the workbook's own positions, 1 s apart"
     assert text in found.remarks
 
 
-def test_a_mistake_in_one_sheet_alone_is_told(tmp_path: Path) -> None:
+def test_a_mistake_in_one_sheet_alone_is_told(compared: Compared) -> None:
     table = values("result1")
     wrong = with_speeds(table, shifted(table, 1)[2])
-    found = compare(write_series(tmp_path / "a.xlsx", wrong, TIMES["result1"]))
+    found = compared(wrong, TIMES["result1"])
     assert (found.mistake, found.amount) == ("handle", 1.0)
     assert "only the speeds show it" in found.remarks
     wrong = with_speeds(shifted(table, 1), table[2])
-    found = compare(write_series(tmp_path / "a.xlsx", wrong, TIMES["result1"]))
+    found = compared(wrong, TIMES["result1"])
     assert "only the positions show it" in found.remarks

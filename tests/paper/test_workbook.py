@@ -12,10 +12,10 @@ from benchdragon.errors import InputError
 from benchdragon.export.tables import Selection, write_moment_xlsx, write_xlsx
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.paper import workbook as reading
-from benchdragon.paper.workbook import HANDLES, read_workbook
+from benchdragon.paper.workbook import HANDLES, Workbook, read_workbook
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
-from tests.paper.workbooks import CONTACT, NAMES, values, values_at, write_moment, write_series
+from tests.paper.workbooks import CONTACT, NAMES, held, values, values_at, write_moment, write_series
 
 TIMES = np.array([-1.0, 0.0, 2.5])
 Rows = list[list[object]]
@@ -51,12 +51,24 @@ def rows_of(table: FloatArray) -> tuple[Rows, Rows]:
 
 
 def test_the_templates_layout_is_read(tmp_path: Path) -> None:
-    found = read_workbook(write_series(tmp_path / "a.xlsx", values("result1"), range(270, 301)))
+    table = values("result1").copy()
+    table[:, 5, 3] = np.nan
+    found = read_workbook(write_series(tmp_path / "a.xlsx", table, range(270, 301)))
     assert found.times is not None
     assert found.times.tolist() == list(range(270, 301))
     assert found.values.shape == (3, 31, HANDLES)
-    assert rounded(found.values, values("result1"))
-    assert not found.crossed
+    assert (np.isnan(found.values) == np.isnan(table)).all()
+    assert rounded(found.values[:, 6:], table[:, 6:])
+    assert_equal(found, held(table, range(270, 301)))
+
+
+def assert_equal(found: Workbook, wanted: Workbook) -> None:
+    """To the last bit: elsewhere no file is written."""
+    np.testing.assert_array_equal(found.values, wanted.values)
+    assert (found.crossed, found.remarks) == (wanted.crossed, wanted.remarks)
+    assert (found.times is None) == (wanted.times is None)
+    if found.times is not None:
+        np.testing.assert_array_equal(found.times, wanted.times)
 
 
 def test_the_moments_layout_is_read(tmp_path: Path) -> None:
@@ -64,6 +76,7 @@ def test_the_moments_layout_is_read(tmp_path: Path) -> None:
     found = read_workbook(write_moment(tmp_path / "a.xlsx", table))
     assert found.times is None
     assert rounded(found.values, table)
+    assert_equal(found, held(table))
 
 
 def test_what_the_program_writes_is_read_in_both_languages(tmp_path: Path, spoken: str) -> None:

@@ -1,6 +1,6 @@
 """Workbooks in the layout of the contest's templates, made right or wrong on purpose."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -8,8 +8,12 @@ import numpy as np
 import xlsxwriter
 
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.paper.compare import Comparison
+from benchdragon.paper.workbook import MOST_METRES, Workbook
 from benchdragon.plans.schema import read_plan
 
+# How the fixture `compared` is called.
+Compared = Callable[..., Comparison]
 # The contest's times, and some of them that are enough to show a mistake, s.
 ALL_TIMES = {"result1": np.arange(0.0, 301.0), "result4": np.arange(-100.0, 101.0)}
 TIMES = {"result1": np.arange(270.0, 301.0), "result4": np.arange(-15.0, 16.0)}
@@ -65,3 +69,12 @@ def write_moment(path: Path, table: FloatArray) -> Path:
         sheet.write_row(i, 0, [name, *row.tolist()])
     book.close()
     return path
+
+
+def held(
+    table: FloatArray, times: Sequence[float] | FloatArray | None = None, decimals: int = 6
+) -> Workbook:
+    """What is read of such files, without writing them: of result2 where there are no times."""
+    numbers = np.round(table, decimals)
+    assert not (np.abs(numbers) > MOST_METRES).any(), "no number of these would be read"
+    return Workbook(None if times is None else np.asarray(times, dtype=float), numbers, crossed=False)
