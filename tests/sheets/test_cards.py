@@ -565,7 +565,7 @@ def test_the_overview_says_which_edge_is_on_the_way_out(
     tmp_path: Path, settings: tuple[str, ...], said: str
 ) -> None:
     square = ("venue.rectangle=[80, 60]",)
-    text = PLAN if not settings else PLAN.replace("spiral-in", "turn").split("[dragon]")[0]
+    text = PLAN if not settings else PLAN.replace("spiral-in", "turn").split("[route]")[0]
     folder = tmp_path / "plan"
     folder.mkdir()
     plan = read_plan(str(village(folder, text)), [*square, "event.entrances=[[39, 0], [-39, 29]]"])
@@ -618,7 +618,7 @@ def test_the_overview_says_which_edge_is_on_the_way_out(
 
 def test_the_overview_says_what_stands_in_the_way_in_and_out(tmp_path: Path) -> None:
     (tmp_path / "plan").mkdir()
-    text = PLAN.replace("spiral-in", "turn").split("[dragon]")[0]
+    text = PLAN.replace("spiral-in", "turn").split("[route]")[0]
     file = str(village(tmp_path / "plan", text))
     square = "venue.rectangle=[80, 60]"
     free = briefing(read_plan(file, [square]), Roster())
