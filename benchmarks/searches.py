@@ -25,8 +25,8 @@ from benchdragon import (
 )
 from benchdragon.analysis.distance import nearest_each
 from benchdragon.kernels import contact_question, question, search_room, size_question
-from benchdragon.kernels.beginning import begin_walk
-from benchdragon.kernels.course import Room, Walk
+from benchdragon.kernels.search_start import begin_walk
+from benchdragon.kernels.workspace import Walk, Workspace
 from benchdragon.solve.size import QUICK_SIZE
 
 # Entries of questions that plain Python answers where one looks into them.
@@ -48,7 +48,7 @@ def in_python(job: Callable[[], Answer | None], *, bound: bool = True) -> Answer
     """
     begun = []
 
-    def begin_without(walk: Walk, room: Room, *span: float) -> bool:
+    def begin_without(walk: Walk, room: Workspace, *span: float) -> bool:
         begun.append(begin_walk(walk, room, *span))
         if not bound:
             room.ground.spans[:] = math.inf, -math.inf

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.optimize import Bounds, differential_evolution, dual_annealing
 
 from benchdragon.errors import InputError
-from benchdragon.kernels import step_bounds
+from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import S_START
 from benchdragon.kernels.turn_trial import FEW
@@ -61,7 +61,7 @@ def sampled_way(family: TurnFamily, x: Point) -> float:
     first, last = float(rows[1, S_START]), float(rows[-1, S_START] + links.sum())
     at = np.arange(first, last, STEP)
     places = empty_placements(len(links) + 1, len(at))
-    if not step_bounds.place_chain(rows, links, at, 0, len(at), places):
+    if not motion_bounds.place_chain(rows, links, at, 0, len(at), places):
         return 1e6
     over = places.ratio.max() * family.plan.walk.speed / 2.0 - 1.0
     return (

@@ -3,7 +3,7 @@
 A step of the head can be passed over if no handle exceeds in it what has been seen elsewhere. Two
 bounds can say so, and parts of the way are looked at in the order of theirs (kernels/speed_search.py).
 
-1. The chain's: enclosures of angles and rates, bench by bench from the head (kernels/step_bounds.py).
+1. The chain's: enclosures of angles and rates, bench by bench from the head (kernels/motion_bounds.py).
    It loses in second order, as a search for the last digit needs, but costs a chain with its bounds
    for every tenth of a link, wherever the dragon is.
 2. The cells': what a bench does per metre of its front handle's way - how much faster its rear handle

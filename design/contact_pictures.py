@@ -15,11 +15,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
 from benchdragon import Dragon, Walk, read_plan
-from benchdragon.kernels import step_bounds
+from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at, corner
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.pair_bounds import apart_bound
+from benchdragon.kernels.separation_bounds import separation_lower_bound
 from benchdragon.proofs import cover
 from benchdragon.proofs.exact import guess_of, stored_dance
 
@@ -127,15 +127,17 @@ def interval(walk: Walk, begin: float, end: float) -> tuple[float, float]:
     """The pair's distance at the begin of an interval, and its lower bound over all of it, m."""
     links, ends = walk.dragon.links[: SECOND + 1], np.array([begin, end])
     places = empty_placements(len(links) + 1, 2)
-    handles = np.empty((len(links) + 1, step_bounds.HANDLE_COLUMNS))
-    step_bounds.place_chain(walk.route.rows, links, ends, 0, 2, places)
-    step_bounds.bound_handles(walk.route.rows, links, places, 0, 1, handles)
-    boxes, sweeps = np.empty((4, BOX_COLUMNS)), np.empty((2, step_bounds.BENCH_COLUMNS))
+    handles = np.empty((len(links) + 1, motion_bounds.HANDLE_COLUMNS))
+    motion_bounds.place_chain(walk.route.rows, links, ends, 0, 2, places)
+    motion_bounds.bound_handles(walk.route.rows, links, places, 0, 1, handles)
+    boxes, sweeps = np.empty((4, BOX_COLUMNS)), np.empty((2, motion_bounds.BENCH_COLUMNS))
     both = [boxes_of(walk, s) for s in ends]
     for k, i in enumerate((FIRST, SECOND)):
         boxes[k], boxes[2 + k] = both[0][i], both[1][i]
-        step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[k])
-    return box_distance(boxes, 0, 1), apart_bound(boxes, sweeps, 2, 0, 1, end - begin, np.inf)
+        motion_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[k])
+    return box_distance(boxes, 0, 1), separation_lower_bound(
+        boxes, sweeps, 2, 0, 1, end - begin, np.inf
+    )
 
 
 def draw_bisection(axes: Axes, below: Axes, walk: Walk) -> None:

@@ -28,8 +28,8 @@ import numpy as np
 from benchdragon import Walk, clearances, contact_windows
 from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.nearby import seams_of
-from benchdragon.kernels import beginning, cells, step_bounds
-from benchdragon.kernels import search as kernel
+from benchdragon.kernels import box_hierarchy, motion_bounds, search_start
+from benchdragon.kernels import time_of_impact as kernel
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.contact_memory import EARLY
@@ -40,7 +40,7 @@ from benchdragon.progress import silent
 
 def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
     """Chains marched until benches 1 and 9 touch, from 412 m on, by both bounds or by travel."""
-    search = kernel.room(10, 2, 1)
+    search = kernel.empty_search(10, 2, 1)
     dragon, note = walk.dragon, np.zeros(kernel.NOTES)
     members, nothing = np.array([0, 8]), np.empty((0, BOX_COLUMNS))
     chain = kernel.Chain(
@@ -65,18 +65,18 @@ def travel_only(walk: Walk, slack: float) -> int:
     """The same by the travel bound alone: leftmost halves first."""
     still, evaluations = Walk(walk.dragon, walk.route), 0
     places = empty_placements(10, 2)
-    handles, bench = np.empty((10, step_bounds.HANDLE_COLUMNS)), np.empty(step_bounds.BENCH_COLUMNS)
+    handles, bench = np.empty((10, motion_bounds.HANDLE_COLUMNS)), np.empty(motion_bounds.BENCH_COLUMNS)
     stack, at = [412.5], 412.0
     while stack:
         end = stack[-1]
         evaluations += 1
         ends = np.array([at, end])
-        step_bounds.place_chain(walk.route.rows, walk.dragon.links[:9], ends, 0, 2, places)
-        step_bounds.bound_handles(walk.route.rows, walk.dragon.links[:9], places, 0, 1, handles)
+        motion_bounds.place_chain(walk.route.rows, walk.dragon.links[:9], ends, 0, 2, places)
+        motion_bounds.bound_handles(walk.route.rows, walk.dragon.links[:9], places, 0, 1, handles)
         spent = 0.0
         for i in (0, 8):
-            step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, bench)
-            spent += bench[step_bounds.TRAVEL]
+            motion_bounds.bound_bench(handles, i, walk.dragon.sizes, i, bench)
+            spent += bench[motion_bounds.TRAVEL]
         a, b = clearances(still.motion(ends))
         if a <= slack:
             return evaluations
@@ -101,7 +101,7 @@ def main() -> None:
     search, steps, from_s = ContactSearch(walk, 0.0, 413.0, 1e-6, silent), 0, math.inf
     while search.find(SEEK, (1e-6,)) == kernel.FOUND:
         steps, from_s = steps + 1, min(from_s, float(search.figures[EARLY]))
-    every = 413.0 / (beginning.CELL_SHARE * float(walk.dragon.links.min()) / cells.PARTS)
+    every = 413.0 / (search_start.CELL_SHARE * float(walk.dragon.links.min()) / box_hierarchy.PARTS)
     print(f"\nsteps of the head: {every:.0f} in all")
     print(f"in which benches may meet: {steps}, from head position {from_s:.1f} m on")
 

@@ -6,7 +6,7 @@ Run it from the project's folder, as `python -m design.imprecision`.
    of neighbouring turns slide along one another. Round a turn a corner passes a bench within
    decimetres: there they lose centimetres. No fixed distance keeps a stated error on every route.
 2. So handles walk on curves parallel to the route, which makes the bounds of exact dances hold for
-   them (kernels/perturbed.py): what a step may hide is bounded and halved. Boxing cells of the route
+   them (kernels/stray_chain.py): what a step may hide is bounded and halved. Boxing cells of the route
    for each bench, as for exact dances, would cost benches times cells; all pairs of a step cost less.
    Steps of an eighth of the shortest link are best: longer ones leave bounds too loose for the tail.
 3. The pitch needed is sought with evaluations here and there, which is cheap, and the search that
@@ -22,7 +22,7 @@ import time
 import numpy as np
 from tests.solve.dances import Laid, brute, laid, open_parts
 
-from benchdragon.kernels import search
+from benchdragon.kernels import time_of_impact
 from benchdragon.kernels.every_pair import search_all_pairs
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.size import limit
@@ -54,9 +54,9 @@ def searched(dance: Laid, share: float) -> int:
     first, second = np.empty((2, 24 * benches), dtype=np.int64)
     steps = 2 + int((dance.end - dance.start) / (share * float(links.min())))
     return search_all_pairs(
-        search.room(benches + 1, benches, first.size), search.FIRST_TOUCH, dance.rows, links,
-        dance.aside, dance.dragon.sizes, np.linspace(dance.start, dance.end, steps), first, second,
-        0.0, 1e-7, 1e-8, 20_000, np.zeros(search.NOTES),
+        time_of_impact.empty_search(benches + 1, benches, first.size), time_of_impact.FIRST_TOUCH,
+        dance.rows, links, dance.aside, dance.dragon.sizes, np.linspace(dance.start, dance.end, steps),
+        first, second, 0.0, 1e-7, 1e-8, 20_000, np.zeros(time_of_impact.NOTES),
     )  # fmt: skip
 
 

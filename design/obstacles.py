@@ -4,7 +4,7 @@ Where a bench stands is told by the route position of its own front handle alone
 do: handle i + 1 is the first place behind handle i that is one link away. So an obstacle may be
 searched along the route, once for each size of bench, in stretches that begin where a bench stands at
 the start and end where the one of its size before it stood: what lies beyond, that one came to sooner
-(kernels/beside_search.py). Only the touch that is found is then told of the head, by marching the
+(kernels/obstacle_search.py). Only the touch that is found is then told of the head, by marching the
 chain.
 
 Its rival places the whole dragon at each instant, asks each bench for its distance, and halves the step
@@ -23,7 +23,7 @@ import numpy as np
 from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.kernels.box import BOX_COLUMNS
-from benchdragon.kernels.standing import distances_to
+from benchdragon.kernels.obstacle_contact import distances_to
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import read_plan

@@ -7,7 +7,7 @@ carries a bound on its error along the route (kernels/rounding.py):
 
 1. What moves the whole chain is no error of distances. The head's parameter, found from its route
    position by double arithmetic, is a place exactly somewhere: to 1e-16 m a sum of two doubles tells
-   where (kernels/drift.py), and brackets of head positions are shifted by that.
+   where (kernels/double_double.py), and brackets of head positions are shifted by that.
 2. Each link's solver leaves its chord wrong by some units in the last place of what it is made from:
    of the link alone on spirals, whose lanes carry angles as sums of two doubles; elsewhere of the
    coordinates too. Over the cosine at the rear handle that is an error along the route, which travels

@@ -31,7 +31,7 @@ from benchdragon.analysis.contact_search import TOLERANCES
 from benchdragon.analysis.distance import tightest_pairs
 from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.kernels import contact_least, contact_steps, memory
-from benchdragon.kernels import search as kernel
+from benchdragon.kernels import time_of_impact as kernel
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.contact_memory import BASE, Hunt
 from benchdragon.plans.schema import read_plan

@@ -23,8 +23,8 @@ from benchdragon import (
 from benchdragon.analysis.check import check
 from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.nearby import NOWHERE, checked_off, errors_at, origin_of, seen_from
-from benchdragon.kernels.drift import head_drift
-from benchdragon.kernels.regions import MOST_OFF
+from benchdragon.kernels.double_double import head_drift
+from benchdragon.kernels.swept_boxes import MOST_OFF
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import checked
 from benchdragon.plans.toml import parsed

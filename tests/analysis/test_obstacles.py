@@ -24,11 +24,12 @@ from benchdragon import (
 from benchdragon.analysis import obstacle_search
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.obstacles import first_touch, least_distance, obstacle_answers, touching
-from benchdragon.kernels import beside, beside_search
-from benchdragon.kernels.beside import Beside
-from benchdragon.kernels.beside_told import head_between
+from benchdragon.kernels import obstacle_memory
+from benchdragon.kernels import obstacle_search as kernel
 from benchdragon.kernels.memory import group_at, recall
+from benchdragon.kernels.obstacle_memory import Beside
 from benchdragon.kernels.obstacle_question import BASE
+from benchdragon.kernels.obstacle_result import head_between
 from benchdragon.model.obstacle import MOST_CORNERS, Obstacle
 from benchdragon.plans.schema import read_plan
 from tests.analysis.straights import EAST, FIVE, ONE, east, kerb, wall
@@ -222,7 +223,7 @@ def test_grazes_apart_from_a_touch_are_told_before_it() -> None:
 def test_no_more_grazes_are_passed_over_than_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     apart = Obstacle.line("pegs", [(20.0, 0.25), (20.0, 1.0), (33.0, 1.0), (33.0, 0.2)])
     in_python(monkeypatch)
-    monkeypatch.setattr(beside_search, "MOST_GRAZES", 1)
+    monkeypatch.setattr(kernel, "MOST_GRAZES", 1)
     with pytest.raises(UnsureError, match="benches come within rounding of pegs too often"):
         touching(east(), apart, 0.0, 40.0)
 
@@ -231,7 +232,7 @@ def test_grazes_beyond_what_there_is_room_for_are_all_told(monkeypatch: pytest.M
     apart = Obstacle.line("pegs", [(20.0, 0.25), (20.0, 1.0), (33.0, 1.0), (33.0, 0.2)])
     roomy = touching(east(), apart, 0.0, 40.0)
     in_python(monkeypatch)
-    monkeypatch.setattr(beside, "FIRST_ROWS", 1)
+    monkeypatch.setattr(obstacle_memory, "FIRST_ROWS", 1)
     told = [touching(east(), apart, 0.0, 40.0), roomy]
     ends = [[(one.status, one.lower, one.upper) for one in each] for each in told]
     assert ends[0] == ends[1]

@@ -26,11 +26,11 @@ from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.analysis.swept import swept_area
 from benchdragon.analysis.tables import kinds_of
-from benchdragon.kernels import entries, search
+from benchdragon.kernels import entries, time_of_impact
 from benchdragon.kernels.binomial import tails
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.every_pair import search_all_pairs
-from benchdragon.kernels.step_bounds import place_chain
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.model.connections import Step, connections, programme
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.formations import CoilIn, FigureEight, TailSwing
@@ -141,7 +141,7 @@ def every_pair(dance: Laid) -> None:
     benches, links = len(dance.dragon), dance.dragon.links
     first, second = np.empty((2, benches * benches), dtype=np.int64)
     search_all_pairs(
-        search.room(benches + 1, benches, first.size), search.FIRST_TOUCH, dance.rows, links,
-        dance.aside, dance.dragon.sizes, np.linspace(dance.start, dance.end, 50), first, second, 0.0,
-        1e-7, 1e-8, 2000, np.zeros(search.NOTES),
+        time_of_impact.empty_search(benches + 1, benches, first.size), time_of_impact.FIRST_TOUCH,
+        dance.rows, links, dance.aside, dance.dragon.sizes, np.linspace(dance.start, dance.end, 50),
+        first, second, 0.0, 1e-7, 1e-8, 2000, np.zeros(time_of_impact.NOTES),
     )  # fmt: skip

@@ -25,7 +25,7 @@ from benchdragon.hosts import built
 from benchdragon.hosts.arguments import DTYPES
 from benchdragon.hosts.serving import PLAIN, VARIABLE
 from benchdragon.hosts.signature import Parameter, signature
-from benchdragon.kernels import bench_nearness, entries, search
+from benchdragon.kernels import bench_nearness, entries, time_of_impact
 from tests.engine.questions import questions, wrap
 
 PACKAGE = Path(wasm.__file__).parents[1]
@@ -54,14 +54,14 @@ CALLS, BYTES = 12, 4_000_000
 # Of searches only what they answer is compared, by parameter: the rest of their arrays is scratch that
 # depends on the last digits, and of equals any may be seen first.
 ANSWERS: dict[str, dict[str, Any]] = {
-    "bd_walk_search_search_walk": {"note": [search.LOWER, search.NEAREST]},
+    "bd_walk_search_search_walk": {"note": [time_of_impact.LOWER, time_of_impact.NEAREST]},
     "bd_bench_nearness_find_tightest": {
         "out": slice(bench_nearness.UPPER, None, bench_nearness.TIGHTEST_COLUMNS)
     },
-    "bd_low_points_low_point": {},
+    "bd_local_minima_local_minimum": {},
 }
 # Where a distance is least is known to half its digits only: of these only the other results count.
-RESULTS = {"bd_low_points_low_point": [0]}
+RESULTS = {"bd_local_minima_local_minimum": [0]}
 
 
 @dataclass

@@ -3,11 +3,11 @@
 import numpy as np
 
 from benchdragon.kernels import bench_cells as cells
-from benchdragon.kernels import box, drive, rate_rounding, standing
+from benchdragon.kernels import box, drive, obstacle_contact, rate_rounding
 from benchdragon.kernels import speed_search as peak
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.step_bounds import HANDLE_COLUMNS
+from benchdragon.kernels.motion_bounds import HANDLE_COLUMNS
 
 
 def scratch_for(handles: int) -> drive.Scratch:
@@ -81,9 +81,9 @@ def chains_for(handles: int, seams: FloatArray) -> peak.Chains:
     )
 
 
-def beside(boxes: FloatArray) -> standing.Standing:
+def beside(boxes: FloatArray) -> obstacle_contact.Standing:
     """Boxes that stand, with scratch for as many."""
     count = len(boxes)
     first, second, number = (np.empty(count, dtype=np.int64) for _list in range(3))
     near = np.empty((max(count, 2), box.BOX_COLUMNS))
-    return standing.Standing(boxes, near, number, first, second, np.zeros(1, dtype=np.int64))
+    return obstacle_contact.Standing(boxes, near, number, first, second, np.zeros(1, dtype=np.int64))

@@ -8,13 +8,13 @@ import pytest
 from benchdragon import Arc, Bench, Dragon, Line, Route, Spiral
 from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import bench_cells as cells
-from benchdragon.kernels import drive, step_bounds
+from benchdragon.kernels import drive, motion_bounds
 from benchdragon.kernels.chain import empty_placements, rates
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.rate_rounding import bend_errors, rate_errors
 from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.status import Ended
-from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.placement import Placement
 from tests.kernels import rooms
 from tests.kernels.quantities import QUANTITIES, size_of
@@ -207,7 +207,7 @@ def test_cells_say_what_rounding_may_have_hidden() -> None:
     longer = cut(route, 9.0, 20.0).off[:-1]
     assert (np.diff(longer) >= 0.0).all()  # that of any cell before
     assert (np.diff(longer) == 0.0)[-5:].all()
-    places, bounds = empty_placements(2, 2), np.empty((2, step_bounds.HANDLE_COLUMNS))
+    places, bounds = empty_placements(2, 2), np.empty((2, motion_bounds.HANDLE_COLUMNS))
     greatest, most = 0.0, dict.fromkeys((cells.SWAY, cells.GROW, cells.FADE), 0.0)
     for c in range(len(made.borders) - 1):
         for g in range(len(LINKS)):
@@ -221,13 +221,13 @@ def test_cells_say_what_rounding_may_have_hidden() -> None:
                 )
                 bend_errors(rows, places, t, 1, errors)
                 rate_errors(rows, link, places, change, turn, t, errors)
-            step_bounds.bound_handles(rows, link, places, 0, 1, bounds)
+            motion_bounds.bound_handles(rows, link, places, 0, 1, bounds)
             greatest = max(greatest, errors.ratio[1].max())
             growth = (errors.change[1] + np.abs(change[1]) * errors.ratio[1]) / places.ratio[1]
             for column, bound, off in (
-                (cells.SWAY, bounds[1, step_bounds.TURNING_RATE], errors.turn[0].max()),
-                (cells.GROW, bounds[1, step_bounds.GROWTH_HIGH], growth.max()),
-                (cells.FADE, bounds[1, step_bounds.GROWTH_LOW], -growth.max()),
+                (cells.SWAY, bounds[1, motion_bounds.TURNING_RATE], errors.turn[0].max()),
+                (cells.GROW, bounds[1, motion_bounds.GROWTH_HIGH], growth.max()),
+                (cells.FADE, bounds[1, motion_bounds.GROWTH_LOW], -growth.max()),
             ):
                 assert told[column] - bound == pytest.approx(off, rel=0.1, abs=2e-15)
                 most[column] = max(most[column], abs(off))

@@ -11,7 +11,7 @@ import pytest
 from benchdragon import Arc, Bench, Dragon, Line, Route, Spiral, Walk
 from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.tables import kinds_of
-from benchdragon.kernels import cells, course, meetings, near_cells, search
+from benchdragon.kernels import box_hierarchy, broad_phase, candidate_pairs, time_of_impact, workspace
 from benchdragon.kernels.box import HALF_LENGTH, HALF_WIDTH, box_distance, corner, offset
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
@@ -34,9 +34,11 @@ def test_benches_are_of_as_many_kinds_as_sizes(row: int) -> None:
     assert (kinds.sizes[:, kind] == sizes).all()
 
 
-def row_of(ground: cells.Ground, group: int, s: float) -> int:
+def row_of(ground: box_hierarchy.Hierarchy, group: int, s: float) -> int:
     """The row of the box of the cell in which a front handle of the group is at s, m."""
-    cell = math.floor(s / float(ground.measures[cells.CELL])) - int(ground.counts[cells.LOW])
+    cell = math.floor(s / float(ground.measures[box_hierarchy.CELL])) - int(
+        ground.counts[box_hierarchy.LOW]
+    )
     return group * len(ground.middles) + cell
 
 
@@ -58,7 +60,7 @@ def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[
     route, start = ROUTES[name]
     dragon = Dragon(benches)
     ground = searched(dragon, route, (start, start + 3.0), 10.0).room.ground
-    assert ground.counts[cells.DOUBTS] == 0
+    assert ground.counts[box_hierarchy.DOUBTS] == 0
     walk, group = Walk(dragon, route), groups_of(dragon)
     for s in np.linspace(start, start + 2.9, 23):
         motion = walk.motion([s])
@@ -78,7 +80,7 @@ def test_cells_leave_room_for_how_far_corners_bulge_between_their_borders(name: 
     route, start = ROUTES[name]
     dragon = Dragon(BENCHES)
     ground = searched(dragon, route, (start, start + 3.0), 10.0).room.ground
-    hull, most, size = ground.hulls, 0.0, float(ground.measures[cells.CELL])
+    hull, most, size = ground.hulls, 0.0, float(ground.measures[box_hierarchy.CELL])
     group = int(groups_of(dragon)[0])
     for cell in range(int(start / size) + 1, int((start + 2.5) / size)):
         borders = np.array([cell, cell + 0.5, cell + 1.0]) * size
@@ -97,38 +99,44 @@ def test_cells_leave_room_for_how_far_corners_bulge_between_their_borders(name: 
 
 def partnered(
     wanted: npt.NDArray[np.bool_], low: int, size: float
-) -> tuple[cells.Ground, Callable[[FloatArray, IntArray, int], set[tuple[int, int]]]]:
+) -> tuple[box_hierarchy.Hierarchy, Callable[[FloatArray, IntArray, int], set[tuple[int, int]]]]:
     """Ground whose part (a, c) has the parts wanted[a, c] as partners, and its pairs of benches.
 
     Parts are `size` metres long, from the `low`-th on, and a cell has PARTS of them.
     """
     groups, parts = wanted.shape[:2]
-    whole = parts // cells.PARTS
+    whole = parts // box_hierarchy.PARTS
     dragon = Dragon.uniform(12, 2.2)
     search = Searched(Walk(dragon, Route((Line(99.0),))), 40.0, 41.0)
     rows = groups * whole
-    tree = np.zeros((rows * (1 + cells.PARTS), cells.TREE_COLUMNS), dtype=np.int64)
-    tree[:rows, cells.CHILD] = rows + np.arange(rows) * cells.PARTS
-    tree[rows:, cells.GROUP] = np.repeat(np.arange(groups), parts)
-    tree[rows:, cells.NUMBER] = np.tile(np.arange(parts), groups)
+    tree = np.zeros((rows * (1 + box_hierarchy.PARTS), box_hierarchy.TREE_COLUMNS), dtype=np.int64)
+    tree[:rows, box_hierarchy.CHILD] = rows + np.arange(rows) * box_hierarchy.PARTS
+    tree[rows:, box_hierarchy.GROUP] = np.repeat(np.arange(groups), parts)
+    tree[rows:, box_hierarchy.NUMBER] = np.tile(np.arange(parts), groups)
     ground = search.room.ground._replace(
         tree=tree,
-        groups=np.full((groups, cells.WAYS + groups), math.inf),
+        groups=np.full((groups, box_hierarchy.WAYS + groups), math.inf),
         middles=np.empty((whole, 2)),
         partners=np.empty((int(wanted.sum()), 2), dtype=np.int64),
         near=np.empty((1, 2), dtype=np.int64),
     )
     ground.counts[:] = 0
-    ground.counts[[cells.GROUPS, cells.CELLS, cells.LOW]] = groups, whole, low // cells.PARTS
-    ground.measures[cells.CELL] = size * cells.PARTS
+    ground.counts[[box_hierarchy.GROUPS, box_hierarchy.CELLS, box_hierarchy.LOW]] = (
+        groups,
+        whole,
+        low // box_hierarchy.PARTS,
+    )
+    ground.measures[box_hierarchy.CELL] = size * box_hierarchy.PARTS
     for a, c, b, d in np.argwhere(wanted).tolist():
-        near_cells.add_partners(ground, rows + a * parts + c, rows + b * parts + d)
+        broad_phase.add_candidates(ground, rows + a * parts + c, rows + b * parts + d)
 
     def pairs(s: FloatArray, group: IntArray, most: int) -> set[tuple[int, int]]:
         first, second = np.empty((2, most), dtype=np.int64)
         benches = search.hunt.walk.benches._replace(kind=group)
-        kinds = cells.Kinds(search.hunt.walk.kinds.sizes, np.arange(groups))
-        found = meetings.meeting_pairs(benches, kinds, ground, s, 0, len(group), first, second)
+        kinds = box_hierarchy.Kinds(search.hunt.walk.kinds.sizes, np.arange(groups))
+        found = candidate_pairs.candidates_of_step(
+            benches, kinds, ground, s, 0, len(group), first, second
+        )
         named = set(zip(first[:found].tolist(), second[:found].tolist(), strict=True))
         assert len(named) == found
         return named
@@ -220,7 +228,7 @@ def test_no_dragon_is_placed_where_only_a_head_could_meet_others_that_has_passed
     found.begin(0.3)
     steps = list(found.steps())
     assert 20.0 < steps[0].start < steps[-1].end < 37.0
-    step, chains = steps[0].end - steps[0].start, int(found.room.course.tally[course.CHAINS])
+    step, chains = steps[0].end - steps[0].start, int(found.room.course.tally[workspace.CHAINS])
     if longest == "head":
         assert chains * step < 10.0  # of 66 m
     else:  # where the last one stands is not known without
@@ -235,7 +243,7 @@ def test_pairs_are_numbered_by_the_benches_that_are_in_any() -> None:
         first, second = both[:, 0].copy(), both[:, 1].copy()
         place, members = np.full(70, -1, dtype=np.int64), np.empty(24, dtype=np.int64)
         mine, other = np.empty_like(first), np.empty_like(second)
-        count = search.number_members(first, second, members, place, mine, other)
+        count = time_of_impact.number_members(first, second, members, place, mine, other)
         assert members[:count].tolist() == np.unique(both).tolist()
         assert (members[mine] == first).all()
         assert (members[other] == second).all()

@@ -25,7 +25,7 @@ from benchdragon.kernels.contact_memory import BEST, FARTHER, FIGURES, FLOOR_AT
 from benchdragon.kernels.memory import held
 from benchdragon.kernels.nearness import NEARNESS
 from benchdragon.kernels.question import CLOSED, close_question
-from benchdragon.kernels.search import FIRST_TOUCH, FOUND, LEAST
+from benchdragon.kernels.time_of_impact import FIRST_TOUCH, FOUND, LEAST
 from benchdragon.progress import silent
 from tests.kernels.tried_walks import Searched
 from tests.solve.asked_in_python import in_python

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from benchdragon import Arc, Clothoid, Dragon, Line, Route, Spiral
-from benchdragon.kernels import chain, drive, step_bounds
+from benchdragon.kernels import chain, drive, motion_bounds
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
@@ -27,7 +27,7 @@ DRIVES = {"starting": (0.0, 0.8, 1.3), "stopping": (1.1, 0.1, -0.7), "even": (0.
 
 def placed(route: Route, at: FloatArray) -> Placements:
     places = empty_placements(len(DRAGON) + 1, len(at))
-    assert step_bounds.place_chain(route.rows, DRAGON.links, at, 0, len(at), places)
+    assert motion_bounds.place_chain(route.rows, DRAGON.links, at, 0, len(at), places)
     return places
 
 
@@ -127,7 +127,7 @@ def test_handles_beside_jumps_count_as_crossing(side: float) -> None:
     head = float(route.joints[2]) + side
     for heads, slot in (([head - 0.01, head], 1), ([head, head + 0.01], 0)):
         places = placed(route, np.array(heads))
-        step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, scratch.table)
+        motion_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, scratch.table)
         here = route.rows, int(places.row[0, slot]), float(places.u[0, slot])
         assert drive.jump_beside(*here, 1e-6) == joint
         assert drive.jump_beside(*here, 1e-7) == -1
@@ -144,7 +144,7 @@ def test_more_jumps_at_once_than_are_told_apart_are_bounded_together() -> None:
     route = Route.joined([Line(6.0), *bends])
     at, scratch = np.array([9.0, 9.6]), rooms.scratch_for(len(DRAGON) + 1)
     places = placed(route, at)
-    step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, scratch.table)
+    motion_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, scratch.table)
     assert drive.find_jumps(route.rows, places, 0, 1, len(DRAGON), scratch) == drive.MOST_JUMPS
     drives = np.array([[0.5, 0.9, 0.4]])
     share = np.linspace(0.0, 1.0, 200)

@@ -5,12 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from benchdragon.kernels import search, step_bounds
+from benchdragon.kernels import motion_bounds, time_of_impact
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at, nearest_pair, radii
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.every_pair import CROWDED, Circles, near_in_step, search_all_pairs
-from benchdragon.kernels.perturbed import bound_beside, place_along
+from benchdragon.kernels.stray_chain import bound_beside, place_along
 from benchdragon.model.curves import Arc, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
 
@@ -40,10 +40,10 @@ def searched(
     parts: int = 60,
 ) -> tuple[int, FloatArray]:
     route, start, end = ROUTES[name]
-    room = search.room(COUNT + 1, COUNT, COUNT * COUNT)
+    room = time_of_impact.empty_search(COUNT + 1, COUNT, COUNT * COUNT)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
-    note = np.zeros(search.NOTES)
-    note[search.NEAREST], note[search.FLOOR] = 1.0, math.inf
+    note = np.zeros(time_of_impact.NOTES)
+    note[time_of_impact.NEAREST], note[time_of_impact.FLOOR] = 1.0, math.inf
     ending = search_all_pairs(
         room, goal, route.rows, dragon.links, aside, dragon.sizes, np.linspace(start, end, 61),
         first, second, margin, slack, 1e-9, 10_000, note,
@@ -66,18 +66,18 @@ def test_no_sample_lies_below_the_least_distance(name: str, seed: int) -> None:
     places = sampled(name, dragon, aside, 801)
     lowest, _t, i, j = nearest_pair(dragon.sizes, places.x, places.y)
     assert lowest > 0.0
-    ending, note = searched(name, dragon, aside, search.LEAST, 0.0, 1e-5)
-    assert ending == search.CLEAR
-    assert lowest - 2e-3 < note[search.NEAREST] <= lowest + 1e-5
-    assert divmod(int(note[search.PAIR]), COUNT) == (i, j)
-    for margin, found in ((lowest + 1e-6, True), (note[search.NEAREST] - 1e-4, False)):
-        ending, note_ = searched(name, dragon, aside, search.FIRST_TOUCH, margin, 1e-8)
-        assert (ending == search.FOUND) == found
-        assert found or ending == search.CLEAR
+    ending, note = searched(name, dragon, aside, time_of_impact.LEAST, 0.0, 1e-5)
+    assert ending == time_of_impact.CLEAR
+    assert lowest - 2e-3 < note[time_of_impact.NEAREST] <= lowest + 1e-5
+    assert divmod(int(note[time_of_impact.PAIR]), COUNT) == (i, j)
+    for margin, found in ((lowest + 1e-6, True), (note[time_of_impact.NEAREST] - 1e-4, False)):
+        ending, note_ = searched(name, dragon, aside, time_of_impact.FIRST_TOUCH, margin, 1e-8)
+        assert (ending == time_of_impact.FOUND) == found
+        assert found or ending == time_of_impact.CLEAR
         if found:
             before = sampled(name, dragon, aside, 801)
             start, end = ROUTES[name][1:]
-            upto = 1 + int(800 * (note_[search.UPPER] - start) / (end - start))
+            upto = 1 + int(800 * (note_[time_of_impact.UPPER] - start) / (end - start))
             early = nearest_pair(dragon.sizes, before.x[:, :upto].copy(), before.y[:, :upto].copy())[0]
             assert early > margin - 1e-6
 
@@ -86,19 +86,19 @@ def test_no_sample_lies_below_the_least_distance(name: str, seed: int) -> None:
 def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> None:
     route, start, end = ROUTES[name]
     dragon, aside = dancers(5, 0.2)
-    room = search.room(COUNT + 1, COUNT, 1)
-    chain = search.Chain(
+    room = time_of_impact.empty_search(COUNT + 1, COUNT, 1)
+    chain = time_of_impact.Chain(
         route.rows, dragon.links, aside, dragon.sizes, np.arange(COUNT), NOTHING, NOTHING
     )
     circles = Circles(*np.empty((5, len(dragon))))
     radii(dragon.sizes, circles.radius)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
-    handles, left_out = np.empty((COUNT + 1, step_bounds.HANDLE_COLUMNS)), 0
+    handles, left_out = np.empty((COUNT + 1, motion_bounds.HANDLE_COLUMNS)), 0
     for at in np.linspace(start, end - 0.3, 12):
         room.at[0], room.at[1] = at, at + 0.3
         for slot in (0, 1):
-            assert search.evaluate_slot(chain, room, slot, 0)
-        search.bound_members(chain, room, 1)
+            assert time_of_impact.evaluate_slot(chain, room, slot, 0)
+        time_of_impact.bound_members(chain, room, 1)
         bound_beside(route.rows, dragon.links, aside, room.places, 0, 1, handles)
         np.testing.assert_array_equal(room.handles[1:], handles[1:])
         places = empty_placements(COUNT + 1, 13)
@@ -122,11 +122,11 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
 def test_a_search_without_room_for_its_pairs_says_so() -> None:
     route, start, end = ROUTES["spiral"]
     dragon, aside = dancers(3, 0.2)
-    room = search.room(COUNT + 1, COUNT, COUNT)
+    room = time_of_impact.empty_search(COUNT + 1, COUNT, COUNT)
     scratch = np.empty(2, dtype=np.int64), np.empty(2, dtype=np.int64)
-    note = np.zeros(search.NOTES)
+    note = np.zeros(time_of_impact.NOTES)
     ending = search_all_pairs(
-        room, search.FIRST_TOUCH, route.rows, dragon.links, aside, dragon.sizes,
+        room, time_of_impact.FIRST_TOUCH, route.rows, dragon.links, aside, dragon.sizes,
         np.array([start, end]), *scratch, 0.2, 1e-8, 1e-9, 100, note,
     )  # fmt: skip
     assert ending == CROWDED
@@ -134,6 +134,8 @@ def test_a_search_without_room_for_its_pairs_says_so() -> None:
 
 def test_where_a_chain_cannot_stand_the_search_ends() -> None:
     dragon, _aside = dancers(3, 0.05)
-    ending, note = searched("hairpin", dragon, np.full(COUNT + 1, 0.74), search.FIRST_TOUCH, 0.0, 1e-8)
-    assert ending == search.FALLEN
-    assert 13.9 < note[search.UPPER] < 14.3
+    ending, note = searched(
+        "hairpin", dragon, np.full(COUNT + 1, 0.74), time_of_impact.FIRST_TOUCH, 0.0, 1e-8
+    )
+    assert ending == time_of_impact.FALLEN
+    assert 13.9 < note[time_of_impact.UPPER] < 14.3

@@ -8,8 +8,8 @@ import pytest
 
 from benchdragon.errors import BenchDragonError
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.course import Benches
 from benchdragon.kernels.family import Way, falls_soon, set_walk
+from benchdragon.kernels.workspace import Benches
 from benchdragon.model.curves import Line, Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan

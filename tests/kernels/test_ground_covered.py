@@ -10,7 +10,7 @@ from benchdragon.kernels.box import BOX_COLUMNS, boxes_at, corner
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.ground_covered import band_sides, strays
-from benchdragon.kernels.step_bounds import place_chain
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 
 SIZES = np.array([[2.2], [0.3], [0.275], [0.275]])

@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import linprog
 
 from benchdragon import Arc, Dragon, Line, Route
-from benchdragon.kernels import drive, head_speed, step_bounds
+from benchdragon.kernels import drive, head_speed, motion_bounds
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
@@ -129,7 +129,7 @@ def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
     even, scratch = np.array([1.0, 1.0, 0.0]), rooms.scratch_for(len(dragon) + 1)
     for n, hull in enumerate(hulls):
         ends = at[4 * n : 4 * n + 5].copy()
-        assert step_bounds.place_chain(route.rows, dragon.links, ends, 0, 5, places)
+        assert motion_bounds.place_chain(route.rows, dragon.links, ends, 0, 5, places)
         head_speed.find_hull(route.rows, dragon.links, places, 4, even, scratch, hull)
     one = Placement(dragon, route, np.linspace(7.0, 16.0, 3000, endpoint=False))
     found = hulls[np.arange(3000) // 100]

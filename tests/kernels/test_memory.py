@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from benchdragon.kernels import memory
-from benchdragon.kernels.course import Benches, Course
 from benchdragon.kernels.memory import HEADER, OWNED
+from benchdragon.kernels.workspace import Benches, SearchProgress
 
 
 @pytest.fixture(autouse=True)
@@ -40,15 +40,15 @@ def test_a_block_holds_a_group_whose_arrays_are_laid_one_after_another() -> None
 
 
 def test_what_is_laid_anew_is_seen_when_it_is_asked_for_again() -> None:
-    block = memory.new_block(memory.slot_count(Course))
-    slots = memory.integers_at(block, HEADER + memory.slot_count(Course))
+    block = memory.new_block(memory.slot_count(SearchProgress))
+    slots = memory.integers_at(block, HEADER + memory.slot_count(SearchProgress))
     for size in (2, 50):
         memory.drop(slots, 1)
         assert memory.take(slots, 1, 16 * size)
         memory.lay_from(slots, HEADER, slots[OWNED + 1])
         memory.lay_row(slots, size)
         memory.lay_row(slots, size)
-        way, tally = memory.group_at(Course, block + 8 * HEADER)
+        way, tally = memory.group_at(SearchProgress, block + 8 * HEADER)
         way[:], tally[:] = 0.5, 7
         assert (way.sum(), tally.sum()) == (0.5 * size, 7 * size)
     memory.release_block(block)

@@ -5,8 +5,8 @@ import pytest
 
 from benchdragon.kernels.box import BOX_COLUMNS, boxes_at, pair_distances
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.perturbed import place_along
 from benchdragon.kernels.random_dance_bound import bounds
+from benchdragon.kernels.stray_chain import place_along
 from benchdragon.model.curves import Line, Route, Spiral
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.tolerance import CASES, Deviations, Draw

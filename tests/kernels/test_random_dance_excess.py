@@ -8,7 +8,6 @@ import pytest
 
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import P, X, Y, place, spiral_length
-from benchdragon.kernels.perturbed import place_along
 from benchdragon.kernels.random_dance_bound import (
     GRID_LOW,
     OUTWARD,
@@ -20,6 +19,7 @@ from benchdragon.kernels.random_dance_bound import (
     table_sizes,
 )
 from benchdragon.kernels.route import locate
+from benchdragon.kernels.stray_chain import place_along
 from benchdragon.kernels.stray_line import fill_noise, noise_count, offset_at
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import read_plan

@@ -13,6 +13,7 @@ from benchdragon.analysis.speed import QUANTITIES, greatest_of
 from benchdragon.kernels import drive
 from benchdragon.kernels.chain import empty_placements, rates
 from benchdragon.kernels.curve import curvature
+from benchdragon.kernels.motion_bounds import bench_angles, place_chain
 from benchdragon.kernels.rate_rounding import (
     bend_errors,
     rate_errors,
@@ -20,7 +21,6 @@ from benchdragon.kernels.rate_rounding import (
     weigh_values,
 )
 from benchdragon.kernels.rounding import angle_error, mark_lanes, ratio_errors
-from benchdragon.kernels.step_bounds import bench_angles, place_chain
 
 pytest.importorskip("flint")
 from flint import arb

@@ -10,11 +10,11 @@ import pytest
 from benchdragon import Arc, Clothoid, Dragon, Line, LogSpiral, Route, Spiral, Walk, greatest_speed
 from benchdragon.analysis.nearby import errors_at, seams_of
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.drift import head_drift
+from benchdragon.kernels.double_double import head_drift
 from benchdragon.kernels.links import link_length
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.rounding import GAP, TILT, find_seams, mark_lanes, ratio_errors
 from benchdragon.kernels.route import locate
-from benchdragon.kernels.step_bounds import place_chain
 
 pytest.importorskip("flint")
 from flint import arb

@@ -8,8 +8,8 @@ import pytest
 
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import ANGLE, LENGTH, S_START, FloatArray, P, X, Y
-from benchdragon.kernels.perturbed import place_along
-from benchdragon.kernels.step_bounds import curvature_range
+from benchdragon.kernels.motion_bounds import curvature_range
+from benchdragon.kernels.stray_chain import place_along
 from benchdragon.kernels.stray_line import (
     LATTICE,
     REACH,

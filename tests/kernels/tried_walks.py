@@ -10,14 +10,14 @@ import pytest
 from benchdragon import Arc, Bench, Clothoid, Dragon, Line, LogSpiral, Route, Spiral, Walk
 from benchdragon.analysis.contact_search import SLACK, ContactSearch
 from benchdragon.kernels import contact_memory as told
-from benchdragon.kernels import contact_steps, course, memory, question
-from benchdragon.kernels.beginning import begin_walk
+from benchdragon.kernels import contact_steps, memory, question, workspace
 from benchdragon.kernels.contact_memory import BASE, Hunt
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.question import MORE, SPENT
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import FOUND, PAIR
 from benchdragon.kernels.search_room import ROOMY
+from benchdragon.kernels.search_start import begin_walk
+from benchdragon.kernels.time_of_impact import FOUND, PAIR
 from benchdragon.kernels.walk_search import SEEK
 from benchdragon.progress import silent
 from tests.solve.asked_in_python import in_python
@@ -70,7 +70,7 @@ class Searched:
         return memory.group_at(Hunt, self.block + BASE)
 
     @property
-    def room(self) -> course.Room:
+    def room(self) -> workspace.Workspace:
         """What it works on, for now; made for the margin, if nothing was begun."""
         if not self.hunt.figures[told.READY]:
             self.begin(self._margin)
@@ -82,7 +82,7 @@ class Searched:
 
     def go(self, start: float, end: float) -> None:
         """Let it begin at head position start, m, and end at `end`, both within the first ones."""
-        self.room.course.way[course.GOAL], self.hunt.figures[told.BEGUN] = end, start
+        self.room.course.way[workspace.GOAL], self.hunt.figures[told.BEGUN] = end, start
         assert contact_steps.begun_again(self.block) == ROOMY
 
     def steps(self) -> Iterator[Step]:
@@ -96,12 +96,12 @@ class Searched:
         with pytest.MonkeyPatch.context() as patch:
             in_python(patch)
             while self.asked.find(SEEK) == FOUND:
-                meeting, count = self.room.meeting, int(self.room.course.tally[course.PAIRS])
-                start, end = self.room.course.way[[course.STEP_START, course.STEP_END]].tolist()
+                meeting, count = self.room.meeting, int(self.room.course.tally[workspace.PAIRS])
+                start, end = self.room.course.way[[workspace.STEP_START, workspace.STEP_END]].tolist()
                 yield Step(start, end, meeting.first[:count].copy(), meeting.second[:count].copy())
 
     def search(self, goal: int, note: FloatArray, tolerance: float = 0.0) -> int:
-        """Search on for a goal of kernels/search.py; how that ended, and in `note` what was found."""
+        """Search on for a goal of kernels/time_of_impact.py; how that ended; `note` tells more."""
         if not self.hunt.figures[told.READY]:
             self.begin(self._margin)
         self.hunt.note[:] = note
@@ -121,7 +121,7 @@ class Searched:
 
 
 def begun_without_spans(
-    walk: course.Walk, room: course.Room, start: float, end: float, reach: float
+    walk: workspace.Walk, room: workspace.Workspace, start: float, end: float, reach: float
 ) -> bool:
     """Begin a search that knows of no span in which benches keep apart."""
     begun = begin_walk(walk, room, start, end, reach)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from benchdragon.kernels.search import CLEAR, FALLEN, FOUND, GRAZE
+from benchdragon.kernels.time_of_impact import CLEAR, FALLEN, FOUND, GRAZE
 from tests.engine.recording import node
 from tests.laws.wasm_dances import Compared, Found, compare
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from benchdragon import Walk
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH
-from benchdragon.kernels import search as kernel
+from benchdragon.kernels import time_of_impact as kernel
 from benchdragon.kernels.every_pair import search_all_pairs
 from tests.engine.recording import Recording, replayed
 from tests.laws.hard_dances import dance
@@ -83,7 +83,7 @@ def question(walk: Walk, last: float) -> tuple[object, ...]:
     benches = len(dragon)
     pairs = benches * (benches - 1) // 2
     first, second = np.zeros(pairs, dtype=np.int64), np.zeros(pairs, dtype=np.int64)
-    room = kernel.room(benches + 1, benches, pairs)
+    room = kernel.empty_search(benches + 1, benches, pairs)
     steps = 2 + int((last - walk.start) / (STEP * float(dragon.links.min())))
     at = np.linspace(walk.start, last, steps)
     aside = np.empty(0)

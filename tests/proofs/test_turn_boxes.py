@@ -10,7 +10,7 @@ import pytest
 pytest.importorskip("flint")
 from flint import arb
 
-from benchdragon.kernels import step_bounds
+from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import S_START
 from benchdragon.proofs import turn_chain
@@ -123,7 +123,7 @@ def chain(family: str, numbers: np.ndarray, head: float, backwards: bool) -> Pla
     rows = turn.rows(lead=60.0, trail=60.0)
     at = np.array([head + float(rows[-1 if backwards else 1, S_START])])
     places = empty_placements(len(LINKS) + 1, 1)
-    assert step_bounds.place_chain(rows, np.array(LINKS), at, 0, 1, places)
+    assert motion_bounds.place_chain(rows, np.array(LINKS), at, 0, 1, places)
     return places
 
 

@@ -8,7 +8,6 @@ from benchdragon.kernels import stray_line
 from benchdragon.kernels.box import nearest_pair
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import COLUMNS, FloatArray
-from benchdragon.kernels.perturbed import place_along
 from benchdragon.kernels.random_dance_bound import (
     FACTS,
     WAYS,
@@ -20,6 +19,7 @@ from benchdragon.kernels.random_dance_bound import (
     table_sizes,
 )
 from benchdragon.kernels.random_numbers import ASIDE
+from benchdragon.kernels.stray_chain import place_along
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan

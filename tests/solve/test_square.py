@@ -15,9 +15,9 @@ from benchdragon.analysis.obstacles import first_touch, least_distance
 from benchdragon.cli.main import run
 from benchdragon.errors import InputError
 from benchdragon.kernels import size_square
-from benchdragon.kernels.beside_search import TOO_OFTEN
 from benchdragon.kernels.box import corner
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.obstacle_search import TOO_OFTEN
 from benchdragon.kernels.size_bracket import FAILS, PASSES, UNDECIDED
 from benchdragon.kernels.turn_trial import APART, BESIDE, KINDS
 from benchdragon.model.walk import Motion

@@ -17,7 +17,7 @@ from benchdragon import InputError
 from benchdragon.analysis.certificate import read_certificate
 from benchdragon.cli.main import run
 from benchdragon.errors import UnsureError
-from benchdragon.kernels import step_bounds
+from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import S_START
 from benchdragon.plans.schema import Plan, read_plan
@@ -68,7 +68,7 @@ def ratio(numbers: np.ndarray, witness: Any) -> float:
     )
     at = np.array([witness.head + float(rows[-1 if witness.backwards else 1, S_START])])
     places = empty_placements(len(links) + 1, 1)
-    assert step_bounds.place_chain(rows, links, at, 0, 1, places)
+    assert motion_bounds.place_chain(rows, links, at, 0, 1, places)
     return float(places.ratio[witness.handle, 0])
 
 
@@ -168,7 +168,7 @@ def greatest_ratio(numbers: np.ndarray) -> float:
     rows, links = turn.rows(lead=60.0, trail=60.0), plan().dragon.build().links[:12]
     at = np.linspace(float(rows[1, S_START]), float(rows[-1, S_START]) + 10.0, 400)
     places = empty_placements(13, 400)
-    assert step_bounds.place_chain(rows, links, at, 0, 400, places)
+    assert motion_bounds.place_chain(rows, links, at, 0, 400, places)
     return float(places.ratio.max())
 
 

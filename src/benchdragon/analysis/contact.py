@@ -26,7 +26,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels.contact_memory import BEST, BETWEEN, FARTHER, FLOOR_AT, SEEN
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import CLEAR, FIRST_TOUCH, FOUND, LEAST, TOUCH_END
+from benchdragon.kernels.time_of_impact import CLEAR, FIRST_TOUCH, FOUND, LEAST, TOUCH_END
 from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
 from benchdragon.progress import Progress, silent

@@ -2,7 +2,7 @@
 
 Time enters through the head's route position alone, so that all searches run over that and hold for
 any speed. No bench is assumed clear because it was looked at: what is passed over is clear by a bound
-that holds in between (kernels/pair_bounds.py, design/first_contact.py).
+that holds in between (kernels/separation_bounds.py, design/first_contact.py).
 """
 
 import math

@@ -13,7 +13,7 @@ import numpy as np
 from benchdragon.errors import not_negative, of_kind, whole
 from benchdragon.i18n import N_
 from benchdragon.kernels import box as kernel
-from benchdragon.kernels import low_points
+from benchdragon.kernels import local_minima
 from benchdragon.kernels import nearness as near
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
@@ -180,14 +180,14 @@ def nearest_each(
 
 
 def low_point(
-    walk: Walk, i: int, j: int, low: float, high: float, shrinks: int = low_points.SHRINKS
+    walk: Walk, i: int, j: int, low: float, high: float, shrinks: int = local_minima.SHRINKS
 ) -> tuple[float, float]:
     """The least distance of benches i < j (rows, from 0) with the head between low and high, m; where.
 
     It is looked for, not bounded; infinite where the dragon stands nowhere. Minus a depth inside.
     """
     rows, dragon = walk.route.rows, walk.dragon
-    return low_points.low_point(
+    return local_minima.local_minimum(
         rows, dragon.links, dragon.sizes, i, j, low, high, shrinks, *_scratch(j + 2)
     )
 

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from benchdragon.kernels.drift import head_drift
+from benchdragon.kernels.double_double import head_drift
 from benchdragon.model.answer import Status
 from benchdragon.model.walk import Walk
 

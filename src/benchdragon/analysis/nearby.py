@@ -9,9 +9,9 @@ from benchdragon.errors import UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.regions import MOST_OFF
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.rounding import SEAM_COLUMNS, bench_errors, find_seams
-from benchdragon.kernels.step_bounds import place_chain
+from benchdragon.kernels.swept_boxes import MOST_OFF
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
 from benchdragon.number_format import at_most

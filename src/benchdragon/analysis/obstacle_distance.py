@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from benchdragon.analysis.distance import boxes, nearness
-from benchdragon.kernels import standing as kernel
+from benchdragon.kernels import obstacle_contact as kernel
 from benchdragon.kernels.box import BOX_COLUMNS, CX, CY
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray

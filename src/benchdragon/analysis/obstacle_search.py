@@ -1,4 +1,4 @@
-"""The search of a walk for benches that come near an obstacle: kernels/beside.py, asked by Python."""
+"""The search of a walk for benches that come near an obstacle: see kernels/obstacle_memory.py."""
 
 import math
 import time as clock
@@ -22,12 +22,12 @@ from benchdragon.analysis.rounds import returns
 from benchdragon.analysis.tables import in_columns
 from benchdragon.errors import UnsureError, in_order, of_kind
 from benchdragon.i18n import _
-from benchdragon.kernels import beside
-from benchdragon.kernels import beside_search as ended
+from benchdragon.kernels import obstacle_memory
 from benchdragon.kernels import obstacle_question as kernel
+from benchdragon.kernels import obstacle_search as ended
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.question import MORE
-from benchdragon.kernels.search import FIRST_TOUCH, LEAST
+from benchdragon.kernels.time_of_impact import FIRST_TOUCH, LEAST
 from benchdragon.kernels.walk_search import ASTRAY
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.obstacle import Obstacle
@@ -70,32 +70,34 @@ class ObstacleSearch(EngineQuestion):
         origin, dragon = origin_at(walk, first), walk.dragon
         near, (x, y) = seen_from(walk, origin), origin
         named = {
-            beside.SORT: obstacle.sort,
-            beside.RADIUS: obstacle.radius,
-            beside.MARGIN: obstacle.margin,
-            beside.HEAD_FIRST: first,
-            beside.HEAD_LAST: last,
-            beside.LEAST_OFF: SLACK,
-            beside.WIDTH: WIDTH,
-            beside.MOST: MOST_EVALUATIONS,
-            beside.MOST_LEAST: MOST_LEAST_EVALUATIONS,
+            obstacle_memory.SORT: obstacle.sort,
+            obstacle_memory.RADIUS: obstacle.radius,
+            obstacle_memory.MARGIN: obstacle.margin,
+            obstacle_memory.HEAD_FIRST: first,
+            obstacle_memory.HEAD_LAST: last,
+            obstacle_memory.LEAST_OFF: SLACK,
+            obstacle_memory.WIDTH: WIDTH,
+            obstacle_memory.MOST: MOST_EVALUATIONS,
+            obstacle_memory.MOST_LEAST: MOST_LEAST_EVALUATIONS,
         }
         outline = np.array([(at[0] - x, at[1] - y) for at in obstacle.outline.tolist()])
         handle = kernel.open_obstacle(
             near.route.rows, dragon.links, dragon.sizes, outline, repeats_of(near), in_columns(named)
         )
-        super().__init__(handle, kernel.step_obstacle, kernel.read_obstacle, np.zeros(beside.FIGURES))
+        super().__init__(
+            handle, kernel.step_obstacle, kernel.read_obstacle, np.zeros(obstacle_memory.FIGURES)
+        )
         self._walk, self._obstacle, self._heads, self._origin = walk, obstacle, (first, last), origin
         self._times, self._began = HeadTimes(walk, first, start, end), began
 
     @property
     def evaluations(self) -> int:
         """Benches placed in searches."""
-        return int(self.figures[beside.MADE])
+        return int(self.figures[obstacle_memory.MADE])
 
     def ways(self) -> FloatArray:
-        """How each size of bench is walked, a row each: see kernels/beside.py."""
-        ways = np.empty((len(self._walk.dragon), beside.WAYS))
+        """How each size of bench is walked, a row each: see kernels/obstacle_memory.py."""
+        ways = np.empty((len(self._walk.dragon), obstacle_memory.WAYS))
         return ways[: kernel.read_ways(self._handle, ways)]
 
     def touches(self) -> list[Answer]:
@@ -121,13 +123,13 @@ class ObstacleSearch(EngineQuestion):
         for n, tolerance in enumerate(tolerances):
             with refined(n):
                 found = self._found(LEAST, tolerance)
-                if self.figures[beside.CLOSED_IN]:
+                if self.figures[obstacle_memory.CLOSED_IN]:
                     return self._distance(found[0])
         found = self._found(LEAST, math.inf)
         return self._distance(found[0])
 
     def _found(self, goal: int, narrow: float) -> list[list[float]]:
-        """Rows of what is sought: see kernels/beside.py."""
+        """Rows of what is sought: see kernels/obstacle_memory.py."""
         kernel.seek_obstacle(self._handle, goal, narrow)
         while (ending := self.step()) == MORE:
             pass
@@ -137,8 +139,8 @@ class ObstacleSearch(EngineQuestion):
             text = _("benches come within rounding of {name} too often to be followed on")
             raise UnsureError(text.format(name=self._obstacle.name))
         if ending == ended.TOO_FAR_OFF:
-            checked_off(float(self.figures[beside.ABOUT]))
-        found = np.empty((int(self.figures[beside.COUNT]), beside.FOUND_COLUMNS))
+            checked_off(float(self.figures[obstacle_memory.ABOUT]))
+        found = np.empty((int(self.figures[obstacle_memory.COUNT]), obstacle_memory.FOUND_COLUMNS))
         kernel.read_found(self._handle, 0, found)
         rows: list[list[float]] = found.tolist()
         return rows
@@ -147,24 +149,30 @@ class ObstacleSearch(EngineQuestion):
         """Why a bench could not be followed past the end of what its search had shown."""
         error = self._walk.first_failure(np.linspace(*self._heads, SAMPLES))
         text = _("past s = {s} m it could not be shown that every bench follows without a leap")
-        return error or UnsureError(text.format(s=f"{self.figures[beside.SOUND]:.6g}"))
+        return error or UnsureError(text.format(s=f"{self.figures[obstacle_memory.SOUND]:.6g}"))
 
     def _touch(self, row: list[float]) -> Answer:
         """When the head is where a touch begins and surely is; how the bench then stands."""
-        sure: Status = "found" if row[beside.SURE] else "undecided"
-        value, early, late, status = self._times.told(row[beside.LOW_END], row[beside.HIGH_END], sure)
+        sure: Status = "found" if row[obstacle_memory.SURE] else "undecided"
+        value, early, late, status = self._times.told(
+            row[obstacle_memory.LOW_END], row[obstacle_memory.HIGH_END], sure
+        )
         if status == "found" and late - early > NARROW:
             value = late  # a graze came before: then it surely touches
         return self._answer((value, early, late), "s", status, row)
 
     def _distance(self, row: list[float]) -> Answer:
-        bracket = row[beside.VALUE], row[beside.LOW_END], row[beside.HIGH_END]
+        bracket = (
+            row[obstacle_memory.VALUE],
+            row[obstacle_memory.LOW_END],
+            row[obstacle_memory.HIGH_END],
+        )
         return self._answer(bracket, "m", "found", row)
 
     def _answer(
         self, bracket: tuple[float, float, float], unit: str, status: Status, row: list[float]
     ) -> Answer:
-        assumed, made = assumed_within(float(self.figures[beside.ABOUT])), self.evaluations
+        assumed, made = assumed_within(float(self.figures[obstacle_memory.ABOUT])), self.evaluations
         seconds = clock.perf_counter() - self._began
         return Answer(*bracket, unit, status, self._witness(row), assumed, made, seconds)
 
@@ -174,9 +182,13 @@ class ObstacleSearch(EngineQuestion):
         Where it stands wholly inside of one the gap is minus the distance. Of a bench outside of the
         venue the point is the corner that is farthest out, and the gap minus how far.
         """
-        s, gap, bench = row[beside.HEAD], row[beside.GAP], int(row[beside.WHO]) + 1
+        s, gap, bench = (
+            row[obstacle_memory.HEAD],
+            row[obstacle_memory.GAP],
+            int(row[obstacle_memory.WHO]) + 1,
+        )
         if math.isnan(gap):
             raise self._stopped()
-        point = row[beside.AT_X] + self._origin[0], row[beside.AT_Y] + self._origin[1]
-        feature, time = FEATURES[int(row[beside.FEATURE])], self._times.at(s)
+        point = row[obstacle_memory.AT_X] + self._origin[0], row[obstacle_memory.AT_Y] + self._origin[1]
+        feature, time = FEATURES[int(row[obstacle_memory.FEATURE])], self._times.at(s)
         return Witness(time, s, (bench,), point, gap, ((bench, feature),), None, self._obstacle.name)

@@ -16,8 +16,8 @@ from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.ground_covered import strays
 from benchdragon.kernels.links import link_of
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.route import IntArray, positions
-from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.walk import Walk
 
 # First steps of a front handle, as a share of the link: bounds hold for short ones alone.

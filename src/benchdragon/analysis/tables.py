@@ -4,12 +4,12 @@ import numpy as np
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.kernels import course, search_room
-from benchdragon.kernels.cells import Kinds
-from benchdragon.kernels.course import Benches
+from benchdragon.kernels import search_room, workspace
+from benchdragon.kernels.box_hierarchy import Kinds
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.kinds import find_kinds
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.workspace import Benches
 from benchdragon.model.walk import Walk
 
 # Different sizes of benches whose contacts can be searched: each is boxed in each cell.
@@ -68,7 +68,7 @@ def kinds_of(sizes: FloatArray) -> tuple[IntArray, Kinds]:
     return kind, Kinds(np.array([row[:count] for row in found.tolist()]), group[:count])
 
 
-def walk_tables(walk: Walk) -> course.Walk:
+def walk_tables(walk: Walk) -> workspace.Walk:
     """A dragon on its route, as kernels want them.
 
     Raises:
@@ -80,4 +80,4 @@ def walk_tables(walk: Walk) -> course.Walk:
     for link in dragon.links.tolist()[:-1]:
         ahead.append(ahead[-1] + link)
     benches = Benches(dragon.links, dragon.sizes, kind, np.array(ahead), np.array([dragon.lever]))
-    return course.Walk(walk.route.rows, benches, kinds)
+    return workspace.Walk(walk.route.rows, benches, kinds)

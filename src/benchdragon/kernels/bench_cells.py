@@ -10,18 +10,18 @@ value cannot be (design/coarse_bound.py).
 import math
 from typing import NamedTuple
 
-from benchdragon.kernels import step_bounds
+from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
 from benchdragon.kernels.chain import Placements, place_head, place_next, rates_in_slot
 from benchdragon.kernels.curve import S_START, FloatArray, length_at, place
 from benchdragon.kernels.drive import ACROSS, SPEEDS, TOTAL, TURNING, most_of_handle
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.motion_bounds import bound_handles, curvature_range, magnitude, scaled
 from benchdragon.kernels.rate_rounding import Errors, bend_errors, rate_errors
-from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended, Status
-from benchdragon.kernels.step_bounds import bound_handles, curvature_range, magnitude, scaled
+from benchdragon.kernels.swept_boxes import EDGE
 
 # Columns of what a bench does while its front handle walks through a cell.
 REAR = 0  # route position of its rear handle at the cell's start, m
@@ -174,13 +174,13 @@ def bound_kind(
     if places.failed[0, a] != Status.OK or places.failed[0, b] != Status.OK:
         return True
     bound_handles(rows, links[g], places, a, b, bounds)
-    fast = bounds[1, step_bounds.SPEED]
-    benches[c, g, SLOW], benches[c, g, FAST] = bounds[1, step_bounds.SLOWEST], fast
+    fast = bounds[1, motion_bounds.SPEED]
+    benches[c, g, SLOW], benches[c, g, FAST] = bounds[1, motion_bounds.SLOWEST], fast
     off = max(growth_error(shop, a), growth_error(shop, b))
-    benches[c, g, FADE] = bounds[1, step_bounds.GROWTH_LOW] - off
-    benches[c, g, GROW] = bounds[1, step_bounds.GROWTH_HIGH] + off
+    benches[c, g, FADE] = bounds[1, motion_bounds.GROWTH_LOW] - off
+    benches[c, g, GROW] = bounds[1, motion_bounds.GROWTH_HIGH] + off
     sway = max(errors.turn[0, a], errors.turn[0, b])
-    benches[c, g, SWAY] = bounds[1, step_bounds.TURNING_RATE] + sway
+    benches[c, g, SWAY] = bounds[1, motion_bounds.TURNING_RATE] + sway
     cells.off[c] = max(cells.off[c], errors.ratio[1, a], errors.ratio[1, b])
     return fast > max(1.0, max(places.ratio[1, a], places.ratio[1, b]) * (1.0 + loss))
 
@@ -348,7 +348,7 @@ def bound_by_cells(
     for i in range(links + 1):
         bend = greatest_bend(cells.bends, ca, cb) if quantity in (ACROSS, TOTAL) else 0.0
         size = swayed if quantity == TURNING else fastest
-        bound = step_bounds.ROUNDED_UP * most_of_handle(size, fade, grow, bend, drive, quantity)
+        bound = motion_bounds.ROUNDED_UP * most_of_handle(size, fade, grow, bend, drive, quantity)
         calm = quantity == SPEEDS and bound <= enough and cells.fastest[cb] <= 1.0
         exactly = bound
         if quantity == SPEEDS:

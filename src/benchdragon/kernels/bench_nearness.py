@@ -12,7 +12,7 @@ from benchdragon.kernels.box import boxes_at, corner, nearest_corner, nearest_ea
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, entry, kernel
-from benchdragon.kernels.low_points import low_point
+from benchdragon.kernels.local_minima import local_minimum
 from benchdragon.kernels.nearness import foot
 
 # How far other benches are looked for, m, at all times; and at the end for those beside.
@@ -71,7 +71,7 @@ def find_tightest(
         early, late = max(n - 1, 0), min(n + 1, heads.shape[0] - 1)
         i, j, head = min(k, other), max(k, other), heads[n]
         if heads[early] < heads[late]:
-            lowest, where = low_point(
+            lowest, where = local_minimum(
                 line.rows, line.links, line.sizes, i, j, heads[early], heads[late], SHRINKS, at, places,
                 boxes,
             )  # fmt: skip

@@ -8,16 +8,16 @@ import math
 
 from benchdragon.kernels import contact_memory as told
 from benchdragon.kernels import contact_steps
-from benchdragon.kernels.cells import END as ROUTE_END
+from benchdragon.kernels.box_hierarchy import END as ROUTE_END
 from benchdragon.kernels.contact_memory import Hunt
-from benchdragon.kernels.course import GOAL as WAY_GOAL
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.low_points import MOST_SAMPLED, low_pair
+from benchdragon.kernels.local_minima import MOST_SAMPLED, low_pair
 from benchdragon.kernels.memory import group_at
 from benchdragon.kernels.question import MORE, OVER_MEMORY, SPENT
-from benchdragon.kernels.search import CLEAR, FALLEN, FLOOR, FOUND, LEAST, NEAREST, PAIR, UPPER
 from benchdragon.kernels.search_room import ROOMY
+from benchdragon.kernels.time_of_impact import CLEAR, FALLEN, FLOOR, FOUND, LEAST, NEAREST, PAIR, UPPER
 from benchdragon.kernels.walk_search import SEEK
+from benchdragon.kernels.workspace import GOAL as WAY_GOAL
 
 # What LEAST is doing.
 LOOKING, THROUGH, OPENING, PASSING = range(4)

@@ -6,7 +6,6 @@ from benchdragon.kernels import memory, search_room
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.course import Benches, Room, Walk
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.kinds import find_kinds
@@ -15,16 +14,17 @@ from benchdragon.kernels.nearness import NEARNESS
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import NOTES
 from benchdragon.kernels.search_room import lay_block, placements, walks
 from benchdragon.kernels.spiral import LANES
+from benchdragon.kernels.time_of_impact import NOTES
+from benchdragon.kernels.workspace import Benches, Walk, Workspace
 
 # What may be sought besides FIRST_TOUCH and TOUCH_END, each from where the one before was found, LEAST
 # of the whole, and SEEK, the next step in which pairs may come within reach:
 SEEN = 4  # the least distance that is seen here and there
 BETWEEN = 5  # the least between two head positions, about one that is known
 NOTHING = -1
-# How steps end, besides the ways of kernels/search.py and kernels/question.py.
+# How steps end, besides the ways of kernels/time_of_impact.py and kernels/question.py.
 STOPPED = 30  # the walk could not be followed past SOUND_TO: why may be seen up to UNTIL
 UNSHOWN = 31  # it could not be shown that the dragon stands where a span begins
 ENDLESS = 32  # the route has too many cells
@@ -72,7 +72,7 @@ class Hunt(NamedTuple):
 
     walk: Walk
     seams: Table  # (rows, SEAM_COLUMNS)
-    room: Room
+    room: Workspace
     sizes: IntVector  # of the room
     beginnings: IntVector  # likewise: see search_room
     spans: Table  # of the head's way, m, (spans, 2)

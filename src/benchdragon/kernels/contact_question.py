@@ -1,7 +1,8 @@
 """Contacts and least clearances of a walk, as a question: `open, seek, step, read, close`.
 
 What is sought is looked for along spans of the head's way, one after another, in room that grows within
-the engine (kernels/search_room.py). Steps end as kernels/search.py or kernels/contact_memory.py says.
+the engine (kernels/search_room.py). Steps end as kernels/time_of_impact.py or
+kernels/contact_memory.py says.
 """
 
 from benchdragon.kernels import contact_memory as told
@@ -19,12 +20,21 @@ from benchdragon.kernels.contact_steps import (
     stands,
     tightest,
 )
-from benchdragon.kernels.course import AT, STEP_END, STEP_START
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.question import CLOSED, MORE, SPENT
-from benchdragon.kernels.search import CLEAR, FALLEN, FIRST_TOUCH, FOUND, LEAST, LOWER, PAIR, UPPER
 from benchdragon.kernels.search_room import ROOMY
+from benchdragon.kernels.time_of_impact import (
+    CLEAR,
+    FALLEN,
+    FIRST_TOUCH,
+    FOUND,
+    LEAST,
+    LOWER,
+    PAIR,
+    UPPER,
+)
 from benchdragon.kernels.walk_search import SEEK
+from benchdragon.kernels.workspace import AT, STEP_END, STEP_START
 
 
 @entry

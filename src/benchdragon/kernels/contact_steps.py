@@ -5,24 +5,24 @@ import math
 from benchdragon.kernels import contact_memory as told
 from benchdragon.kernels import search_room
 from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal, set_box
-from benchdragon.kernels.cells import CELL, RADIUS
+from benchdragon.kernels.box_hierarchy import CELL, RADIUS
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.contact_memory import Hunt
-from benchdragon.kernels.course import AT, COURSE, PLACED, SOUND, STEP_END, TALLY
-from benchdragon.kernels.course import GOAL as WAY_GOAL
 from benchdragon.kernels.curve import LENGTH, S_START, length_at
-from benchdragon.kernels.drift import head_drift
+from benchdragon.kernels.double_double import head_drift
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import gather, put
 from benchdragon.kernels.memory import drop, group_at, integers_at
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.nearness import called, nearness
 from benchdragon.kernels.question import MORE, OUT_OF_MEMORY, OVER_MEMORY, SPENT, WANTED
-from benchdragon.kernels.regions import MOST_OFF
 from benchdragon.kernels.rounding import bench_errors
 from benchdragon.kernels.route import END_SLACK
-from benchdragon.kernels.search import CLEAR, EVALUATIONS, FALLEN, FOUND, LEAST, LOWER, OFF
-from benchdragon.kernels.step_bounds import place_chain
+from benchdragon.kernels.swept_boxes import MOST_OFF
+from benchdragon.kernels.time_of_impact import CLEAR, EVALUATIONS, FALLEN, FOUND, LEAST, LOWER, OFF
 from benchdragon.kernels.walk_search import ASTRAY, CALL, CROWDED, SEARCHED, search_walk, work_done
+from benchdragon.kernels.workspace import AT, COURSE, PLACED, SOUND, STEP_END, TALLY
+from benchdragon.kernels.workspace import GOAL as WAY_GOAL
 
 # The tightest pair is first looked for within this, m; distances that agree in so many parts of a metre
 # count as equal.
@@ -161,12 +161,12 @@ def span_begun(block: int, n: int) -> int:
         tail = walk.rows[placed.row[last, 0], S_START]
         tail += length_at(walk.rows, placed.row[last, 0], placed.u[last, 0])
     drop(integers_at(block, told.END_SLOT), search_room.GROUND_MEMORY)
-    search_room.size_room(hunt.sizes, hunt.beginnings, walk, tail, hunt.spans[n, 1])
+    search_room.size_workspace(hunt.sizes, hunt.beginnings, walk, tail, hunt.spans[n, 1])
     hunt.room.crowd.grid.side[0] = search_room.square_side(walk, f[told.NEAR])
     made = search_room.make_step(block, told.ROOM_SLOT, hunt.sizes)
     hunt = group_at(Hunt, block + told.BASE)
     if made == search_room.ROOMY:
-        made = search_room.aim_room(block, told.ROOM_SLOT, hunt.sizes, hunt.walk, aim_of(hunt))
+        made = search_room.begin_workspace(block, told.ROOM_SLOT, hunt.sizes, hunt.walk, aim_of(hunt))
     return room_ending(group_at(Hunt, block + told.BASE), made)
 
 
@@ -195,7 +195,7 @@ def begun_again(block: int) -> int:
 
 @kernel
 def searched_on(block: int, goal: int, slack: float, left: float, counted: int) -> int:
-    """Search on for a goal of kernels/search.py, or SEEK; how a step ends then.
+    """Search on for a goal of kernels/time_of_impact.py, or SEEK; how a step ends then.
 
     At most about `left` handles may be placed, counted in that column of the figures.
     """
@@ -214,7 +214,7 @@ def searched_on(block: int, goal: int, slack: float, left: float, counted: int) 
         if ending == MORE or f[counted] > left:
             return MORE
         if ending == CROWDED:
-            made = search_room.widen_room(block, told.ROOM_SLOT, hunt.sizes, walk, aim_of(hunt))
+            made = search_room.grow_workspace(block, told.ROOM_SLOT, hunt.sizes, walk, aim_of(hunt))
             made = room_ending(group_at(Hunt, block + told.BASE), made)
         elif ending == CLEAR and f[told.SPAN] + 1.0 < hunt.spans.shape[0]:
             f[told.LEFT] = limits[told.MOST_LEAST] if goal == LEAST else limits[told.MOST]

@@ -12,7 +12,7 @@ bounded side by side, each side with its own curvatures.
 import math
 from typing import NamedTuple
 
-from benchdragon.kernels import step_bounds as bounds
+from benchdragon.kernels import motion_bounds as bounds
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import S_START, U_END, U_START, FloatArray, curvature, stretch

@@ -1,8 +1,8 @@
 """A search of a whole walk for all pairs of benches, step by step, without cells of the route.
 
 For dragons of which no two benches are alike, whose handles walk beside the route: boxing what each
-bench sweeps in each cell would cost more than the search (kernels/regions.py). Pairs that may come near
-in a step are found by its benches' paths and faces, and searched as in kernels/search.py.
+bench sweeps in each cell would cost more than the search (kernels/swept_boxes.py). Pairs that may come
+near in a step are found by its benches' paths and faces, and searched as in kernels/time_of_impact.py.
 """
 
 import math
@@ -14,9 +14,10 @@ from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import box_gap, centres, radii
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, entry, kernel
-from benchdragon.kernels.pair_bounds import face_bound
+from benchdragon.kernels.motion_bounds import PATH, POINT_ACCELERATION, TRAVEL
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import (
+from benchdragon.kernels.separation_bounds import face_bound
+from benchdragon.kernels.time_of_impact import (
     CLEAR,
     FALLEN,
     GRAZE,
@@ -28,15 +29,14 @@ from benchdragon.kernels.search import (
     Limits,
     Pairs,
     Search,
+    activate_pairs,
     bisect,
     bound_members,
     close_left,
-    enliven,
     evaluate_slot,
 )
-from benchdragon.kernels.step_bounds import PATH, POINT_ACCELERATION, TRAVEL
 
-# How a search ended, besides the ways of kernels/search.py: room for more pairs is needed.
+# How a search ended, besides the ways of kernels/time_of_impact.py: room for more pairs is needed.
 CROWDED = 7
 # What two benches of a dragon placed cost, in handles placed.
 PAIR_WORK = 0.02
@@ -108,7 +108,7 @@ def search_near(
     if found == 0:
         close_left(search, 1, chain.links.shape[0] + 1, count)
         return CLEAR
-    enliven(search, found)
+    activate_pairs(search, found)
     before, note[PAIR] = note[PAIR], -1.0
     pairs = Pairs(scratch.first[:found], scratch.second[:found])
     ending = bisect(search, goal, chain, pairs, 1, 2, limits, note)

@@ -10,19 +10,19 @@ from benchdragon.kernels import curve, route_parts
 from benchdragon.kernels import turn_families as families
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
-from benchdragon.kernels.cells import Kinds
+from benchdragon.kernels.box_hierarchy import Kinds
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.course import Benches, Walk
 from benchdragon.kernels.curve import FloatArray, spiral_length
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.links import link_of
-from benchdragon.kernels.low_points import head_where_tail
+from benchdragon.kernels.local_minima import head_where_tail
 from benchdragon.kernels.memory import ROW, Shapes, copy_row, copy_table
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.route_parts import Pose, farthest, lay_rows, row_count
 from benchdragon.kernels.status import TurnStatus
-from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.kernels.turn_families import three_pieces, turn_parts, two_arcs
+from benchdragon.kernels.workspace import Benches, Walk
 
 # What varies.
 PITCH, DISC, WIDTH, BENCH = 0, 1, 2, 3

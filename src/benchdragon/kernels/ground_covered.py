@@ -8,14 +8,14 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels import step_bounds as bounds
+from benchdragon.kernels import motion_bounds as bounds
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray, place
 from benchdragon.kernels.entries import allocates, entry, kernel
-from benchdragon.kernels.regions import walks_on
+from benchdragon.kernels.motion_bounds import bound_bench, heading_bound
 from benchdragon.kernels.route import locate
-from benchdragon.kernels.step_bounds import bound_bench, heading_bound
+from benchdragon.kernels.swept_boxes import walks_on
 
 # Corners of a bench at the two ends of a step.
 CORNERS = 8

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels import step_bounds
+from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.arrays import Stack, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
@@ -47,13 +47,13 @@ def widen(
     table = scratch.table
     bound_step(rows, links, places, a, a + 1, even, ALONG, scratch)
     for i in range(hull.shape[0]):
-        bent = step_bounds.magnitude(table[i, step_bounds.RIGHT], table[i, step_bounds.LEFT])
-        hull[i, FAST] = max(hull[i, FAST], step_bounds.ROUNDED_UP * table[i, step_bounds.SPEED])
+        bent = motion_bounds.magnitude(table[i, motion_bounds.RIGHT], table[i, motion_bounds.LEFT])
+        hull[i, FAST] = max(hull[i, FAST], motion_bounds.ROUNDED_UP * table[i, motion_bounds.SPEED])
         hull[i, TURNING_RATE] = max(
-            hull[i, TURNING_RATE], step_bounds.ROUNDED_UP * table[i, step_bounds.TURNING_RATE]
+            hull[i, TURNING_RATE], motion_bounds.ROUNDED_UP * table[i, motion_bounds.TURNING_RATE]
         )
-        hull[i, GROWTH_LOW] = min(hull[i, GROWTH_LOW], table[i, step_bounds.GROWTH_LOW])
-        hull[i, GROWTH_HIGH] = max(hull[i, GROWTH_HIGH], table[i, step_bounds.GROWTH_HIGH])
+        hull[i, GROWTH_LOW] = min(hull[i, GROWTH_LOW], table[i, motion_bounds.GROWTH_LOW])
+        hull[i, GROWTH_HIGH] = max(hull[i, GROWTH_HIGH], table[i, motion_bounds.GROWTH_HIGH])
         hull[i, BEND] = max(hull[i, BEND], bent)
 
 

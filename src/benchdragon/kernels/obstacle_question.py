@@ -1,14 +1,14 @@
 """When benches touch one obstacle, and the least that they keep from it, as a question of the engine.
 
-Opened for a walk and an obstacle; each step ends as kernels/beside_search.py says.
+Opened for a walk and an obstacle; each step ends as kernels/obstacle_search.py says.
 """
 
 from benchdragon.kernels import memory
 from benchdragon.kernels.arrays import Table, Vector
-from benchdragon.kernels.beside import COUNT, WAY_COUNT, Beside, begin_beside
-from benchdragon.kernels.beside_search import seek_beside, step_beside
-from benchdragon.kernels.beside_ways import stands
 from benchdragon.kernels.entries import entry
+from benchdragon.kernels.obstacle_memory import COUNT, WAY_COUNT, Beside, begin_beside
+from benchdragon.kernels.obstacle_paths import stands
+from benchdragon.kernels.obstacle_search import seek_beside, step_beside
 from benchdragon.kernels.question import CLOSED, SPENT
 
 BASE, SLOTS = 8 * memory.HEADER, memory.slot_count(Beside)
@@ -21,7 +21,7 @@ def open_obstacle(
     """Open a question about a walk and an obstacle; its handle, 0 if there is no memory.
 
     The dragon must be able to stand at both ends. `repeats` are those parts of the route that lead back
-    to where it was (spans.REPEAT); `asked` is as in kernels/beside.py. All is copied.
+    to where it was (spans.REPEAT); `asked` is as in kernels/obstacle_memory.py. All is copied.
     """
     block = memory.new_block(SLOTS)
     if block == 0:

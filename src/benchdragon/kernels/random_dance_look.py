@@ -9,7 +9,7 @@ from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.every_pair import PAIR_WORK
 from benchdragon.kernels.question import SPENT
 from benchdragon.kernels.random_dance_memory import Dance
-from benchdragon.kernels.search import Chain, close_left, evaluate_slot
+from benchdragon.kernels.time_of_impact import Chain, close_left, evaluate_slot
 
 # Head positions looked at, as a share of the shortest link; how often the range about the least
 # distance is then looked at in so many parts.

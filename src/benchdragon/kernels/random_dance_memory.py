@@ -5,7 +5,6 @@ from typing import NamedTuple
 from benchdragon.kernels import random_numbers
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.course import Walk, copy_walk
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.family import Family, copy_family, family_shapes
@@ -25,8 +24,9 @@ from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.random_dance_bound import FACTS, Bound
 from benchdragon.kernels.random_numbers import DEVIATIONS
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import NOTES, Search
 from benchdragon.kernels.search_room import placements, searches, walks
+from benchdragon.kernels.time_of_impact import NOTES, Search
+from benchdragon.kernels.workspace import Walk, copy_walk
 
 # What hosts say of a question, a row of floats.
 WHAT = 0  # NEEDED: the pitch that the dance needs; TOUCHES: whether benches touch with the plan's own

@@ -11,7 +11,6 @@ import math
 from benchdragon.kernels import random_dance_memory as m
 from benchdragon.kernels.arrays import Vector
 from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK, radii
-from benchdragon.kernels.course import Walk
 from benchdragon.kernels.curve import COLUMNS, LENGTH, S_START, U_BACK
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.every_pair import CROWDED, PAIR_WORK, search_steps
@@ -59,7 +58,15 @@ from benchdragon.kernels.random_dance_look import (
 from benchdragon.kernels.random_dance_memory import Dance, Drawn
 from benchdragon.kernels.random_numbers import draw_benches
 from benchdragon.kernels.route import END_SLACK
-from benchdragon.kernels.search import (
+from benchdragon.kernels.stray_line import (
+    STRAY_LENGTH,
+    between,
+    fill_noise,
+    lay_line,
+    lay_points,
+    noise_count,
+)
+from benchdragon.kernels.time_of_impact import (
     CLEAR,
     EVALUATIONS,
     FALLEN,
@@ -69,15 +76,8 @@ from benchdragon.kernels.search import (
     UPPER,
     Limits,
 )
-from benchdragon.kernels.stray_line import (
-    STRAY_LENGTH,
-    between,
-    fill_noise,
-    lay_line,
-    lay_points,
-    noise_count,
-)
 from benchdragon.kernels.walk_search import SEARCHED
+from benchdragon.kernels.workspace import Walk
 
 # Steps of the head that are searched at once, as a share of the shortest link: longer ones leave looser
 # bounds (design/imprecision.py). Parts of a step as short as WIDTH, m, are not halved; chains that one

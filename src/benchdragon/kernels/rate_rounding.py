@@ -16,8 +16,8 @@ from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import KIND, SPIRAL, FloatArray, P, bend_slope, curvature, stretch
 from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TURNING, jump_beside
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.motion_bounds import bench_angles
 from benchdragon.kernels.rounding import ABOUT, HALF_UNIT, angle_error, link_error, place_error
-from benchdragon.kernels.step_bounds import bench_angles
 
 # Roundings of a curvature, of a sine or cosine made of two products, of a sum of products as shares of
 # its terms, and of the head's speed.

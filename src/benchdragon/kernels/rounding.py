@@ -1,9 +1,10 @@
 """How far rounding may have moved the handles of a placed chain, and with them all points of benches.
 
-A computed chain is the exact one of a head a little way off (kernels/drift.py), but for what each link
-adds: its solver leaves the chord wrong by a few units of what it is made from. Along the route that is
-the error over the cosine at the rear handle, and from there it travels as speeds do, by the ratio of
-cosines at each link. Places add their own rounding, once each, and the joints of the route theirs.
+A computed chain is the exact one of a head a little way off (kernels/double_double.py), but for what
+each link adds: its solver leaves the chord wrong by a few units of what it is made from. Along the
+route that is the error over the cosine at the rear handle, and from there it travels as speeds do, by
+the ratio of cosines at each link. Places add their own rounding, once each, and joints of the route
+theirs.
 
 Errors below are bounds to first order; what is left out is smaller by 1e-9 or more.
 """
@@ -17,9 +18,9 @@ from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray, curvature, heading, place, stretch
 from benchdragon.kernels.drive import jump_beside
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.motion_bounds import bench_angles, reach
 from benchdragon.kernels.route import on_bend
 from benchdragon.kernels.spiral import takes_link
-from benchdragon.kernels.step_bounds import bench_angles, reach
 
 # Half a unit in the last place of 1: what one rounding may change a number by, as a share.
 HALF_UNIT = 2.0**-53

@@ -3,22 +3,22 @@
 import math
 from typing import NamedTuple
 
-from benchdragon.kernels import cells as of
-from benchdragon.kernels import course, memory
+from benchdragon.kernels import box_hierarchy as of
+from benchdragon.kernels import memory, workspace
 from benchdragon.kernels.arrays import IntVector
-from benchdragon.kernels.beginning import CELL_SHARE, begin_walk
 from benchdragon.kernels.box import BOX_COLUMNS
-from benchdragon.kernels.cells import Grids, Ground
-from benchdragon.kernels.course import Block, Course, Crowd, Room, Walk
+from benchdragon.kernels.box_hierarchy import Grids, Hierarchy
 from benchdragon.kernels.curve import LENGTH, S_START
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
 from benchdragon.kernels.memory import ROW, Shapes
+from benchdragon.kernels.motion_bounds import BENCH_COLUMNS, HANDLE_COLUMNS
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import DEPTH
+from benchdragon.kernels.search_start import CELL_SHARE, begin_walk
 from benchdragon.kernels.spiral import LANES
-from benchdragon.kernels.step_bounds import BENCH_COLUMNS, HANDLE_COLUMNS
+from benchdragon.kernels.time_of_impact import DEPTH
+from benchdragon.kernels.workspace import HeadSamples, SearchProgress, StepIndex, Walk, Workspace
 
 # What a room begins with, a row of whole numbers, which analysis/tables.py names and explains.
 A_CELL, AT_FIRST, FIRST_PAIRS, FIRST_MEMBERS, FIRST_DOUBTS, MOST_CELLS, PLACES = range(7)
@@ -40,8 +40,13 @@ ROOMY, UNSTEADY, TOO_LONG, TOO_LARGE, NO_MEMORY, FOR_GROUND = range(6)
 # The memory of the block that the ground and what a step is searched in lie in.
 GROUND_MEMORY, STEP_MEMORY = 1, 2
 # Where parts of a room begin, in slots from its own first.
-BLOCK = memory.slot_count(Ground) + memory.slot_count(Grids)
-MEETING = BLOCK + memory.slot_count(Block) + memory.slot_count(Crowd) + memory.slot_count(Course)
+BLOCK = memory.slot_count(Hierarchy) + memory.slot_count(Grids)
+MEETING = (
+    BLOCK
+    + memory.slot_count(HeadSamples)
+    + memory.slot_count(StepIndex)
+    + memory.slot_count(SearchProgress)
+)
 
 
 class Aim(NamedTuple):
@@ -104,7 +109,7 @@ def lay_block(slots: IntArray, slot: int, address: int, benches: int, places: in
     count = max(2, min(LANES, places // (benches + 1)))
     return address + memory.lay(slots, slot + BLOCK, address, (
         (count, ROW), *placements(benches + 1, count), (benches + 1, count), (benches, of.HULL_COLUMNS),
-        *grid(benches), (benches, ROW), (course.COURSE, ROW), (course.TALLY, ROW),
+        *grid(benches), (benches, ROW), (workspace.COURSE, ROW), (workspace.TALLY, ROW),
     ))  # fmt: skip
 
 
@@ -147,7 +152,9 @@ def square_side(walk: Walk, reach: float) -> float:
 
 
 @kernel
-def size_room(sizes: IntVector, beginnings: IntVector, walk: Walk, tail: float, last: float) -> None:
+def size_workspace(
+    sizes: IntVector, beginnings: IntVector, walk: Walk, tail: float, last: float
+) -> None:
     """Fill the sizes of a room for a walk whose head goes on to `last`, m, with about what it needs.
 
     `tail` is about where its last bench begins, m, or less. The rows of the route stay.
@@ -182,7 +189,7 @@ def make_ground(slots: IntArray, slot: int, sizes: IntVector, groups: int, most:
 def make_step(block: int, slot: int, sizes: IntVector) -> int:
     """Make room to search a step in, whose pairs of benches stay known; how that ended."""
     slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
-    room = memory.group_at(Room, block + 8 * slot)
+    room = memory.group_at(Workspace, block + 8 * slot)
     first, second = room.meeting.first, room.meeting.second
     before = slots[memory.OWNED + STEP_MEMORY]
     benches, pairs = room.crowd.found.shape[0], sizes[OF_PAIRS]
@@ -197,7 +204,7 @@ def make_step(block: int, slot: int, sizes: IntVector) -> int:
     for i in range(benches):
         known[4 * pairs + benches + i] = -1  # `place`
     memory.release(before)
-    room.course.tally[course.PLACED] = 0
+    room.course.tally[workspace.PLACED] = 0
     return ROOMY
 
 
@@ -210,7 +217,7 @@ def empty_grid_again(grid: Grid, side: float) -> None:
 
 
 @kernel
-def begin_in(walk: Walk, room: Room, aim: Aim) -> int:
+def begin_in(walk: Walk, room: Workspace, aim: Aim) -> int:
     """Begin a walk in a room where nothing of it is known: ROOMY, or UNSTEADY as `begin_walk` says."""
     side = square_side(walk, aim.reach)
     empty_grid_again(room.grids.middles, side)
@@ -219,7 +226,7 @@ def begin_in(walk: Walk, room: Room, aim: Aim) -> int:
 
 
 @kernel
-def enlarge(sizes: IntVector, room: Room) -> int:
+def enlarge(sizes: IntVector, room: Workspace) -> int:
     """Let sizes be large enough where they were not: FOR_GROUND, or ROOMY for the step at hand."""
     counts, tally, ground = room.ground.counts, room.course.tally, room.ground
     cells, before = sizes[OF_CELLS], ground.middles.shape[0]
@@ -237,38 +244,38 @@ def enlarge(sizes: IntVector, room: Room) -> int:
         sizes[OF_DOUBTS], short = WIDER * counts[of.DOUBTS], True
     if short:
         return FOR_GROUND
-    pairs = WIDER * tally[course.PAIRS]
+    pairs = WIDER * tally[workspace.PAIRS]
     sizes[OF_PAIRS] = max(sizes[OF_PAIRS], pairs)
     sizes[OF_MEMBERS] = max(sizes[OF_MEMBERS], min(pairs, room.crowd.found.shape[0]))
     return ROOMY
 
 
 @kernel
-def aim_room(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
+def begin_workspace(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
     """Begin a walk in the room at a slot of a block; how that ended."""
     slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
     if slots[memory.OWNED + GROUND_MEMORY] == 0:
         ending = make_ground(slots, slot, sizes, group_count(walk), aim.most)
         if ending != ROOMY:
             return ending
-    return begin_in(walk, memory.group_at(Room, block + 8 * slot), aim)
+    return begin_in(walk, memory.group_at(Workspace, block + 8 * slot), aim)
 
 
 @kernel
-def widen_room(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
+def grow_workspace(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
     """Make room where it did not do: for the step at hand, or for the route, which begins anew."""
     slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
-    room = memory.group_at(Room, block + 8 * slot)
+    room = memory.group_at(Workspace, block + 8 * slot)
     ending = enlarge(sizes, room)
     if ending == TOO_LONG:
         return ending
     if ending == ROOMY:
         return make_step(block, slot, sizes)
-    at, goal = room.course.way[course.AT], room.course.way[course.GOAL]
+    at, goal = room.course.way[workspace.AT], room.course.way[workspace.GOAL]
     memory.drop(slots, GROUND_MEMORY)
-    ending = aim_room(block, slot, sizes, walk, aim)
+    ending = begin_workspace(block, slot, sizes, walk, aim)
     if ending == ROOMY:
         way = room.course.way
-        way[course.AT] = way[course.UPTO] = way[course.KNOWN] = way[course.SOUND] = at
-        way[course.GOAL] = goal
+        way[workspace.AT] = way[workspace.UPTO] = way[workspace.KNOWN] = way[workspace.SOUND] = at
+        way[workspace.GOAL] = goal
     return ending

@@ -4,10 +4,8 @@ import math
 from typing import NamedTuple
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.beside import ASKED, Beside
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.course import TALLY, Room, Walk, copy_walk
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.family import FIXED, ROUTE, Family, copy_family, family_shapes
@@ -27,11 +25,11 @@ from benchdragon.kernels.memory import (
     slot_of,
     take,
 )
+from benchdragon.kernels.obstacle_memory import ASKED, Beside
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.rounds import ROOM as REPEATS
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import NOTES
 from benchdragon.kernels.search_room import (
     BEGINNINGS,
     GROUND_MEMORY,
@@ -41,7 +39,7 @@ from benchdragon.kernels.search_room import (
     lay_block,
     make_step,
     placements,
-    size_room,
+    size_workspace,
     square_side,
     walks,
 )
@@ -49,6 +47,8 @@ from benchdragon.kernels.size_bracket import MOST_GROWTHS, MOST_TRIALS, STATE
 from benchdragon.kernels.size_search import MEETINGS
 from benchdragon.kernels.spans import REPEAT
 from benchdragon.kernels.spiral import LANES
+from benchdragon.kernels.time_of_impact import NOTES
+from benchdragon.kernels.workspace import TALLY, Walk, Workspace, copy_walk
 
 # What hosts say of a question, a row of floats.
 MARGIN = 0  # distance that benches must keep, m
@@ -64,8 +64,8 @@ BEGIN = 9  # where the head of the plan's own walk begins and ends, m
 END = 10
 PLAN_SIZE = 11  # of the plan itself, m
 LIMITS = 12
-# What stands on the square, a row each: as in kernels/beside.py; how many of the corners it has, and
-# what these may be off by, m.
+# What stands on the square, a row each: as in kernels/obstacle_memory.py; how many of the corners it
+# has, and what these may be off by, m.
 SORT, RADIUS, KEPT_OFF, CORNERS, OFF, THING = range(6)
 # What is told of it, a row of floats that begins as kernels/question.py says.
 MARCHED = TOLD  # chains, in searches of walks
@@ -103,7 +103,7 @@ class Sought(NamedTuple):
 
     walk: Walk
     seams: Table  # (rows, SEAM_COLUMNS)
-    room: Room
+    room: Workspace
     family: Family
     sizes: IntVector  # of the room
     beginnings: IntVector  # likewise: see search_room
@@ -181,7 +181,7 @@ def make_searches(block: int) -> bool:
     whole = 0.0
     for i in range(sought.walk.benches.links.shape[0]):
         whole += sought.walk.benches.links[i]
-    size_room(sizes, sought.beginnings, sought.walk, limits[BEGIN] - 1.5 * whole, limits[END])
+    size_workspace(sizes, sought.beginnings, sought.walk, limits[BEGIN] - 1.5 * whole, limits[END])
     sought.room.crowd.grid.side[0] = square_side(sought.walk, limits[MARGIN] + limits[LEAST_OFF])
     return make_step(block, ROOM_SLOT, sizes) == ROOMY
 

@@ -9,12 +9,10 @@ import math
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import nearest_pair
-from benchdragon.kernels.course import AT as WALKED
-from benchdragon.kernels.course import PLACED, SOUND, Walk
 from benchdragon.kernels.curve import LENGTH, S_START
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.family import FIXED, ROUTE, Family, falls_soon, set_walk
-from benchdragon.kernels.low_points import MOST_SAMPLED, SHRINKS, low_pair, low_point
+from benchdragon.kernels.local_minima import MOST_SAMPLED, SHRINKS, local_minimum, low_pair
 from benchdragon.kernels.memory import (
     HEADER,
     OWNED,
@@ -29,6 +27,7 @@ from benchdragon.kernels.memory import (
     remember,
     take,
 )
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.question import (
     CLOSED,
     MORE,
@@ -37,11 +36,9 @@ from benchdragon.kernels.question import (
     SPENT,
     WANTED,
 )
-from benchdragon.kernels.regions import MOST_OFF
 from benchdragon.kernels.rounding import bench_errors, find_seams
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.route_parts import settle_rows
-from benchdragon.kernels.search import CLEAR, EVALUATIONS, FALLEN, FIRST_TOUCH, LOWER, OFF, PAIR, UPPER
 from benchdragon.kernels.search_room import (
     NO_MEMORY,
     PLACES,
@@ -49,10 +46,10 @@ from benchdragon.kernels.search_room import (
     ROUTE_ROWS,
     TOO_LARGE,
     Aim,
-    aim_room,
+    begin_workspace,
     ground_bytes,
     group_count,
-    widen_room,
+    grow_workspace,
 )
 from benchdragon.kernels.size_bracket import (
     BAD,
@@ -124,7 +121,17 @@ from benchdragon.kernels.size_search import (
     next_task,
 )
 from benchdragon.kernels.size_square import GOES_ON, begin_square, looked_beside
-from benchdragon.kernels.step_bounds import place_chain
+from benchdragon.kernels.swept_boxes import MOST_OFF
+from benchdragon.kernels.time_of_impact import (
+    CLEAR,
+    EVALUATIONS,
+    FALLEN,
+    FIRST_TOUCH,
+    LOWER,
+    OFF,
+    PAIR,
+    UPPER,
+)
 from benchdragon.kernels.walk_search import (
     ASTRAY,
     CALL,
@@ -133,6 +140,8 @@ from benchdragon.kernels.walk_search import (
     search_walk,
     work_done,
 )
+from benchdragon.kernels.workspace import AT as WALKED
+from benchdragon.kernels.workspace import PLACED, SOUND, Walk
 
 # What may be sought besides GROW and BORDER of size_search: how the walk of one size goes.
 ALONE = 3
@@ -267,7 +276,7 @@ def distance(block: int) -> float:
     least, where, at, other = math.inf, math.inf, m[ROOTED, MEET_S], last - m[ROOTED, MEET_LEFT]
     for n in range(2 if abs(other - at) > 0.1 * near else 1):
         middle = at if n == 0 else other
-        apart, s = low_point(
+        apart, s = local_minimum(
             sought.walk.rows, benches.links, benches.sizes, i, j, max(first, middle - near),
             min(last, middle + near), SHRINKS, sought.at, sought.placed, sought.boxes,
         )  # fmt: skip
@@ -352,7 +361,7 @@ def begun(block: int) -> int:
         return standing(sought, first)
     figures[LEFT] = limits[MOST]
     clear(sought.note)
-    return roomy(sought, aim_room(block, ROOM_SLOT, sought.sizes, walk, aim_of(sought)))
+    return roomy(sought, begin_workspace(block, ROOM_SLOT, sought.sizes, walk, aim_of(sought)))
 
 
 @kernel
@@ -375,7 +384,7 @@ def searched_on(block: int, left: float) -> int:
             return MORE
         if ending != CROWDED:
             return judged(sought, ending)
-        found = roomy(sought, widen_room(block, ROOM_SLOT, sought.sizes, walk, aim_of(sought)))
+        found = roomy(sought, grow_workspace(block, ROOM_SLOT, sought.sizes, walk, aim_of(sought)))
         if found != GOES_ON:
             return found
 

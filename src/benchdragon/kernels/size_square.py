@@ -2,16 +2,15 @@
 
 import math
 
-from benchdragon.kernels import beside as of
-from benchdragon.kernels.beside import Beside, begin_beside
-from benchdragon.kernels.beside_search import ALL_TOLD, seek_beside, step_beside
-from benchdragon.kernels.beside_ways import stands
+from benchdragon.kernels import obstacle_memory as of
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.memory import group_at
+from benchdragon.kernels.obstacle_memory import Beside, begin_beside
+from benchdragon.kernels.obstacle_paths import stands
+from benchdragon.kernels.obstacle_search import ALL_TOLD, seek_beside, step_beside
 from benchdragon.kernels.question import MORE, OUT_OF_MEMORY, SPENT
 from benchdragon.kernels.rounding import find_seams
 from benchdragon.kernels.rounds import find_repeats
-from benchdragon.kernels.search import FIRST_TOUCH
 from benchdragon.kernels.size_bracket import FAILS, NOW, UNDECIDED
 from benchdragon.kernels.size_memory import (
     AT_THING,
@@ -38,6 +37,7 @@ from benchdragon.kernels.size_memory import (
     WIDTH,
     Sought,
 )
+from benchdragon.kernels.time_of_impact import FIRST_TOUCH
 from benchdragon.kernels.walk_search import ASTRAY, HANDLES_A_CALL
 
 # How a walk stands that is to be searched on.

@@ -6,7 +6,7 @@ from benchdragon.kernels.arrays import Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.low_points import head_where_tail
+from benchdragon.kernels.local_minima import head_where_tail
 
 # What is searched beyond a whole round, m: more than rounding moves where one ends.
 SPARE = 1e-6

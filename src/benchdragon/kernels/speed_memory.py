@@ -10,6 +10,7 @@ from benchdragon.kernels.drive import DRIVE_COLUMNS, MOST_JUMPS, QUANTITIES
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.head_speed import HULL_COLUMNS
 from benchdragon.kernels.memory import ROW, Shapes
+from benchdragon.kernels.motion_bounds import HANDLE_COLUMNS
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search_room import placements
@@ -23,7 +24,6 @@ from benchdragon.kernels.speed_search import (
     Drives,
     Heap,
 )
-from benchdragon.kernels.step_bounds import HANDLE_COLUMNS
 
 # What hosts say of a question, a row of floats.
 EXTENT = 0  # of the dragon, m

@@ -18,12 +18,12 @@ from benchdragon.kernels.curve import S_START, length_at
 from benchdragon.kernels.drive import FROM, QUANTITIES, RATE, SPEEDS, TO, TURNING
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.head_speed import find_hull, tabulate
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.question import CLOSED, MORE, OUT_OF_MEMORY, SPENT
-from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.rounding import find_seams
 from benchdragon.kernels.speed_memory import BASE, END_SLOT, Asked
 from benchdragon.kernels.status import Ended
-from benchdragon.kernels.step_bounds import place_chain
+from benchdragon.kernels.swept_boxes import EDGE
 
 # First steps of the head that chains bound, as a share of the shortest link.
 STEP = 0.1

@@ -25,11 +25,11 @@ from benchdragon.kernels.drive import (
     greatest_in_slot,
 )
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.rate_rounding import Errors, bend_errors, rate_errors, weigh_values
 from benchdragon.kernels.rounding import mark_lanes, ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended
-from benchdragon.kernels.step_bounds import place_chain
 
 # Columns of a part that waits: its bound, and the head's positions that it lies between, m.
 BOUND, START, END = 0, 1, 2

@@ -15,8 +15,8 @@ from benchdragon.kernels.arrays import Table
 from benchdragon.kernels.curve import FloatArray, length_at
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.links import link_of
-from benchdragon.kernels.regions import SQUARE
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.swept_boxes import SQUARE
 
 # What is left below the pitch, m: far above the rounding of these few formulas.
 SPARE = 1e-9

@@ -17,11 +17,11 @@ from benchdragon.kernels.curve import S_START, FloatArray, curvature, place, spi
 from benchdragon.kernels.drive import SPEEDS, TOTAL, TURNING, value_at
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.family import pieces_fit
+from benchdragon.kernels.motion_bounds import place_chain
+from benchdragon.kernels.obstacle_contact import centre_distance
 from benchdragon.kernels.route import locate
 from benchdragon.kernels.route_parts import Pose, farthest, lay_rows, row_count
-from benchdragon.kernels.standing import centre_distance
 from benchdragon.kernels.status import TurnStatus
-from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.kernels.turn_families import three_pieces, turn_parts, two_arcs
 
 # What a turn is judged by: drive.SPEEDS to drive.ALONG with the head at 1 m/s, then how near benches

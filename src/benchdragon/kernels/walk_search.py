@@ -4,20 +4,37 @@ For dragons whose handles keep to the route. A call ends when something is found
 clear to its end, when more room is wanted, or to let others work: it is then called again.
 """
 
-from benchdragon.kernels import search as steps
+from benchdragon.kernels import time_of_impact as steps
 from benchdragon.kernels.arrays import Vector
-from benchdragon.kernels.cells import BORDERS, ENTRIES
-from benchdragon.kernels.course import CHAINS, PAIRS, PLACED, STEP_END, STEP_START, Course, Room, Walk
+from benchdragon.kernels.box_hierarchy import BORDERS, ENTRIES
+from benchdragon.kernels.candidate_pairs import (
+    DONE,
+    LONG_STRIDE,
+    NARROW,
+    SHORT_STRIDE,
+    STEP,
+    WAIT,
+    next_step,
+)
+from benchdragon.kernels.continuation import UNIT
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.doubts import UNIT
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.meetings import DONE, LONG_STRIDE, NARROW, SHORT_STRIDE, STEP, WAIT, next_step
 from benchdragon.kernels.question import MORE
+from benchdragon.kernels.workspace import (
+    CHAINS,
+    PAIRS,
+    PLACED,
+    STEP_END,
+    STEP_START,
+    SearchProgress,
+    Walk,
+    Workspace,
+)
 
-# How a call ended, besides MORE and the ways of kernels/search.py. CLEAR is that of the whole walk.
+# How a call ended, besides MORE and the ways of kernels/time_of_impact.py. CLEAR is of the whole walk.
 CROWDED = 9  # likewise, with the room that its counts say
 ASTRAY = 10  # it cannot be shown that all benches follow past SOUND
-# What a call may be after, besides the goals of kernels/search.py.
+# What a call may be after, besides the goals of kernels/time_of_impact.py.
 SEEK = 3
 # Parts narrower than so many units in the last place of the head's position are not halved.
 WIDTH_ROUNDINGS = 4.0
@@ -30,7 +47,7 @@ BOX_WORK, PARTNER_WORK = 64.0, 16.0
 
 
 @kernel
-def work_done(room: Room, benches: int) -> float:
+def work_done(room: Workspace, benches: int) -> float:
     """What it took to come to know the route and to place dragons so far, in handles placed."""
     counts = room.ground.counts
     known = BOX_WORK * counts[BORDERS] + PARTNER_WORK * counts[ENTRIES]
@@ -38,7 +55,7 @@ def work_done(room: Room, benches: int) -> float:
 
 
 @kernel
-def left_end_is_placed(search: steps.Search, course: Course, chain: steps.Chain) -> bool:
+def left_end_is_placed(search: steps.Search, course: SearchProgress, chain: steps.Chain) -> bool:
     """Box the members at the left end of the step, if the chain stands there from the step before."""
     start = course.way[STEP_START]
     if course.tally[PLACED] < chain.links.shape[0] + 1 or search.at[0] != start:
@@ -48,7 +65,9 @@ def left_end_is_placed(search: steps.Search, course: Course, chain: steps.Chain)
 
 
 @kernel
-def search_open_step(walk: Walk, room: Room, goal: int, limits: steps.Limits, note: FloatArray) -> int:
+def search_open_step(
+    walk: Walk, room: Workspace, goal: int, limits: steps.Limits, note: FloatArray
+) -> int:
     """Search the rest of the step at hand; how that ended, or CROWDED."""
     search, course, meeting = room.search, room.course, room.meeting
     way, tally, count = course.way, course.tally, course.tally[PAIRS]
@@ -82,7 +101,7 @@ def search_open_step(walk: Walk, room: Room, goal: int, limits: steps.Limits, no
 
 @entry
 def search_walk(
-    walk: Walk, room: Room, goal: int, margin: float, slack: float, width: float, most: int,
+    walk: Walk, room: Workspace, goal: int, margin: float, slack: float, width: float, most: int,
     note: Vector,
 ) -> int:  # fmt: skip
     """Search a walk on from where its course stands, for `goal`; how that ended.

@@ -20,7 +20,7 @@ from benchdragon.errors import (
 from benchdragon.i18n import _
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
-from benchdragon.kernels.low_points import head_where_tail
+from benchdragon.kernels.local_minima import head_where_tail
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status

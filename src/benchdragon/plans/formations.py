@@ -9,7 +9,7 @@ from pydantic import Field
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.low_points import whole_dragon
+from benchdragon.kernels.local_minima import whole_dragon
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.status import Status
 from benchdragon.model.connections import Step

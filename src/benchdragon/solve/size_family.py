@@ -12,11 +12,11 @@ from benchdragon.analysis.tables import in_columns, kinds_of, walk_tables
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import family as sizes_of
-from benchdragon.kernels.course import Benches
-from benchdragon.kernels.course import Walk as KernelWalk
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
 from benchdragon.kernels.route_parts import PART_COLUMNS
 from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
+from benchdragon.kernels.workspace import Benches
+from benchdragon.kernels.workspace import Walk as KernelWalk
 from benchdragon.model.answer import Witness
 from benchdragon.model.walk import Walk
 from benchdragon.plans.routes import (

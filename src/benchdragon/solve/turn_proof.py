@@ -18,7 +18,7 @@ from benchdragon import budget
 from benchdragon.analysis.proof import require_flint
 from benchdragon.errors import InputError, positive
 from benchdragon.i18n import _
-from benchdragon.kernels import step_bounds
+from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import S_START, FloatArray
 from benchdragon.kernels.turn_trial import FEW
@@ -286,7 +286,7 @@ def _ratios(rows: FloatArray, links: FloatArray, at: FloatArray) -> FloatArray |
     budget.hold(PLACED * len(at) * (len(links) + 1))
     budget.spend(len(at) * (len(links) + 1))
     places = empty_placements(len(links) + 1, len(at))
-    stands = step_bounds.place_chain(rows, links, at, 0, len(at), places)
+    stands = motion_bounds.place_chain(rows, links, at, 0, len(at), places)
     return places.ratio if stands else None
 
 

@@ -210,7 +210,7 @@ export class Walk {
       const at = arena.array("d", 1);
       const { links } = this.dragon;
       return this.engine.call(
-        "bd_low_points_head_where_tail",
+        "bd_local_minima_head_where_tail",
         rows,
         links,
         finite("s", s, "m"),

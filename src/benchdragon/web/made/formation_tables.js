@@ -44,7 +44,7 @@ export function refuseTight(key, radius, link) {
 export function wholeDragonOn(route, dragon) {
   let head, places, status, tail, text;
   places = emptyPlacements((py.len(dragon.links) + 1), 1);
-  [head, tail, status] = py.list(py.entry("bd_low_points_whole_dragon", route.rows, dragon.links, py.empty(1), places));
+  [head, tail, status] = py.list(py.entry("bd_local_minima_whole_dragon", route.rows, dragon.links, py.empty(1), places));
   if ((py.eq(status, Status.ROUTE_TOO_SHORT) || (tail < -END_SLACK))) {
     text = py.filled(_("the dragon, {dragon} m long, does not fit on a route of {route} m, at whose start its tail stands at time 0: make the sizes larger, take fewer benches, or set walk.position"), { dragon: `${py.format(dragon.extent, `.6g`)}`, route: `${py.format(route.length, `.6g`)}` });
     throw new KeyedError([new Fault("route", text)]);

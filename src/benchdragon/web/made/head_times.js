@@ -33,7 +33,7 @@ export class HeadTimes {
     if (!py.isfinite(s)) {
       return 0.0;
     }
-    [drift, doubt] = py.list(py.entry("bd_drift_head_drift", this.walk.route.rows, s));
+    [drift, doubt] = py.list(py.entry("bd_double_double_head_drift", this.walk.route.rows, s));
     return py.add(drift, (side * doubt));
   }
   not_after(s, shift = 0.0) {

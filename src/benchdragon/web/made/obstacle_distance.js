@@ -7,6 +7,6 @@ const BOX_COLUMNS = 6;
 export function nearestBoxes(table, obstacle) {
   let out, which;
   [out, which] = py.list([py.empty(py.len(table)), py.empty(py.len(table), "q")]);
-  py.entry("bd_standing_distances_to", table, obstacle.boxes, py.empty([2, BOX_COLUMNS]), out, which);
+  py.entry("bd_obstacle_contact_distances_to", table, obstacle.boxes, py.empty([2, BOX_COLUMNS]), out, which);
   return [out, which];
 }

@@ -10,15 +10,15 @@ import math
 from typing import NamedTuple
 
 from benchdragon.kernels import box
-from benchdragon.kernels import search as steps
+from benchdragon.kernels import time_of_impact as steps
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import box_distance, half_diagonal, offset, place_box
+from benchdragon.kernels.continuation import UNIT, finest
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.doubts import UNIT, finest
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.regions import EDGE, walks_on
-from benchdragon.kernels.search import Chain, Limits, Pairs, Search, bisect, box_slot, open_step
-from benchdragon.kernels.step_bounds import TRAVEL, bound_bench, place_chain
+from benchdragon.kernels.motion_bounds import TRAVEL, bound_bench, place_chain
+from benchdragon.kernels.swept_boxes import EDGE, walks_on
+from benchdragon.kernels.time_of_impact import Chain, Limits, Pairs, Search, bisect, box_slot, open_step
 from benchdragon.kernels.walk_search import ASTRAY, WIDTH_ROUNDINGS
 
 # Stretches of route, m, of which what is far off is passed over at once: longer ones are passed over

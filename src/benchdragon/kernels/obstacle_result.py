@@ -2,15 +2,15 @@
 
 import math
 
-from benchdragon.kernels import beside as of
-from benchdragon.kernels.beside import Beside
+from benchdragon.kernels import obstacle_memory as of
 from benchdragon.kernels.box import CX, CY, corner, place_box
 from benchdragon.kernels.chain import march
+from benchdragon.kernels.continuation import UNIT
 from benchdragon.kernels.curve import KIND, S_START, SPIRAL, U_END, U_START, P, length_at
-from benchdragon.kernels.doubts import UNIT
-from benchdragon.kernels.drift import head_drift
+from benchdragon.kernels.double_double import head_drift
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.memory import copy_row
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.nearness import (
     CORNER,
     DISTANCE,
@@ -22,11 +22,11 @@ from benchdragon.kernels.nearness import (
     nearness,
 )
 from benchdragon.kernels.obstacle import VENUE, forbids
+from benchdragon.kernels.obstacle_contact import centre_distance, distances_to
+from benchdragon.kernels.obstacle_memory import Beside
 from benchdragon.kernels.question import SPENT
 from benchdragon.kernels.rounding import HALF_UNIT, handle_errors, mark_lanes
-from benchdragon.kernels.standing import centre_distance, distances_to
 from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import place_chain
 
 # Roundings of a route position, of the lengths that it is counted by.
 COUNTED = 24.0

@@ -3,7 +3,7 @@
 Where a bench stands is told by the route position of its own front handle, whatever the others do. So
 each size of bench is searched once, along the stretches of route that its benches walk: a bench that
 follows another of its size comes to nothing new beyond where that one stood at the start
-(kernels/standing.py). What is found there is then told of the head.
+(kernels/obstacle_contact.py). What is found there is then told of the head.
 """
 
 from typing import NamedTuple
@@ -18,13 +18,13 @@ from benchdragon.kernels.kinds import same_size
 from benchdragon.kernels.memory import ROW
 from benchdragon.kernels.nearness import NEARNESS
 from benchdragon.kernels.obstacle import fill_boxes, sides
+from benchdragon.kernels.obstacle_contact import Bench, Standing
 from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import NOTES, Search
 from benchdragon.kernels.search_room import WIDER, placements, searches
 from benchdragon.kernels.spans import BEGUN, HIGH, LOW, PERIOD, REPEAT
-from benchdragon.kernels.standing import Bench, Standing
+from benchdragon.kernels.time_of_impact import NOTES, Search
 
 # What hosts say of an obstacle and of the walk, a row of floats.
 SORT = 0  # of what kind: see kernels/obstacle.py

@@ -1,4 +1,4 @@
-"""How far from where it is said to be a computed head stands, along the route: to far below rounding.
+"""How far off a computed head stands along the route, in double-double arithmetic (T. J. Dekker 1971).
 
 The kernels find the head's parameter from its route position s by double arithmetic. Where that exactly
 lies differs from s by some units in the last place of s and of the lengths it is found from. A sum of
@@ -26,7 +26,7 @@ Double = tuple[float, float]
 
 
 @kernel
-def split(x: float) -> Double:
+def veltkamp_split(x: float) -> Double:
     """x as a sum of two numbers of half as many digits."""
     grown = SPLITTER * x
     high = grown - (grown - x)
@@ -34,37 +34,37 @@ def split(x: float) -> Double:
 
 
 @kernel
-def added(a: Double, b: Double) -> Double:
+def dd_add(a: Double, b: Double) -> Double:
     """The sum of two sums."""
     whole, lost = difference(a[0], -b[0])
     return difference(whole, -(lost + (a[1] + b[1])))
 
 
 @kernel
-def multiplied(a: Double, b: float) -> Double:
+def dd_multiply(a: Double, b: float) -> Double:
     """The product of a sum and a number."""
-    high, low = split(a[0])
-    left, right = split(b)
+    high, low = veltkamp_split(a[0])
+    left, right = veltkamp_split(b)
     whole, lost = difference(high * left, -(high * right + low * left))
     return difference(whole, -(lost + (low * right + a[1] * b)))
 
 
 @kernel
-def root_of(a: Double) -> Double:
+def dd_sqrt(a: Double) -> Double:
     """The square root of a sum: one step of Newton's method from that of its first number."""
     root = math.sqrt(a[0])
-    square = multiplied((root, 0.0), root)
-    rest = added(a, (-square[0], -square[1]))
+    square = dd_multiply((root, 0.0), root)
+    rest = dd_add(a, (-square[0], -square[1]))
     return difference(root, -0.5 * (rest[0] + rest[1]) / root)
 
 
 @kernel
 def spiral_way(k: float, theta: float) -> Double:
     """Arc length of r = k theta from the centre, m: k / 2 (theta sqrt(1 + theta^2) + asinh theta)."""
-    square = multiplied((theta, 0.0), theta)
-    root = root_of(added(square, (1.0, 0.0)))
-    way = added(multiplied(root, theta), (math.asinh(theta), 0.0))
-    return multiplied(way, 0.5 * k)
+    square = dd_multiply((theta, 0.0), theta)
+    root = dd_sqrt(dd_add(square, (1.0, 0.0)))
+    way = dd_add(dd_multiply(root, theta), (math.asinh(theta), 0.0))
+    return dd_multiply(way, 0.5 * k)
 
 
 @kernel
@@ -73,7 +73,7 @@ def way_to(rows: FloatArray, j: int, u: float) -> Double:
     if rows[j, KIND] != SPIRAL:
         return u, 0.0
     start, end = spiral_way(rows[j, P], rows[j, U_START]), spiral_way(rows[j, P], u)
-    ahead = added(end, (-start[0], -start[1]))
+    ahead = dd_add(end, (-start[0], -start[1]))
     sign = walks_up(rows, j)
     return sign * ahead[0], sign * ahead[1]
 
@@ -96,9 +96,9 @@ def head_drift(rows: Table, s: float) -> tuple[float, float]:
     """
     last, u, _status = locate(rows, s)
     at, doubt = (-s, 0.0), way_doubt(rows, last, u)
-    at = added((rows[0, S_START], 0.0), at)
+    at = dd_add((rows[0, S_START], 0.0), at)
     for j in range(last):
-        at = added(at, way_to(rows, j, rows[j, U_END]))
+        at = dd_add(at, way_to(rows, j, rows[j, U_END]))
         doubt += way_doubt(rows, j, rows[j, U_END])
-    at = added(at, way_to(rows, last, u))
+    at = dd_add(at, way_to(rows, last, u))
     return at[0] + at[1], doubt + LEFT * abs(s)

@@ -1,16 +1,16 @@
-"""Where a search along a walk stands: the dragon, what it works on, and dragons placed ahead."""
+"""The state of a search along a walk: dragon, progress, dragons placed ahead, candidate pairs."""
 
 from typing import NamedTuple
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.cells import Grids, Ground, Kinds
+from benchdragon.kernels.box_hierarchy import Grids, Hierarchy, Kinds
 from benchdragon.kernels.chain import Placements, march
 from benchdragon.kernels.curve import S_START, FloatArray, length_at
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
 from benchdragon.kernels.memory import copy_row, copy_table
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import Search
+from benchdragon.kernels.time_of_impact import Search
 
 # Where a walk stands, a row of floats: head positions, m.
 AT = 0  # all steps up to here were given
@@ -63,7 +63,7 @@ def copy_walk(own: Walk, walk: Walk) -> None:
     copy_row(own.kinds.group, walk.kinds.group)
 
 
-class Block(NamedTuple):
+class HeadSamples(NamedTuple):
     """Dragons at the borders of steps to come."""
 
     at: Vector  # head positions, m
@@ -71,7 +71,7 @@ class Block(NamedTuple):
     s: Table  # route positions of the handles, m, (handles, slots)
 
 
-class Crowd(NamedTuple):
+class StepIndex(NamedTuple):
     """All benches at the start of a step, boxed, in a grid."""
 
     hulls: Table  # (benches, cells.HULL_COLUMNS)
@@ -79,7 +79,7 @@ class Crowd(NamedTuple):
     found: IntVector
 
 
-class Meeting(NamedTuple):
+class CandidatePairs(NamedTuple):
     """The pairs of a step: of benches, then of members; the last are scratch, one for each bench."""
 
     first: IntVector
@@ -90,27 +90,29 @@ class Meeting(NamedTuple):
     place: IntVector  # all -1
 
 
-class Course(NamedTuple):
+class SearchProgress(NamedTuple):
     """Where a walk stands."""
 
     way: Vector
     tally: IntVector
 
 
-class Room(NamedTuple):
+class Workspace(NamedTuple):
     """What a search along a walk works on: see kernels/search_room.py."""
 
-    ground: Ground
+    ground: Hierarchy
     grids: Grids
-    block: Block
-    crowd: Crowd
-    course: Course
-    meeting: Meeting
+    block: HeadSamples
+    crowd: StepIndex
+    course: SearchProgress
+    meeting: CandidatePairs
     search: Search
 
 
 @kernel
-def place_block(rows: FloatArray, links: FloatArray, block: Block, tally: IntArray, slots: int) -> bool:
+def place_samples(
+    rows: FloatArray, links: FloatArray, block: HeadSamples, tally: IntArray, slots: int
+) -> bool:
     """Place chains with these links at the first slots; whether all stand."""
     places, s = block.places, block.s
     march(rows, links, block.at, 0, slots, places)

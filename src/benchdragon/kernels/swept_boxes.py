@@ -1,4 +1,4 @@
-"""What benches of one size sweep over while their front handle walks through a cell of the route.
+"""Swept boxes: what benches of one size cover while their front handle walks through a cell.
 
 And whether they surely walk through it, without a leap.
 """
@@ -8,15 +8,15 @@ import math
 import numpy as np
 
 from benchdragon.kernels import box
-from benchdragon.kernels import step_bounds as bounds
+from benchdragon.kernels import motion_bounds as bounds
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import corner, offset, place_box
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
 from benchdragon.kernels.entries import allocates, kernel
+from benchdragon.kernels.motion_bounds import bound_bench, bound_handles, heading_bound, path_bound
 from benchdragon.kernels.route import IntArray, step_back
 from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import bound_bench, bound_handles, heading_bound, path_bound
 
 # Below this turning between two handles, rad, the chord grows all the way from one to the other.
 SQUARE = 0.5 * math.pi - 2e-3

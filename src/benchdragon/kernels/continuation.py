@@ -1,4 +1,4 @@
-"""Whether all benches surely follow through the cells ahead, and up to where if not.
+"""Continuation of the chain: up to where all benches surely follow through the cells ahead.
 
 Cells through which it is not sure that benches of a kind can walk are in doubt. They are looked at
 once such a bench comes to them, in finer and finer parts.
@@ -6,14 +6,23 @@ once such a bench comes to them, in finer and finer parts.
 
 import numpy as np
 
-from benchdragon.kernels.cells import CELL, DOUBTS, LOW, Ground
-from benchdragon.kernels.course import AT, KNOWN, SOUND, UPTO, Benches, Room, Walk, place_block
+from benchdragon.kernels.box_hierarchy import CELL, DOUBTS, LOW, Hierarchy
+from benchdragon.kernels.broad_phase import BoxScratch, count_borders
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, kernel
 from benchdragon.kernels.links import link_of
-from benchdragon.kernels.near_cells import Sweeper, count_borders
-from benchdragon.kernels.regions import walks_on
-from benchdragon.kernels.step_bounds import HANDLE_COLUMNS, place_chain
+from benchdragon.kernels.motion_bounds import HANDLE_COLUMNS, place_chain
+from benchdragon.kernels.swept_boxes import walks_on
+from benchdragon.kernels.workspace import (
+    AT,
+    KNOWN,
+    SOUND,
+    UPTO,
+    Benches,
+    Walk,
+    Workspace,
+    place_samples,
+)
 
 # Cells in doubt are looked at in so many parts at first, then in finer ones, down to this, m: far
 # coarser, and overlaps just before a fold would stay unknown.
@@ -23,7 +32,7 @@ UNIT = 2.3e-16
 
 
 @kernel
-def arrival(walk: Walk, room: Room, i: int, back: float) -> float:
+def latest_arrival(walk: Walk, room: Workspace, i: int, back: float) -> float:
     """At most the head's position in AT..SOUND at which handle i comes to `back`, m."""
     block, way, links = room.block, room.course.way, walk.benches.links
     start, end = way[AT], way[SOUND]
@@ -32,7 +41,7 @@ def arrival(walk: Walk, room: Room, i: int, back: float) -> float:
     low, high, middle = start, end, end  # it may not come so far
     while low < middle:
         block.at[0] = middle
-        if place_block(walk.rows, links[:i], block, room.course.tally, 1) and block.s[i, 0] < back:
+        if place_samples(walk.rows, links[:i], block, room.course.tally, 1) and block.s[i, 0] < back:
             low = middle
         else:
             high = middle
@@ -48,8 +57,8 @@ def finest(s: float) -> float:
 
 @kernel
 @allocates
-def follows_until(
-    walk: Walk, ground: Ground, sweeper: Sweeper, k: int, start: float, end: float
+def certified_until(
+    walk: Walk, ground: Hierarchy, sweeper: BoxScratch, k: int, start: float, end: float
 ) -> float:
     """The place up to which benches of kind k surely follow, their front handle from start, m.
 
@@ -82,7 +91,7 @@ def next_of_kind(benches: Benches, s: FloatArray, t: int, k: int, ahead: float, 
 
 
 @kernel
-def pass_doubt(walk: Walk, room: Room, sweeper: Sweeper, doubt: int) -> bool:
+def resolve_doubt(walk: Walk, room: Workspace, sweeper: BoxScratch, doubt: int) -> bool:
     """Draw KNOWN and SOUND in to where a doubtful cell lets benches pass; whether no doubt is left.
 
     Slot 1 of the block holds the dragon at the start of the stride. Who comes first to the cell is
@@ -97,12 +106,12 @@ def pass_doubt(walk: Walk, room: Room, sweeper: Sweeper, doubt: int) -> bool:
             break
         at = s[i, 1]
         inside = at > back
-        first = arrival(walk, room, i, max(back, at))
+        first = latest_arrival(walk, room, i, max(back, at))
         if first < way[SOUND]:
-            place = follows_until(walk, ground, sweeper, k, max(back, at), max(ahead, at))
+            place = certified_until(walk, ground, sweeper, k, max(back, at), max(ahead, at))
             if place < max(ahead, at):
                 way[KNOWN] = min(way[KNOWN], first)
-                way[SOUND] = arrival(walk, room, i, place)
+                way[SOUND] = latest_arrival(walk, room, i, place)
             else:
                 settled = settled or not inside
         i = next_of_kind(benches, s, 1, k, ahead, i + 1)
@@ -111,18 +120,18 @@ def pass_doubt(walk: Walk, room: Room, sweeper: Sweeper, doubt: int) -> bool:
 
 
 @kernel
-def look_through(walk: Walk, room: Room, sweeper: Sweeper) -> bool:
+def certify_stride(walk: Walk, room: Workspace, sweeper: BoxScratch) -> bool:
     """Fill KNOWN and SOUND for the stride from AT to UPTO; False if none can stand at AT."""
     way, block, counts, doubts = room.course.way, room.block, room.ground.counts, room.ground.doubts
     way[KNOWN] = way[SOUND] = way[UPTO]
     if counts[DOUBTS] == 0:
         return True
     block.at[0] = block.at[1] = way[AT]
-    if not place_block(walk.rows, walk.benches.links, block, room.course.tally, 2):
+    if not place_samples(walk.rows, walk.benches.links, block, room.course.tally, 2):
         return False
     n = 0
     while n < counts[DOUBTS]:
-        if pass_doubt(walk, room, sweeper, n):
+        if resolve_doubt(walk, room, sweeper, n):
             counts[DOUBTS] -= 1
             doubts[n, 0], doubts[n, 1] = doubts[counts[DOUBTS], 0], doubts[counts[DOUBTS], 1]
         else:

@@ -1,29 +1,29 @@
-"""Which pairs of benches may meet in which steps of the head, all along a walk.
+"""The candidate pairs of the broad phase: which benches may meet in which steps of the head.
 
-The head's walk is prepared stride by stride: cells of the route ahead (kernels/near_cells.py), whether
-all benches surely follow through them (kernels/doubts.py), then step by step the benches that stand in
-partners. What is left before a bench that may not follow is searched for all pairs that come near by
-their travel.
+The head's walk is prepared stride by stride: cells of the route ahead (kernels/broad_phase.py), whether
+all benches surely follow through them (kernels/continuation.py), then step by step the benches that
+stand in overlapping boxes. What is left before a bench that may not follow is searched for all pairs
+that come near by their travel.
 """
 
 import math
 
 import numpy as np
 
-from benchdragon.kernels import cells as of
-from benchdragon.kernels import course
+from benchdragon.kernels import box_hierarchy as of
+from benchdragon.kernels import workspace
 from benchdragon.kernels.box import CX, CY, half_diagonal, set_box
-from benchdragon.kernels.cells import Ground, Kinds
+from benchdragon.kernels.box_hierarchy import Hierarchy, Kinds
+from benchdragon.kernels.broad_phase import BoxScratch, boxes_near, extend_hierarchy
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.course import Benches, Room, Walk, place_block
+from benchdragon.kernels.continuation import certify_stride
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.doubts import look_through
 from benchdragon.kernels.entries import allocates, kernel
 from benchdragon.kernels.grid import gather, put
-from benchdragon.kernels.near_cells import Sweeper, boxes_near, extend
-from benchdragon.kernels.regions import EDGE, add_pair, first_behind
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
+from benchdragon.kernels.swept_boxes import EDGE, add_pair, first_behind
+from benchdragon.kernels.workspace import Benches, Walk, Workspace, place_samples
 
 # Head's walk, m, that is prepared at a time: at least this share of the route known, or so much. What
 # may end soon wastes less of a short stride, what goes on to the end fills more lanes in a long one.
@@ -39,7 +39,7 @@ NARROW = 4  # more room is wanted, see the counts
 
 
 @kernel
-def group_span_end(ground: Ground, a: int, b: int, s: float) -> float:
+def group_span_end(ground: Hierarchy, a: int, b: int, s: float) -> float:
     """The end of the clear span of groups a and b that began by route position s, m; s without one."""
     groups, end = ground.counts[of.GROUPS], s
     each = ground.spans.shape[0] // (groups * groups)
@@ -51,7 +51,7 @@ def group_span_end(ground: Ground, a: int, b: int, s: float) -> float:
 
 
 @kernel
-def clear_end(ground: Ground, head: int, s: float) -> float:
+def clear_end(ground: Hierarchy, head: int, s: float) -> float:
     """Up to where the head, of group `head`, surely meets no other, standing at s, m; s if nowhere."""
     end = math.inf
     for b in range(ground.counts[of.GROUPS]):
@@ -61,37 +61,39 @@ def clear_end(ground: Ground, head: int, s: float) -> float:
 
 
 @kernel
-def prepare(walk: Walk, room: Room, upto: float, whole: IntArray, numbers: FloatArray) -> int:
+def prepare(walk: Walk, room: Workspace, upto: float, whole: IntArray, numbers: FloatArray) -> int:
     """Prepare the walk up to head position `upto`, m, with scratch of `near_cells`; as next_stride."""
     way, tally = room.course.way, room.course.tally
     places = Placements(
         whole[0], numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], whole[1]
     )
-    sweeper = Sweeper(numbers[6, 0], places, whole[2, 0], whole[2, 1], numbers[6, 1], numbers[7, 0, :1])
-    if not extend(walk.rows, walk.kinds, room.ground, sweeper, room.grids, upto):
+    sweeper = BoxScratch(
+        numbers[6, 0], places, whole[2, 0], whole[2, 1], numbers[6, 1], numbers[7, 0, :1]
+    )
+    if not extend_hierarchy(walk.rows, walk.kinds, room.ground, sweeper, room.grids, upto):
         return NARROW
-    way[course.UPTO] = upto
-    tally[course.SLOT] = tally[course.SLOTS] = 0
-    if look_through(walk, room, sweeper):
+    way[workspace.UPTO] = upto
+    tally[workspace.SLOT] = tally[workspace.SLOTS] = 0
+    if certify_stride(walk, room, sweeper):
         return STEP
-    way[course.SOUND] = way[course.AT]
+    way[workspace.SOUND] = way[workspace.AT]
     return STOPPED
 
 
 @kernel
 @allocates
-def next_stride(walk: Walk, room: Room, least: float) -> int:
+def next_stride(walk: Walk, room: Workspace, least: float) -> int:
     """Prepare the walk past SOUND, `least` metres or more; STEP, or DONE, STOPPED or NARROW."""
     ground, kinds, way = room.ground, walk.kinds, room.course.way
-    if way[course.SOUND] < way[course.UPTO]:
+    if way[workspace.SOUND] < way[workspace.UPTO]:
         return STOPPED
-    if way[course.UPTO] >= way[course.GOAL]:
+    if way[workspace.UPTO] >= way[workspace.GOAL]:
         return DONE
-    known = way[course.AT] - ground.counts[of.LOW] * ground.measures[of.CELL]
-    upto = way[course.AT] + max(least, SHARE * known)
+    known = way[workspace.AT] - ground.counts[of.LOW] * ground.measures[of.CELL]
+    upto = way[workspace.AT] + max(least, SHARE * known)
     if ground.counts[of.MIXED] == 0:
-        upto = max(upto, clear_end(ground, kinds.group[walk.benches.kind[0]], way[course.AT]))
-    upto = min(upto, way[course.GOAL])
+        upto = max(upto, clear_end(ground, kinds.group[walk.benches.kind[0]], way[workspace.AT]))
+    upto = min(upto, way[workspace.GOAL])
     return prepare(walk, room, upto, np.empty((3, 2, LANES), dtype=np.int64), np.empty((8, 2, LANES)))
 
 
@@ -112,32 +114,32 @@ def benches_reaching(benches: Benches, head: float, back: float) -> int:
 
 
 @kernel
-def next_block(walk: Walk, room: Room) -> int:
+def next_block(walk: Walk, room: Workspace) -> int:
     """Place dragons at the borders of the next steps; STEP, or STOPPED if they do not stand."""
     way, tally, counts = room.course.way, room.course.tally, room.ground.counts
     block, benches = room.block, walk.benches
-    cells = way[course.AT] < way[course.KNOWN]
-    end = way[course.KNOWN] if cells else way[course.SOUND]
+    cells = way[workspace.AT] < way[workspace.KNOWN]
+    end = way[workspace.KNOWN] if cells else way[workspace.SOUND]
     size, slots, count = room.ground.measures[of.CELL] / of.PARTS, 1, block.at.shape[0]
-    block.at[0] = way[course.AT]
+    block.at[0] = way[workspace.AT]
     while slots < count and block.at[slots - 1] < end:
-        at = way[course.AT] + slots * size
+        at = way[workspace.AT] + slots * size
         # What rounding leaves of the last step is joined to it.
         block.at[slots] = end if at > end - 1e-3 * size else at
         slots += 1
     back = (counts[of.REAR] + counts[of.LOW] * of.PARTS) * size - EDGE if cells else -math.inf
-    tally[course.BENCHES] = benches_reaching(benches, block.at[slots - 1], back)
-    tally[course.SLOT], tally[course.SLOTS] = 0, slots - 1
-    if tally[course.BENCHES] < 3:
+    tally[workspace.BENCHES] = benches_reaching(benches, block.at[slots - 1], back)
+    tally[workspace.SLOT], tally[workspace.SLOTS] = 0, slots - 1
+    if tally[workspace.BENCHES] < 3:
         return STEP
-    links = benches.links if not cells else benches.links[: tally[course.BENCHES] - 1]
-    return STEP if place_block(walk.rows, links, block, tally, slots) else STOPPED
+    links = benches.links if not cells else benches.links[: tally[workspace.BENCHES] - 1]
+    return STEP if place_samples(walk.rows, links, block, tally, slots) else STOPPED
 
 
 @kernel
-def meeting_pairs(
-    benches: Benches, kinds: Kinds, ground: Ground, s: FloatArray, t: int, count: int, first: IntArray,
-    second: IntArray,
+def candidates_of_step(
+    benches: Benches, kinds: Kinds, ground: Hierarchy, s: FloatArray, t: int, count: int,
+    first: IntArray, second: IntArray,
 ) -> int:  # fmt: skip
     """Pairs of the first benches that may meet between slots t and t + 1; how many.
 
@@ -166,7 +168,7 @@ def meeting_pairs(
 
 
 @kernel
-def crowd_pairs(benches: Benches, room: Room, t: int) -> int:
+def candidates_by_grid(benches: Benches, room: Workspace, t: int) -> int:
     """Pairs of all benches that may come within reach between slots t and t + 1; how many.
 
     No point moves farther than the lever times the farthest way of any handle.
@@ -195,49 +197,53 @@ def crowd_pairs(benches: Benches, room: Room, t: int) -> int:
 
 
 @kernel
-def step_pairs(walk: Walk, room: Room) -> int:
+def step_pairs(walk: Walk, room: Workspace) -> int:
     """Pairs of the next step of the block; how many."""
     way, tally, s, meeting = room.course.way, room.course.tally, room.block.s, room.meeting
-    t, count = tally[course.SLOT], tally[course.BENCHES]
+    t, count = tally[workspace.SLOT], tally[workspace.BENCHES]
     if count < 3:
         return 0
-    if way[course.AT] >= way[course.KNOWN]:
-        return crowd_pairs(walk.benches, room, t)
-    return meeting_pairs(
+    if way[workspace.AT] >= way[workspace.KNOWN]:
+        return candidates_by_grid(walk.benches, room, t)
+    return candidates_of_step(
         walk.benches, walk.kinds, room.ground, s, t, count, meeting.first, meeting.second
     )
 
 
 @kernel
-def next_step(walk: Walk, room: Room, stride: float) -> int:
+def next_step(walk: Walk, room: Workspace, stride: float) -> int:
     """Find the next step in which pairs may come within reach; how that ended, as above.
 
     Of the walk ahead `stride` metres or more are prepared at a time.
     """
     way, tally, at = room.course.way, room.course.tally, room.block.at
     for _ in range(STEPS_A_CALL):
-        if tally[course.SLOT] >= tally[course.SLOTS]:
+        if tally[workspace.SLOT] >= tally[workspace.SLOTS]:
             ending = STEP
-            if way[course.AT] >= way[course.SOUND]:
+            if way[workspace.AT] >= way[workspace.SOUND]:
                 ending = next_stride(walk, room, stride)
-            elif way[course.AT] >= way[course.KNOWN] or not skip_to_partners(room.ground, way):
+            elif way[workspace.AT] >= way[workspace.KNOWN] or not skip_to_partners(room.ground, way):
                 ending = next_block(walk, room)
             if ending != STEP:
                 return ending
             continue
-        t, found = tally[course.SLOT], step_pairs(walk, room)
-        tally[course.PAIRS] = found
+        t, found = tally[workspace.SLOT], step_pairs(walk, room)
+        tally[workspace.PAIRS] = found
         if found > room.meeting.first.shape[0]:
             return NARROW
-        way[course.STEP_START], way[course.STEP_END], way[course.AT] = at[t], at[t + 1], at[t + 1]
-        tally[course.SLOT] = t + 1
+        way[workspace.STEP_START], way[workspace.STEP_END], way[workspace.AT] = (
+            at[t],
+            at[t + 1],
+            at[t + 1],
+        )
+        tally[workspace.SLOT] = t + 1
         if found:
             return STEP
     return WAIT
 
 
 @kernel
-def partners_ahead(ground: Ground, g: int, s: float) -> float:
+def partners_ahead(ground: Hierarchy, g: int, s: float) -> float:
     """Where the first part of group g that has partners begins, m, that ends past s; infinite: none."""
     tree, cells, low = ground.tree, ground.middles.shape[0], ground.counts[of.LOW] * of.PARTS
     size, most = ground.measures[of.CELL] / of.PARTS, ground.counts[of.CELLS] * of.PARTS
@@ -251,7 +257,7 @@ def partners_ahead(ground: Ground, g: int, s: float) -> float:
 
 
 @kernel
-def skip_to_partners(ground: Ground, way: FloatArray) -> bool:
+def skip_to_partners(ground: Hierarchy, way: FloatArray) -> bool:
     """Pass over what no bench can meet another in, up to KNOWN; whether that is all.
 
     Where the head is was said. Other benches are no farther on than the links before them let them be,
@@ -260,8 +266,8 @@ def skip_to_partners(ground: Ground, way: FloatArray) -> bool:
     begin, groups, edge = math.inf, ground.groups, 2.0 * EDGE
     for g in range(ground.counts[of.GROUPS]):
         if groups[g, of.REARMOST] == 0.0:
-            begin = min(begin, partners_ahead(ground, g, way[course.AT] - edge))
+            begin = min(begin, partners_ahead(ground, g, way[workspace.AT] - edge))
         else:
             begin = min(begin, groups[g, of.FIRST] + groups[g, of.FOREMOST])
-    way[course.AT] = max(way[course.AT], min(begin - edge, way[course.KNOWN]))
-    return way[course.AT] >= way[course.KNOWN]
+    way[workspace.AT] = max(way[workspace.AT], min(begin - edge, way[workspace.KNOWN]))
+    return way[workspace.AT] >= way[workspace.KNOWN]

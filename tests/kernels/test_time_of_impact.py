@@ -24,7 +24,7 @@ from benchdragon.analysis.distance import pair_distances
 from benchdragon.analysis.nearby import errors_at, seams_of
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.errors import WalkError
-from benchdragon.kernels import cells, course, search, search_room
+from benchdragon.kernels import box_hierarchy, search_room, time_of_impact, workspace
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, distances_along, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
@@ -35,27 +35,27 @@ from tests.kernels.tried_walks import BENCHES, ROUTES, Searched, Step, begun_wit
 
 def search_one(found: Searched, goal: int, step: Step, note: FloatArray, tolerance: float = 0.0) -> int:
     """Search one step alone, whose pairs are what it says: see `Searched.search`."""
-    count, placed = len(step.first), int(found.room.course.tally[course.PLACED])
+    count, placed = len(step.first), int(found.room.course.tally[workspace.PLACED])
     found.go(step.end, step.end)
     way, tally = found.room.course
-    way[course.STEP_START], tally[[course.PAIRS, course.PLACED]] = step.start, (count, placed)
+    way[workspace.STEP_START], tally[[workspace.PAIRS, workspace.PLACED]] = step.start, (count, placed)
     found.room.meeting.first[:count], found.room.meeting.second[:count] = step.first, step.second
     return found.search(goal, note, tolerance)
 
 
 def search_step(
-    room: search.Search,
+    room: time_of_impact.Search,
     goal: int,
-    chain: search.Chain,
-    pairs: search.Pairs,
+    chain: time_of_impact.Chain,
+    pairs: time_of_impact.Pairs,
     start: float,
     end: float,
-    limits: search.Limits,
+    limits: time_of_impact.Limits,
     note: FloatArray,
 ) -> int:
     """Search one step with the kernels alone."""  # fmt: skip
-    top = search.open_step(room, len(pairs.first), start, end)
-    return search.bisect(room, goal, chain, pairs, top, 0, limits, note)
+    top = time_of_impact.open_step(room, len(pairs.first), start, end)
+    return time_of_impact.bisect(room, goal, chain, pairs, top, 0, limits, note)
 
 
 def spiral_walk(width: float, pitch: float = 0.8) -> Walk:
@@ -104,10 +104,10 @@ def test_a_margin_no_pair_keeps_to_the_digit_is_a_graze() -> None:
         assert found.value == pytest.approx(low.witness.time, abs=1e-3)
 
 
-def search_chain(walk: Walk, members: IntArray) -> search.Chain:
+def search_chain(walk: Walk, members: IntArray) -> time_of_impact.Chain:
     """The benches up to the last of the members, on the walk's route."""
     dragon, links = walk.dragon, walk.dragon.links[: members[-1] + 1]
-    return search.Chain(
+    return time_of_impact.Chain(
         walk.route.rows, links, np.empty(0), dragon.sizes, members, np.empty((0, BOX_COLUMNS)),
         seams_of(walk.route.rows),
     )  # fmt: skip
@@ -116,16 +116,18 @@ def search_chain(walk: Walk, members: IntArray) -> search.Chain:
 def test_too_few_looks_leave_a_search_stuck() -> None:
     walk = spiral_walk(0.78)
     step = next(iter(Searched(walk, 0.0, 15.0, 0.0).steps()))
-    room = search.room(17, 16, len(step.first))
+    room = time_of_impact.empty_search(17, 16, len(step.first))
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
-    for goal in (search.FIRST_TOUCH, search.LEAST):
-        note = np.zeros(search.NOTES)
-        note[search.NEAREST] = note[search.FLOOR] = math.inf
+    for goal in (time_of_impact.FIRST_TOUCH, time_of_impact.LEAST):
+        note = np.zeros(time_of_impact.NOTES)
+        note[time_of_impact.NEAREST] = note[time_of_impact.FLOOR] = math.inf
         ending = search_step(
-            room, goal, search_chain(walk, members), search.Pairs(*np.split(inverse, 2)),
-            step.start, step.start + 4.0, search.Limits(0.0, 1e-13, 1e-13, 2), note,
+            room, goal, search_chain(walk, members), time_of_impact.Pairs(*np.split(inverse, 2)),
+            step.start, step.start + 4.0, time_of_impact.Limits(0.0, 1e-13, 1e-13, 2), note,
         )  # fmt: skip
-        assert ending == (search.STUCK if goal == search.FIRST_TOUCH else search.GRAZE)
+        assert ending == (
+            time_of_impact.STUCK if goal == time_of_impact.FIRST_TOUCH else time_of_impact.GRAZE
+        )
 
 
 def test_a_bound_on_rounding_widens_a_bracket() -> None:
@@ -137,19 +139,19 @@ def test_a_bound_on_rounding_widens_a_bracket() -> None:
     walk = Walk(plain.dragon, Route((Spiral(0.8, 18.0, 7.0, (1e5, 1e5)),)))
     bounded, notes = search_chain(walk, members), []
     for chain in (bounded, bounded._replace(seams=np.empty((0, 2)))):
-        room, note = search.room(17, 2, 1), np.zeros(search.NOTES)
+        room, note = time_of_impact.empty_search(17, 2, 1), np.zeros(time_of_impact.NOTES)
         ending = search_step(
-            room, search.FIRST_TOUCH, chain, search.Pairs(np.array([0]), np.array([1])), at - 0.05,
-            at + 0.05, search.Limits(0.0, 1e-13, 1e-13, 1000), note,
+            room, time_of_impact.FIRST_TOUCH, chain, time_of_impact.Pairs(np.array([0]), np.array([1])),
+            at - 0.05, at + 0.05, time_of_impact.Limits(0.0, 1e-13, 1e-13, 1000), note,
         )  # fmt: skip
-        assert ending == search.FOUND
+        assert ending == time_of_impact.FOUND
         notes.append(note)
     sure, blind = notes
-    assert 1e-10 < sure[search.OFF] < 1e-9
-    assert blind[search.OFF] == 1e-13
+    assert 1e-10 < sure[time_of_impact.OFF] < 1e-9
+    assert blind[time_of_impact.OFF] == 1e-13
     # Nothing counts as clear, or as touched, that rounding may have made so.
-    assert sure[search.LOWER] < blind[search.LOWER] - 1e-11
-    assert sure[search.UPPER] > blind[search.LOWER] + 1e-11
+    assert sure[time_of_impact.LOWER] < blind[time_of_impact.LOWER] - 1e-11
+    assert sure[time_of_impact.UPPER] > blind[time_of_impact.LOWER] + 1e-11
 
 
 def test_the_greatest_speed_is_above_every_sample() -> None:
@@ -182,10 +184,10 @@ def test_a_bench_that_cannot_stand_leaves_its_cell_in_doubt() -> None:
     steps: list[Step] = []
     with pytest.raises(WalkError):
         steps.extend(found.steps())  # all that came before the failure
-    known, sound = found.room.course.way[[course.KNOWN, course.SOUND]].tolist()
+    known, sound = found.room.course.way[[workspace.KNOWN, workspace.SOUND]].tolist()
     # The head's own bench folds at 10.64 m; hulls hold it up to the cell of that place.
     assert known < sound < 12.0
-    assert known > sound - float(found.room.ground.measures[cells.CELL]) - 1e-6
+    assert known > sound - float(found.room.ground.measures[box_hierarchy.CELL]) - 1e-6
     assert steps[-1].end == sound
     assert steps[-1].start >= known
     searched(dragon, route, (8.0, known), 0.1)  # raises nothing
@@ -216,10 +218,10 @@ def test_a_step_begins_with_the_chain_of_the_one_before_or_its_own() -> None:
     for step in steps:
         notes = []
         for found in (together, Searched(walk, 9.0, 12.0)):
-            note = np.zeros(search.NOTES)
-            note[search.NEAREST] = note[search.FLOOR] = math.inf
-            assert search_one(found, search.LEAST, step, note, 1e-9) == search.CLEAR
-            notes.append(note[[search.NEAREST, search.PAIR]].tolist())
+            note = np.zeros(time_of_impact.NOTES)
+            note[time_of_impact.NEAREST] = note[time_of_impact.FLOOR] = math.inf
+            assert search_one(found, time_of_impact.LEAST, step, note, 1e-9) == time_of_impact.CLEAR
+            notes.append(note[[time_of_impact.NEAREST, time_of_impact.PAIR]].tolist())
         assert notes[0] == notes[1]
 
 
@@ -229,12 +231,12 @@ def test_what_benches_behind_may_reach_is_boxed(monkeypatch: pytest.MonkeyPatch)
     bounds, boxed = [], []
     for _turn in range(2):
         found = Searched(walk, *walk.head_position([0.0, 45.0]).tolist())
-        note = np.zeros(search.NOTES)
-        assert found.search(search.FIRST_TOUCH, note) == search.FOUND
-        bounds.append(note[[search.LOWER, search.UPPER, search.PAIR]].tolist())
-        ground, count = found.room.ground, int(found.room.ground.counts[cells.CELLS])
-        whole = ground.tree[: 2 * len(ground.middles)].reshape(2, -1, cells.TREE_COLUMNS)
-        boxed.append(int((whole[:, :count, cells.STATE] == cells.BOXED).sum()))
+        note = np.zeros(time_of_impact.NOTES)
+        assert found.search(time_of_impact.FIRST_TOUCH, note) == time_of_impact.FOUND
+        bounds.append(note[[time_of_impact.LOWER, time_of_impact.UPPER, time_of_impact.PAIR]].tolist())
+        ground, count = found.room.ground, int(found.room.ground.counts[box_hierarchy.CELLS])
+        whole = ground.tree[: 2 * len(ground.middles)].reshape(2, -1, box_hierarchy.TREE_COLUMNS)
+        boxed.append(int((whole[:, :count, box_hierarchy.STATE] == box_hierarchy.BOXED).sum()))
         monkeypatch.setattr(search_room, "begin_walk", begun_without_spans)
     assert bounds[0] == pytest.approx(bounds[1], abs=1e-10)
     assert boxed[0] < boxed[1]
@@ -251,32 +253,33 @@ def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
     )
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
     for most in (2, 3, 5):
-        note = np.zeros(search.NOTES)
-        note[search.NEAREST] = note[search.FLOOR] = math.inf
+        note = np.zeros(time_of_impact.NOTES)
+        note[time_of_impact.NEAREST] = note[time_of_impact.FLOOR] = math.inf
         ending = search_step(
-            search.room(17, 16, len(step.first)), search.LEAST, search_chain(walk, members),
-            search.Pairs(*np.split(inverse, 2)), step.start, step.end,
-            search.Limits(0.0, 1e-13, 1e-13, most), note,
+            time_of_impact.empty_search(17, 16, len(step.first)), time_of_impact.LEAST,
+            search_chain(walk, members),
+            time_of_impact.Pairs(*np.split(inverse, 2)), step.start, step.end,
+            time_of_impact.Limits(0.0, 1e-13, 1e-13, most), note,
         )  # fmt: skip
-        assert ending == search.GRAZE
-        assert 0.0 < note[search.FLOOR] <= least
-        assert note[search.NEAREST] >= least
+        assert ending == time_of_impact.GRAZE
+        assert 0.0 < note[time_of_impact.FLOOR] <= least
+        assert note[time_of_impact.NEAREST] >= least
 
 
 def test_what_was_given_up_first_is_not_forgotten() -> None:
     """Across a kink bounds are loose; behind it they are narrow, and lie higher."""
     route, start = ROUTES["kink"]
     chain = search_chain(Walk(Dragon(BENCHES), route), np.array([0, 2]))
-    pairs = search.Pairs(np.array([0]), np.array([1]))
+    pairs = time_of_impact.Pairs(np.array([0]), np.array([1]))
     floors = []
     for end in (start + 0.05, start + 0.2):
-        note = np.zeros(search.NOTES)
-        note[search.NEAREST] = note[search.FLOOR] = math.inf
+        note = np.zeros(time_of_impact.NOTES)
+        note[time_of_impact.NEAREST] = note[time_of_impact.FLOOR] = math.inf
         search_step(
-            search.room(4, 2, 1), search.LEAST, chain, pairs, start, end,
-            search.Limits(0.0, 1e-9, 0.06, 100), note,
+            time_of_impact.empty_search(4, 2, 1), time_of_impact.LEAST, chain, pairs, start, end,
+            time_of_impact.Limits(0.0, 1e-9, 0.06, 100), note,
         )  # fmt: skip
-        floors.append(note[search.FLOOR])
+        floors.append(note[time_of_impact.FLOOR])
     assert 0.0 < floors[1] <= floors[0] + 1e-12 < math.inf
 
 
@@ -295,11 +298,13 @@ def test_every_pair_of_a_step_is_looked_at() -> None:
     walk = Walk(Dragon.uniform(4, 2.2), Route((Line(30.0),)))
     contact_search = Searched(walk, 15.0, 16.0, 1.5)
     for second, found in (([3, 2], 1), ([2, 3], 0)):
-        note = np.zeros(search.NOTES)
+        note = np.zeros(time_of_impact.NOTES)
         step = Step(15.0, 15.2, np.array([0, 0]), np.array(second))
-        assert search_one(contact_search, search.FIRST_TOUCH, step, note) == search.FOUND
+        assert (
+            search_one(contact_search, time_of_impact.FIRST_TOUCH, step, note) == time_of_impact.FOUND
+        )
         assert contact_search.pair(note) == (0, second[found])
-        assert note[search.UPPER] == 15.0
+        assert note[time_of_impact.UPPER] == 15.0
 
 
 def test_the_end_of_a_step_is_looked_at() -> None:
@@ -310,15 +315,20 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     _errors, offs = errors_at(walk, 10.0)
     off = max(1e-15, float(offs[0] + offs[j]))
     contact_search = Searched(walk, 9.0, 10.0, at + off + 2e-15, slack=1e-15)
-    note = np.zeros(search.NOTES)
+    note = np.zeros(time_of_impact.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
-    assert search_one(contact_search, search.FIRST_TOUCH, step, note) == search.FOUND
-    assert note[search.UPPER] == 10.0
+    assert search_one(contact_search, time_of_impact.FIRST_TOUCH, step, note) == time_of_impact.FOUND
+    assert note[time_of_impact.UPPER] == 10.0
 
 
 @pytest.mark.parametrize(
     ("beyond", "ending"),
-    [(-2e-6, search.CLEAR), (-5e-7, search.GRAZE), (5e-7, search.GRAZE), (2e-6, search.FOUND)],
+    [
+        (-2e-6, time_of_impact.CLEAR),
+        (-5e-7, time_of_impact.GRAZE),
+        (5e-7, time_of_impact.GRAZE),
+        (2e-6, time_of_impact.FOUND),
+    ],
 )
 def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
     beyond: float, ending: int
@@ -327,9 +337,9 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
     distance = 2.0 * 1.65 - 2.2
     contact_search = Searched(walk, 15.0, 16.0, distance + beyond, slack=1e-6)
     pair = np.array([0]), np.array([2])
-    note = np.zeros(search.NOTES)
+    note = np.zeros(time_of_impact.NOTES)
     step = Step(15.0, 15.2, *pair)
-    assert search_one(contact_search, search.FIRST_TOUCH, step, note) == ending
+    assert search_one(contact_search, time_of_impact.FIRST_TOUCH, step, note) == ending
 
 
 def test_a_bracket_begins_where_all_was_clear() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements, empty_placements
-from benchdragon.kernels.low_points import SHRINKS, head_where_tail, low_pair, low_point
+from benchdragon.kernels.local_minima import SHRINKS, head_where_tail, local_minimum, low_pair
 from benchdragon.model.curves import Spiral
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.turns import TwoArcTurn
@@ -41,10 +41,10 @@ def test_a_pairs_low_point_is_no_higher_than_near_samples(
     for i, j in ((0, 5), (0, 7), (2, 8)):
         n = int(np.argmin(pairs[i, j]))
         low, high = at[n] - 0.4, at[n] + 0.4
-        least, where = low_point(ROWS, LINKS, SIZES, i, j, low, high, SHRINKS, *scratch(slots))
+        least, where = local_minimum(ROWS, LINKS, SIZES, i, j, low, high, SHRINKS, *scratch(slots))
         assert least <= pairs[i, j][n] + 1e-12
         assert least >= pairs[i, j][n] - 1e-3
-        fine = low_point(ROWS, LINKS, SIZES, i, j, low, high, SHRINKS, *scratch(64))[0]
+        fine = local_minimum(ROWS, LINKS, SIZES, i, j, low, high, SHRINKS, *scratch(64))[0]
         assert least == pytest.approx(fine, abs=1e-12)
         assert low <= where <= high
 
@@ -63,9 +63,9 @@ def test_a_low_pair_is_hardly_higher_than_the_least_of_dense_samples(
 
 def test_nothing_is_low_where_the_dragon_stands_nowhere_or_no_pair_counts() -> None:
     beyond = WALK.route.length + 1.0
-    assert low_point(ROWS, LINKS, SIZES, 0, 5, beyond, beyond + 1.0, 3, *scratch(4))[0] == math.inf
+    assert local_minimum(ROWS, LINKS, SIZES, 0, 5, beyond, beyond + 1.0, 3, *scratch(4))[0] == math.inf
     assert low_pair(ROWS, LINKS, SIZES, beyond, beyond + 1.0, *scratch(64))[0] == math.inf
-    assert low_point(ROWS, LINKS, SIZES, 0, 5, 30.0, 30.0, 3, *scratch(4)) == (math.inf, 30.0)
+    assert local_minimum(ROWS, LINKS, SIZES, 0, 5, 30.0, 30.0, 3, *scratch(4)) == (math.inf, 30.0)
     two = Walk(Dragon.uniform(2), WALK.route)
     room = np.empty(64), empty_placements(3, 64), np.empty((2, BOX_COLUMNS))
     assert low_pair(ROWS, two.dragon.links, two.dragon.sizes, 20.0, 30.0, *room)[0] == math.inf

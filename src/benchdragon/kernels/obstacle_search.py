@@ -2,17 +2,17 @@
 
 import math
 
-from benchdragon.kernels import beside as of
-from benchdragon.kernels import search as steps
+from benchdragon.kernels import obstacle_memory as of
+from benchdragon.kernels import time_of_impact as steps
 from benchdragon.kernels.arrays import Vector
-from benchdragon.kernels.beside import Beside, widen_found
-from benchdragon.kernels.beside_told import head_between, last_handle, put, show
-from benchdragon.kernels.beside_ways import next_span, rewind
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.memory import clear, copy_row, group_at
+from benchdragon.kernels.obstacle_contact import look_along, search_span
+from benchdragon.kernels.obstacle_memory import Beside, widen_found
+from benchdragon.kernels.obstacle_paths import next_span, rewind
+from benchdragon.kernels.obstacle_result import head_between, last_handle, put, show
 from benchdragon.kernels.question import MORE, OUT_OF_MEMORY, SPENT
-from benchdragon.kernels.regions import MOST_OFF
-from benchdragon.kernels.standing import look_along, search_span
+from benchdragon.kernels.swept_boxes import MOST_OFF
 from benchdragon.kernels.walk_search import ASTRAY, HANDLES_A_CALL
 
 # How a search ends, besides as kernels/question.py says, and ASTRAY.

@@ -1,4 +1,4 @@
-"""Low distances of benches along a walk: looked for, not bounded: hints where to search."""
+"""Local minima of the separation along a walk: looked for, not bounded: hints where to search."""
 
 import math
 
@@ -45,7 +45,7 @@ def march_even(
 
 
 @entry
-def low_point(
+def local_minimum(
     rows: Table, links: Vector, sizes: Table, i: int, j: int, low: float, high: float, shrinks: int,
     at: Vector, places: Placements, boxes: Table,
 ) -> tuple[float, float]:  # fmt: skip
@@ -96,7 +96,7 @@ def low_pair(
             least, where, first_bench, second_bench = distance, at[t], i, j
     if least < math.inf:
         low, high = max(first, where - 1.1 * step), min(last, where + 1.1 * step)
-        distance, s = low_point(
+        distance, s = local_minimum(
             rows, links, sizes, first_bench, second_bench, low, high, HINT_SHRINKS, at, places, boxes
         )
         if distance < least:

@@ -1,15 +1,15 @@
-"""Which cells of a route to box: where benches may come near others in no clear span with them."""
+"""Broad phase, built lazily: cells are marked for boxing where benches may come near others."""
 
 import math
 
-from benchdragon.kernels import cells as of
+from benchdragon.kernels import box_hierarchy as of
 from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH, offset
-from benchdragon.kernels.cells import Ground, add_row, want
+from benchdragon.kernels.box_hierarchy import Hierarchy, add_row, mark
 from benchdragon.kernels.curve import FloatArray, place
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid, gather
-from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray, locate
+from benchdragon.kernels.swept_boxes import EDGE
 
 
 @kernel
@@ -25,7 +25,7 @@ def find_spans(spans: FloatArray, pairs: int, low: int, cell: float, c: int, spa
 
 
 @kernel
-def add_cell(rows: FloatArray, ground: Ground, hind: float) -> int:
+def add_cell(rows: FloatArray, ground: Hierarchy, hind: float) -> int:
     """Know one cell more, and where the route is in its middle; its number."""
     counts, cell = ground.counts, ground.measures[of.CELL]
     c, groups = counts[of.CELLS], counts[of.GROUPS]
@@ -41,10 +41,10 @@ def add_cell(rows: FloatArray, ground: Ground, hind: float) -> int:
 
 
 @kernel
-def expose(ground: Ground, c: int, g: int) -> None:
+def mark_for_boxing(ground: Hierarchy, c: int, g: int) -> None:
     """Want cell c boxed for group g, but behind where the group's last bench began."""
     if ground.groups[g, of.HIND] < (ground.counts[of.LOW] + c + 1) * ground.measures[of.CELL]:
-        want(ground.counts, ground.tree, ground.todo, g * ground.middles.shape[0] + c)
+        mark(ground.counts, ground.tree, ground.todo, g * ground.middles.shape[0] + c)
 
 
 @kernel
@@ -55,7 +55,7 @@ def may_meet(span_of: IntArray, c: int, d: int, pair: int) -> bool:
 
 
 @kernel
-def expose_meeting(ground: Ground, grid: Grid, found: IntArray, c: int, a: int, b: int) -> None:
+def mark_meeting(ground: Hierarchy, grid: Grid, found: IntArray, c: int, a: int, b: int) -> None:
     """Want cell c boxed for group a if one of group b may stand in a cell near it, in `grid`.
 
     And not in one clear span with it.
@@ -67,12 +67,12 @@ def expose_meeting(ground: Ground, grid: Grid, found: IntArray, c: int, a: int, 
         d = found[n]
         apart = (middles[d, 0] - x) ** 2 + (middles[d, 1] - y) ** 2
         if apart <= reach * reach and may_meet(span_of, c, d, pair):
-            expose(ground, c, a)
+            mark_for_boxing(ground, c, a)
             return
 
 
 @kernel
-def expose_new(ground: Ground, grid: Grid, found: IntArray, c: int) -> None:
+def mark_new(ground: Hierarchy, grid: Grid, found: IntArray, c: int) -> None:
     """Want the latest cell, c, boxed where its benches may meet others of the cells before, in `grid`.
 
     And where they are in no clear span, that it is known whether they walk through.
@@ -81,22 +81,22 @@ def expose_new(ground: Ground, grid: Grid, found: IntArray, c: int) -> None:
     for pair in range(groups * groups):
         a, b = pair // groups, pair % groups
         if a == b and ground.groups[a, of.ALONE] > 0.0:
-            expose(ground, c, a)
+            mark_for_boxing(ground, c, a)
         if ground.groups[a, of.WAYS + b] < math.inf:
             if ground.span_of[c, pair] < 0:
-                expose(ground, c, a)
-                expose(ground, c, b)
+                mark_for_boxing(ground, c, a)
+                mark_for_boxing(ground, c, b)
             if ground.span_of[c, pair] != ground.span_of[0, pair]:
                 ground.counts[of.MIXED] = 1
     for pair in range(groups * groups):
         a, b = pair // groups, pair % groups
         known = ground.counts[of.MIXED] == 0 or tree[a * cells + c, of.STATE] != of.UNKNOWN
         if not known and ground.groups[a, of.WAYS + b] < math.inf:
-            expose_meeting(ground, grid, found, c, a, b)
+            mark_meeting(ground, grid, found, c, a, b)
 
 
 @kernel
-def expose_behind(ground: Ground, grid: Grid, found: IntArray, row: int) -> None:
+def mark_behind(ground: Hierarchy, grid: Grid, found: IntArray, row: int) -> None:
     """Want all cells behind boxed in which benches may come near those in a box of a cell.
 
     `grid` holds the middles of all cells.
@@ -120,4 +120,4 @@ def expose_behind(ground: Ground, grid: Grid, found: IntArray, row: int) -> None
             if known or d > c or not (c + 1 - d) * cell >= table[a, of.WAYS + b]:
                 continue
             if ahead * ahead + aside * aside <= near * near and may_meet(span_of, c, d, a * groups + b):
-                expose(ground, d, b)
+                mark_for_boxing(ground, d, b)

@@ -2,18 +2,18 @@
 
 import math
 
-from benchdragon.kernels import beside as of
-from benchdragon.kernels.beside import Beside
+from benchdragon.kernels import obstacle_memory as of
 from benchdragon.kernels.box import CX, CY, place_box
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import S_START, length_at
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.obstacle import forbids
+from benchdragon.kernels.obstacle_contact import distances_to
+from benchdragon.kernels.obstacle_memory import Beside
 from benchdragon.kernels.rounding import bench_errors, still_error
 from benchdragon.kernels.spans import PLACED, begin_repeats, new_spans
-from benchdragon.kernels.standing import distances_to
 from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import place_chain
 
 
 @kernel

@@ -1,10 +1,17 @@
-"""The beginning of a search along a walk: where the dragon stands, and what it asks of cells."""
+"""The start of a search along a walk: where the dragon stands, and what it asks of cells."""
 
 import math
 
-from benchdragon.kernels import cells
-from benchdragon.kernels.cells import Ground, Kinds
-from benchdragon.kernels.course import (
+from benchdragon.kernels import box_hierarchy
+from benchdragon.kernels.box_hierarchy import Hierarchy, Kinds
+from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
+from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.kinds import least_ways
+from benchdragon.kernels.links import link_of
+from benchdragon.kernels.rounding import find_seams
+from benchdragon.kernels.spiral_bound import clear_spans, shape_of
+from benchdragon.kernels.swept_boxes import EDGE
+from benchdragon.kernels.workspace import (
     AT,
     GOAL,
     KNOWN,
@@ -14,18 +21,11 @@ from benchdragon.kernels.course import (
     TALLY,
     UPTO,
     Benches,
-    Course,
-    Room,
+    SearchProgress,
     Walk,
-    place_block,
+    Workspace,
+    place_samples,
 )
-from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
-from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.kinds import least_ways
-from benchdragon.kernels.links import link_of
-from benchdragon.kernels.regions import EDGE
-from benchdragon.kernels.rounding import find_seams
-from benchdragon.kernels.spiral_bound import clear_spans, shape_of
 
 # Cells are this share of the shortest link: shorter ones cost more boxes, longer ones looser boxes.
 CELL_SHARE = 0.45
@@ -34,7 +34,7 @@ NOWHERE = 1 << 60
 
 
 @kernel
-def begin_group(benches: Benches, kinds: Kinds, ground: Ground, s: FloatArray, g: int) -> None:
+def begin_group(benches: Benches, kinds: Kinds, ground: Hierarchy, s: FloatArray, g: int) -> None:
     """Fill the row of group g, of the benches whose handles stand at s[:, 0]; least_ways is there."""
     groups, counts = ground.groups, ground.counts
     arm, hind, alone = 0.0, math.inf, 1.0
@@ -47,42 +47,51 @@ def begin_group(benches: Benches, kinds: Kinds, ground: Ground, s: FloatArray, g
         if kinds.group[benches.kind[i]] == g:
             hind = min(hind, s[i, 0])
             foremost, rearmost = min(foremost, benches.ahead[i]), benches.ahead[i]
-    for b in range(counts[cells.GROUPS]):
-        if groups[g, cells.WAYS + b] < math.inf or groups[b, cells.WAYS + g] < math.inf:
+    for b in range(counts[box_hierarchy.GROUPS]):
+        if groups[g, box_hierarchy.WAYS + b] < math.inf or groups[b, box_hierarchy.WAYS + g] < math.inf:
             alone = 0.0
-    groups[g, cells.ARM], groups[g, cells.HIND] = arm + ground.measures[cells.CELL], hind
-    groups[g, cells.WIDEST], groups[g, cells.ALONE], groups[g, cells.FIRST] = 0.0, alone, math.inf
-    groups[g, cells.FOREMOST], groups[g, cells.REARMOST] = foremost, rearmost
+    groups[g, box_hierarchy.ARM], groups[g, box_hierarchy.HIND] = (
+        arm + ground.measures[box_hierarchy.CELL],
+        hind,
+    )
+    groups[g, box_hierarchy.WIDEST], groups[g, box_hierarchy.ALONE], groups[g, box_hierarchy.FIRST] = (
+        0.0,
+        alone,
+        math.inf,
+    )
+    groups[g, box_hierarchy.FOREMOST], groups[g, box_hierarchy.REARMOST] = foremost, rearmost
 
 
 @kernel
-def find_clear_spans(rows: FloatArray, kinds: Kinds, ground: Ground, shortest: float) -> None:
+def find_clear_spans(rows: FloatArray, kinds: Kinds, ground: Hierarchy, shortest: float) -> None:
     """Fill the spans of the route where benches of two groups keep apart, a shortest link between."""
-    groups, spans = ground.counts[cells.GROUPS], ground.spans
+    groups, spans = ground.counts[box_hierarchy.GROUPS], ground.spans
     each = spans.shape[0] // (groups * groups)  # as many as rows, or more
     for n in range(spans.shape[0]):
         spans[n, 0], spans[n, 1] = math.inf, -math.inf
     for pair in range(groups * groups):
-        if ground.groups[pair // groups, cells.WAYS + pair % groups] < math.inf:
-            room = 0.5 * ground.measures[cells.REACH]
+        if ground.groups[pair // groups, box_hierarchy.WAYS + pair % groups] < math.inf:
+            room = 0.5 * ground.measures[box_hierarchy.REACH]
             ahead = shape_of(kinds.sizes, kinds.group, pair // groups, room)
             behind = shape_of(kinds.sizes, kinds.group, pair % groups, room)
             clear_spans(rows, ahead, behind, shortest, spans[pair * each : (pair + 1) * each])
 
 
 @kernel
-def begin_course(rows: FloatArray, ground: Ground, course: Course, start: float, end: float) -> None:
+def begin_course(
+    rows: FloatArray, ground: Hierarchy, course: SearchProgress, start: float, end: float
+) -> None:
     """Let a walk be at its start, nothing known ahead; it goes no farther than the route."""
     way, last = course.way, rows.shape[0] - 1
-    ground.measures[cells.END] = rows[last, S_START] + rows[last, LENGTH]
+    ground.measures[box_hierarchy.END] = rows[last, S_START] + rows[last, LENGTH]
     way[AT] = way[UPTO] = way[KNOWN] = way[SOUND] = way[STEP_START] = way[STEP_END] = start
-    way[GOAL] = min(end, ground.measures[cells.END])
+    way[GOAL] = min(end, ground.measures[box_hierarchy.END])
     for n in range(TALLY):
         course.tally[n] = 0
 
 
 @entry
-def begin_walk(walk: Walk, room: Room, start: float, end: float, reach: float) -> bool:
+def begin_walk(walk: Walk, room: Workspace, start: float, end: float, reach: float) -> bool:
     """Begin a search from head position start to end, m; False if the dragon cannot stand at start.
 
     Pairs of benches within `reach`, m, will be named.
@@ -93,18 +102,18 @@ def begin_walk(walk: Walk, room: Room, start: float, end: float, reach: float) -
     for k in range(kinds.group.shape[0]):
         shortest = min(shortest, link_of(kinds.sizes, k))
     cell = CELL_SHARE * shortest
-    ground.measures[cells.REACH], ground.measures[cells.CELL] = reach + EDGE, cell
+    ground.measures[box_hierarchy.REACH], ground.measures[box_hierarchy.CELL] = reach + EDGE, cell
     begin_course(rows, ground, course, start, end)
     find_seams(rows, ground.seams)
     block.at[0] = start
-    if not place_block(rows, benches.links, block, course.tally, 1):
+    if not place_samples(rows, benches.links, block, course.tally, 1):
         return False
-    for n in range(cells.COUNTS):
+    for n in range(box_hierarchy.COUNTS):
         counts[n] = 0
-    counts[cells.GROUPS], counts[cells.ROWS] = groups, groups * ground.middles.shape[0]
-    counts[cells.LOW] = math.floor(block.s[benches.kind.shape[0] - 1, 0] / cell)
-    counts[cells.REAR] = NOWHERE
-    least_ways(benches.links, benches.kind, kinds.group, groups, ground.groups, cells.WAYS)
+    counts[box_hierarchy.GROUPS], counts[box_hierarchy.ROWS] = groups, groups * ground.middles.shape[0]
+    counts[box_hierarchy.LOW] = math.floor(block.s[benches.kind.shape[0] - 1, 0] / cell)
+    counts[box_hierarchy.REAR] = NOWHERE
+    least_ways(benches.links, benches.kind, kinds.group, groups, ground.groups, box_hierarchy.WAYS)
     for g in range(groups):
         begin_group(benches, kinds, ground, block.s, g)
     find_clear_spans(rows, kinds, ground, shortest)

@@ -1,13 +1,13 @@
-"""How near, or how far apart, two benches come anywhere in a step of the head.
+"""Bounds of the separation of two moving benches over a step of the head, along separating axes.
 
 Row i of `boxes` is bench i at the start of the step, row end + i the same bench at its end, and row i
-of `sweeps` bounds its motion in between (kernels/step_bounds.py); h is the length of the step, m.
+of `sweeps` bounds its motion in between (kernels/motion_bounds.py); h is the length of the step, m.
 """
 
 import math
 
 from benchdragon.kernels import box
-from benchdragon.kernels import step_bounds as bounds
+from benchdragon.kernels import motion_bounds as bounds
 from benchdragon.kernels.box import box_distance, corner, half_diagonal, nearest_corner, offset
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
@@ -25,7 +25,7 @@ def separation(boxes: FloatArray, i: int, j: int, nx: float, ny: float) -> float
 
 
 @kernel
-def face_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) -> float:
+def chord_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) -> float:
     """What the height of a corner of bench i over a face of bench j may leave the straight line by, m.
 
     The height of a corner P over a face with normal N and foot Y is (P - Y) . N, with second derivative
@@ -52,11 +52,13 @@ def face_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, 
     rear = min(separation(boxes, j, i, -ax, -ay), separation(boxes, jb, ib, -bx, -by))
     left = min(separation(boxes, j, i, -ay, ax), separation(boxes, jb, ib, -by, bx))
     right = min(separation(boxes, j, i, ay, -ax), separation(boxes, jb, ib, by, -bx))
-    return max(front, rear, left, right) - face_loss(boxes, sweeps, i, j, h)
+    return max(front, rear, left, right) - chord_loss(boxes, sweeps, i, j, h)
 
 
 @kernel
-def face_ceiling(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
+def face_upper_bound(
+    boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float
+) -> float:
     """Greatest separation that any face of bench j reaches from bench i over a step, m.
 
     A face is no farther off than any one corner is over it.
@@ -74,18 +76,20 @@ def face_ceiling(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int
                 height = max(height, (out if face % 2 == 0 else -out) - half)
             nearest = min(nearest, height)
         most = max(most, nearest)
-    return most + face_loss(boxes, sweeps, i, j, h)
+    return most + chord_loss(boxes, sweeps, i, j, h)
 
 
 @kernel
-def gap_ceiling(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
+def gap_upper_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
     """At least the signed gap of benches i and j anywhere in a step, m: negative if they overlap."""
-    one = face_ceiling(boxes, sweeps, end, i, j, h)
-    return max(one, face_ceiling(boxes, sweeps, end, j, i, h))
+    one = face_upper_bound(boxes, sweeps, end, i, j, h)
+    return max(one, face_upper_bound(boxes, sweeps, end, j, i, h))
 
 
 @kernel
-def facing_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
+def nearest_direction_bound(
+    boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float
+) -> float:
     """Least separation of benches i and j along the direction in which they are nearest at first, m."""
     mine, which = nearest_corner(boxes, i, j)
     owner, other = (i, j) if mine else (j, i)
@@ -105,7 +109,7 @@ def facing_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int
 
 
 @kernel
-def apart_bound(
+def separation_lower_bound(
     boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float, wanted: float
 ) -> float:
     """At most the distance of benches i and j anywhere in a step, m; only as good as `wanted` needs.
@@ -122,5 +126,5 @@ def apart_bound(
     if best <= wanted:
         best = max(best, face_bound(boxes, sweeps, end, j, i, h))
     if best <= wanted:
-        best = max(best, facing_bound(boxes, sweeps, end, i, j, h))
+        best = max(best, nearest_direction_bound(boxes, sweeps, end, i, j, h))
     return best

@@ -1,8 +1,9 @@
-"""The first contact of a walking chain, the end of a contact, and the least clearance of a walk.
+"""Narrow phase by bisection: time of impact, end of a contact, least separation.
 
-Each search opens the leftmost part of a step of the head first, carries along only the pairs of
-benches that could not be shown to keep apart, and halves the part while any are left. What it passes
-over is clear by a bound that holds for the whole of it (kernels/pair_bounds.py), never by looking only.
+Continuous collision detection over an interval of the head's route position. The leftmost part of the
+interval is opened first; pairs of benches that a lower bound of their separation shows apart all
+through it (kernels/separation_bounds.py) are culled, and while any are left the part is bisected.
+Nothing is passed over because it was only looked at: a contact is never told too late.
 """
 
 import math
@@ -10,16 +11,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from benchdragon.kernels import step_bounds as bounds
+from benchdragon.kernels import motion_bounds as bounds
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.pair_bounds import apart_bound, gap_ceiling
-from benchdragon.kernels.perturbed import bound_beside, place_beside
+from benchdragon.kernels.motion_bounds import bound_bench, bound_handles
 from benchdragon.kernels.rounding import bench_error, handle_errors, mark_lanes, still_error
-from benchdragon.kernels.step_bounds import bound_bench, bound_handles
+from benchdragon.kernels.separation_bounds import gap_upper_bound, separation_lower_bound
+from benchdragon.kernels.stray_chain import bound_beside, place_beside
 
 # What a search is after.
 FIRST_TOUCH = 0  # the first head position at which a pair is nearer than the margin
@@ -104,7 +105,7 @@ class Search(NamedTuple):
     kept: IntVector  # how many, (DEPTH,)
 
 
-def room(handles: int, members: int, pairs: int) -> Search:
+def empty_search(handles: int, members: int, pairs: int) -> Search:
     """Room for searches of up to so many handles, members and pairs."""
     return Search(
         np.empty(DEPTH), empty_placements(handles, DEPTH), np.empty((handles, bounds.HANDLE_COLUMNS)),
@@ -143,12 +144,12 @@ def number_members(
 def open_step(search: Search, pairs: int, start: float, end: float) -> int:
     """Open the step from head position start to end; the slot of its end, 0 if there is no pair."""
     search.at[0], search.at[1] = start, end
-    enliven(search, pairs)
+    activate_pairs(search, pairs)
     return min(pairs, 1)
 
 
 @kernel
-def enliven(search: Search, pairs: int) -> None:
+def activate_pairs(search: Search, pairs: int) -> None:
     """Let all of so many pairs be alive in the step, whose end is in slot 1."""
     for p in range(pairs):
         search.alive[1, p] = p
@@ -181,11 +182,11 @@ def box_slot(chain: Chain, search: Search, slot: int) -> None:
     for n in range(chain.standing.shape[0]):
         for k in range(BOX_COLUMNS):
             boxes[row + n, k] = chain.standing[n, k]
-    weigh_slot(chain, search, slot)
+    bound_rounding(chain, search, slot)
 
 
 @kernel
-def weigh_slot(chain: Chain, search: Search, slot: int) -> None:
+def bound_rounding(chain: Chain, search: Search, slot: int) -> None:
     """Bound what the members' places at a slot may be off by.
 
     Seen from the row of the head, or where something stands still from the route's first.
@@ -259,14 +260,14 @@ def end_distance(search: Search, slot: int, members: int, i: int, j: int) -> flo
 
 
 @kernel
-def doubt(search: Search, top: int, count: int, i: int, j: int, slack: float) -> float:
+def separation_error(search: Search, top: int, count: int, i: int, j: int, slack: float) -> float:
     """What the distance of members i and j may be off by at the part's ends, m; not below slack."""
     off, end = search.off, top * count
     return max(slack, off[i] + off[j], off[end + i] + off[end + j])
 
 
 @kernel
-def keep_near(
+def cull_separated(
     search: Search, top: int, count: int, pairs: Pairs, wanted: float, slack: float, note: FloatArray
 ) -> float:
     """Leave alive the pairs that may come as near as `wanted` in the part; the least bound of them.
@@ -277,9 +278,9 @@ def keep_near(
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         i, j = pairs.first[p], pairs.second[p]
-        unsure = doubt(search, top, count, i, j, slack)
+        unsure = separation_error(search, top, count, i, j, slack)
         most = wanted + unsure
-        bound = apart_bound(search.boxes, search.sweeps, top * count, i, j, h, most)
+        bound = separation_lower_bound(search.boxes, search.sweeps, top * count, i, j, h, most)
         if bound > most:
             continue
         note[OFF] = max(note[OFF], unsure)
@@ -292,7 +293,7 @@ def keep_near(
 
 
 @kernel
-def judge_touch(
+def classify_first_contact(
     search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part up to slot `top` stands for FIRST_TOUCH."""
@@ -301,13 +302,13 @@ def judge_touch(
         p = search.alive[top, n]
         i, j = pairs.first[p], pairs.second[p]
         apart = end_distance(search, 0, count, i, j)
-        unsure = doubt(search, top, count, i, j, limits.slack)
+        unsure = separation_error(search, top, count, i, j, limits.slack)
         past = min(past, apart - 3.0 * unsure)
         if apart <= margin - unsure:
             note[UPPER], note[PAIR] = search.at[0], p
             note[OFF] = max(note[OFF], unsure)
             return FOUND
-    least = keep_near(search, top, count, pairs, margin, limits.slack, note)
+    least = cull_separated(search, top, count, pairs, margin, limits.slack, note)
     if search.kept[top] == 0:
         # A graze is over when it is left well behind: rounding makes distances flicker.
         note[UPPER] = search.at[0]
@@ -317,7 +318,7 @@ def judge_touch(
         note[PAIR] = p
         i, j = pairs.first[p], pairs.second[p]
         a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
-        unsure = doubt(search, top, count, i, j, limits.slack)
+        unsure = separation_error(search, top, count, i, j, limits.slack)
         far = max(a, b) > margin + 2.0 * unsure or min(a, b) - least > 0.5 * unsure
         if far or b <= margin - unsure:
             return SPLIT
@@ -325,7 +326,7 @@ def judge_touch(
 
 
 @kernel
-def judge_end(
+def classify_contact_end(
     search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part stands for TOUCH_END: one pair must stay near, by its travel or by its faces."""
@@ -334,14 +335,14 @@ def judge_end(
     for p in range(pairs.first.shape[0]):
         i, j = pairs.first[p], pairs.second[p]
         a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
-        unsure = doubt(search, top, count, i, j, limits.slack)
+        unsure = separation_error(search, top, count, i, j, limits.slack)
         note[OFF], freed = max(note[OFF], unsure), min(freed, a - unsure)
         spent = search.sweeps[i, bounds.TRAVEL] + search.sweeps[j, bounds.TRAVEL]
         held = held or 0.5 * (a + b + spent) < margin - unsure
         ceiling = math.inf
         if not held and max(a, b) < margin + 2.0 * unsure:
             h = search.handles[0, bounds.PATH]
-            ceiling = gap_ceiling(search.boxes, search.sweeps, top * count, i, j, h)
+            ceiling = gap_upper_bound(search.boxes, search.sweeps, top * count, i, j, h)
             held = ceiling < min(margin - unsure, 0.0)
         if a < nearest:
             nearest, note[PAIR] = a, p
@@ -356,7 +357,7 @@ def judge_end(
 
 
 @kernel
-def judge_least(
+def classify_least(
     search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part stands for LEAST; the least distance seen may fall."""
@@ -368,20 +369,20 @@ def judge_least(
                 note[NEAREST], note[UPPER], note[PAIR] = apart, search.at[slot], p
     if note[NEAREST] <= 0.0:
         return FOUND
-    note[LOWEST] = keep_near(search, top, count, pairs, note[NEAREST] - limits.slack, 0.0, note)
+    note[LOWEST] = cull_separated(search, top, count, pairs, note[NEAREST] - limits.slack, 0.0, note)
     return CLEAR if search.kept[top] == 0 else SPLIT
 
 
 @kernel
-def judge(
+def classify_interval(
     search: Search, goal: int, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part up to slot `top` stands for the goal."""
     if goal == FIRST_TOUCH:
-        return judge_touch(search, top, count, pairs, limits, note)
+        return classify_first_contact(search, top, count, pairs, limits, note)
     if goal == TOUCH_END:
-        return judge_end(search, top, count, pairs, limits, note)
-    return judge_least(search, top, count, pairs, limits, note)
+        return classify_contact_end(search, top, count, pairs, limits, note)
+    return classify_least(search, top, count, pairs, limits, note)
 
 
 @kernel
@@ -405,7 +406,7 @@ def bisect(
             evaluations += 1
             note[EVALUATIONS] += 1.0
         bound_members(chain, search, top)
-        verdict = judge(search, goal, top, count, pairs, limits, note)
+        verdict = classify_interval(search, goal, top, count, pairs, limits, note)
         if verdict == SPLIT:
             full = top + 2 >= DEPTH or evaluations >= limits.most
             if not full and search.at[top] - search.at[0] > limits.width:
@@ -431,7 +432,7 @@ def close(search: Search, goal: int, count: int, pairs: Pairs, limits: Limits, n
     if goal == FIRST_TOUCH:
         for p in range(pairs.first.shape[0]):
             i, j = pairs.first[p], pairs.second[p]
-            unsure = doubt(search, 0, count, i, j, limits.slack)
+            unsure = separation_error(search, 0, count, i, j, limits.slack)
             if end_distance(search, 0, count, i, j) <= limits.margin - unsure:
                 note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[0]
                 note[PAIR], note[OFF] = p, max(note[OFF], unsure)

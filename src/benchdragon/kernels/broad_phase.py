@@ -1,34 +1,34 @@
-"""What benches sweep over in the cells of a route, and which parts of cells come near one another.
+"""Broad phase: a hierarchy of swept oriented boxes over cells of the route, and which leaves overlap.
 
 All benches of a group sweep over the same place while their front handle walks through a cell, so that
-one box holds them all. A cell is boxed where another part of the route comes near it, and cut into
-parts, twice, where its box comes near another's. What comes near a part are its partners: only benches
-in partners can meet, whatever the time and however long the dragon.
+one box holds them all. A cell is boxed where another part of the route comes near it, and split into
+parts, twice, where its box comes near another's. The leaves that a leaf comes near are its partners:
+only benches in partners are candidate pairs, whatever the time and however long the dragon.
 """
 
 import math
 from typing import NamedTuple
 
-from benchdragon.kernels import cells as of
+from benchdragon.kernels import box_hierarchy as of
 from benchdragon.kernels.arrays import IntVector, Vector
 from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal
-from benchdragon.kernels.cells import Grids, Ground, Kinds, cut, has_room
+from benchdragon.kernels.box_hierarchy import Grids, Hierarchy, Kinds, has_room, split
+from benchdragon.kernels.cells_to_box import add_cell, mark_behind, mark_new, may_meet
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.exposure import add_cell, expose_behind, expose_new, may_meet
 from benchdragon.kernels.grid import Grid, gather, put
 from benchdragon.kernels.links import link_of
-from benchdragon.kernels.regions import sweep_cells
+from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
-from benchdragon.kernels.step_bounds import place_chain
+from benchdragon.kernels.swept_boxes import sweep_cells
 
 # Where at most so many pairs of parts a cell are near, they are cut once more: it may be none.
 SPARSE = 40
 
 
-class Sweeper(NamedTuple):
+class BoxScratch(NamedTuple):
     """What boxing works in: benches at up to LANES borders."""
 
     at: Vector  # route positions of the front handle, m
@@ -40,7 +40,7 @@ class Sweeper(NamedTuple):
 
 
 @kernel
-def count_borders(ground: Ground, places: Placements, count: int) -> None:
+def count_borders(ground: Hierarchy, places: Placements, count: int) -> None:
     """Count the benches at the first borders that stand."""
     for t in range(count):
         if not places.failed[0, t]:
@@ -49,7 +49,13 @@ def count_borders(ground: Ground, places: Placements, count: int) -> None:
 
 @kernel
 def sweep_batch(
-    rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, k: int, slots: int, boxes: int
+    rows: FloatArray,
+    kinds: Kinds,
+    ground: Hierarchy,
+    sweeper: BoxScratch,
+    k: int,
+    slots: int,
+    boxes: int,
 ) -> None:
     """Widen boxes by benches of kind k, whose front handles are at the sweeper's borders."""
     at, places, link, sound = sweeper.at, sweeper.places, sweeper.link, sweeper.sound
@@ -69,7 +75,7 @@ def sweep_batch(
 
 
 @kernel
-def box_group(rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, k: int) -> None:
+def box_group(rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, k: int) -> None:
     """Widen what is wanted of the group of kind k by benches of that kind, some borders at a time."""
     tree, at, low = ground.tree, sweeper.at, ground.counts[of.LOW]
     hind, end = ground.groups[kinds.group[k], of.HIND], ground.measures[of.END]
@@ -99,7 +105,9 @@ def box_group(rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, 
 
 
 @kernel
-def make_boxes(rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, grid: Grid) -> None:
+def box_marked(
+    rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, grid: Grid
+) -> None:
     """Box all that is wanted; whole cells go into the grid of boxes by the centre of theirs."""
     for k in range(kinds.group.shape[0]):
         box_group(rows, kinds, ground, sweeper, k)
@@ -132,7 +140,7 @@ def far_enough(tree: IntArray, i: int, j: int, cell: float, way: float) -> bool:
 
 
 @kernel
-def add_near(counts: IntArray, near: IntArray, i: int, j: int) -> None:
+def add_overlap(counts: IntArray, near: IntArray, i: int, j: int) -> None:
     """Note a pair of rows that are near; beyond the room it is only counted."""
     n = counts[of.NEAR]
     if n < near.shape[0]:
@@ -141,7 +149,7 @@ def add_near(counts: IntArray, near: IntArray, i: int, j: int) -> None:
 
 
 @kernel
-def find_near(ground: Ground, grid: Grid, found: IntArray, i: int) -> None:
+def find_overlaps(ground: Hierarchy, grid: Grid, found: IntArray, i: int) -> None:
     """Note all boxes of cells not beyond that of row i that are near it."""
     tree, hulls, groups = ground.tree, ground.hulls, ground.counts[of.GROUPS]
     a, c, reach, widest = tree[i, of.GROUP], tree[i, of.NUMBER], ground.measures[of.REACH], 0.0
@@ -158,19 +166,19 @@ def find_near(ground: Ground, grid: Grid, found: IntArray, i: int) -> None:
         if d > c or not way < math.inf or not far_enough(tree, i, j, ground.measures[of.CELL], way):
             continue
         if may_meet(ground.span_of, c, d, a * groups + b) and boxes_near(hulls, i, j, reach):
-            add_near(ground.counts, ground.near, i, j)
+            add_overlap(ground.counts, ground.near, i, j)
 
 
 @kernel
-def cut_near(ground: Ground) -> None:
+def split_overlapping(ground: Hierarchy) -> None:
     """Cut all boxes that are in pairs."""
     for n in range(ground.counts[of.NEAR]):
         for side in range(2):
-            cut(ground.counts, ground.tree, ground.hulls, ground.todo, ground.near[n, side])
+            split(ground.counts, ground.tree, ground.hulls, ground.todo, ground.near[n, side])
 
 
 @kernel
-def near_parts(ground: Ground, i: int, j: int, every: bool) -> bool:
+def overlapping_parts(ground: Hierarchy, i: int, j: int, every: bool) -> bool:
     """Whether any parts of boxes i and j are near; if `every`, all such pairs are noted."""
     tree, reach = ground.tree, ground.measures[of.REACH]
     way, found = ground.groups[tree[i, of.GROUP], of.WAYS + tree[j, of.GROUP]], False
@@ -182,12 +190,12 @@ def near_parts(ground: Ground, i: int, j: int, every: bool) -> bool:
                 if not every:
                     return True
                 found = True
-                add_near(ground.counts, ground.near, p, q)
+                add_overlap(ground.counts, ground.near, p, q)
     return found
 
 
 @kernel
-def add_partners(ground: Ground, i: int, j: int) -> None:
+def add_candidates(ground: Hierarchy, i: int, j: int) -> None:
     """Make part j a partner of part i."""
     counts, tree, groups = ground.counts, ground.tree, ground.groups
     n, g, size = counts[of.ENTRIES], tree[i, of.GROUP], ground.measures[of.CELL] / of.PARTS
@@ -201,8 +209,8 @@ def add_partners(ground: Ground, i: int, j: int) -> None:
 
 
 @kernel
-def extend(
-    rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, grids: Grids, upto: float
+def extend_hierarchy(
+    rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, grids: Grids, upto: float
 ) -> bool:
     """Know the route up to position `upto`, m, and all partners there; False for want of room."""
     counts, old = ground.counts, ground.counts[of.CELLS]
@@ -216,34 +224,36 @@ def extend(
         if counts[of.CELLS] == ground.middles.shape[0]:
             return False
         c = add_cell(rows, ground, hind)
-        expose_new(ground, grids.middles, grids.found, c)
+        mark_new(ground, grids.middles, grids.found, c)
         put(grids.middles, c, ground.middles[c, 0], ground.middles[c, 1])
-    make_boxes(rows, kinds, ground, sweeper, grids.boxes)
+    box_marked(rows, kinds, ground, sweeper, grids.boxes)
     for g in range(counts[of.GROUPS]):
         for c in range(old, wanted):
             if ground.tree[g * ground.middles.shape[0] + c, of.STATE] == of.BOXED:
-                expose_behind(ground, grids.middles, grids.found, g * ground.middles.shape[0] + c)
-    make_boxes(rows, kinds, ground, sweeper, grids.boxes)
+                mark_behind(ground, grids.middles, grids.found, g * ground.middles.shape[0] + c)
+    box_marked(rows, kinds, ground, sweeper, grids.boxes)
     counts[of.NEAR] = 0
     for g in range(counts[of.GROUPS]):
         for c in range(old, wanted):
-            find_near(ground, grids.boxes, grids.found, g * ground.middles.shape[0] + c)
-    return has_room(ground) and refine(rows, kinds, ground, sweeper, grids.boxes, wanted - old)
+            find_overlaps(ground, grids.boxes, grids.found, g * ground.middles.shape[0] + c)
+    return has_room(ground) and refine_hierarchy(
+        rows, kinds, ground, sweeper, grids.boxes, wanted - old
+    )
 
 
 @kernel
-def refine(
-    rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, centres: Grid, fresh: int
+def refine_hierarchy(
+    rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, centres: Grid, fresh: int
 ) -> bool:
     """From pairs of cells that are near to partners; False for want of room. So many cells are new."""
     counts, near = ground.counts, ground.near
     cells = counts[of.NEAR]
-    cut_near(ground)
+    split_overlapping(ground)
     if not has_room(ground):
         return False
-    make_boxes(rows, kinds, ground, sweeper, centres)
+    box_marked(rows, kinds, ground, sweeper, centres)
     for n in range(cells):
-        near_parts(ground, near[n, 0], near[n, 1], True)
+        overlapping_parts(ground, near[n, 0], near[n, 1], True)
     if not has_room(ground):
         return False
     pairs = counts[of.NEAR] - cells
@@ -252,12 +262,12 @@ def refine(
     counts[of.NEAR] = pairs
     finer = 0 < pairs <= SPARSE * fresh
     if finer:
-        cut_near(ground)
+        split_overlapping(ground)
         if not has_room(ground):
             return False
-        make_boxes(rows, kinds, ground, sweeper, centres)
+        box_marked(rows, kinds, ground, sweeper, centres)
     for n in range(pairs):
-        if not finer or near_parts(ground, near[n, 0], near[n, 1], False):
-            add_partners(ground, near[n, 0], near[n, 1])
+        if not finer or overlapping_parts(ground, near[n, 0], near[n, 1], False):
+            add_candidates(ground, near[n, 0], near[n, 1])
     counts[of.NEAR] = 0
     return has_room(ground)

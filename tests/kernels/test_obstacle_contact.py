@@ -9,14 +9,14 @@ import shapely
 
 from benchdragon import Arc, Line, Route
 from benchdragon.analysis.nearby import seams_of
-from benchdragon.kernels import search as steps
-from benchdragon.kernels import standing as kernel
+from benchdragon.kernels import obstacle_contact as kernel
+from benchdragon.kernels import time_of_impact as steps
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, corner, place_box
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.regions import EDGE
-from benchdragon.kernels.search import CLEAR, FIRST_TOUCH, FOUND, GRAZE, LEAST, STUCK
-from benchdragon.kernels.standing import Bench, Standing
-from benchdragon.kernels.step_bounds import TRAVEL
+from benchdragon.kernels.motion_bounds import TRAVEL
+from benchdragon.kernels.obstacle_contact import Bench, Standing
+from benchdragon.kernels.swept_boxes import EDGE
+from benchdragon.kernels.time_of_impact import CLEAR, FIRST_TOUCH, FOUND, GRAZE, LEAST, STUCK
 from benchdragon.kernels.walk_search import ASTRAY
 from benchdragon.model.obstacle import Obstacle
 from tests.kernels import rooms
@@ -39,7 +39,7 @@ def wall(x: float, low: float = -1.0, high: float = 1.0) -> FloatArray:
 
 def room_for(standing: Standing) -> steps.Search:
     count = len(standing.boxes) + 1
-    return steps.room(2, count, count)
+    return steps.empty_search(2, count, count)
 
 
 # Of each span that was searched: how that ended, and between which positions, m.
@@ -135,7 +135,7 @@ def test_a_box_at_the_very_reach_of_a_step_is_gathered() -> None:
 
 
 def test_what_stands_still_is_boxed_alike_at_all_places_and_does_not_move() -> None:
-    boxes, search = random_boxes(np.random.default_rng(3), 3), steps.room(2, 4, 4)
+    boxes, search = random_boxes(np.random.default_rng(3), 3), steps.empty_search(2, 4, 4)
     search.at[:2] = 6.0, 6.4
     bench = bench_on(EAST)
     assert kernel.walks_step(bench, search)

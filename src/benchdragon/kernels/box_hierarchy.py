@@ -1,6 +1,7 @@
-"""The cells of a route and the boxes of what benches sweep over in them, as tables.
+"""The hierarchy of bounding boxes over the cells of a route, as tables.
 
-Boxes make a tree: of whole cells, of the parts that these are cut into, and of parts of parts.
+A box holds what benches sweep over while their front handle walks through a cell, or a part of one.
+Boxes make a tree: of whole cells, of the parts that these are split into, and of parts of parts.
 """
 
 import math
@@ -68,7 +69,7 @@ class Kinds(NamedTuple):
     group: IntVector
 
 
-class Ground(NamedTuple):
+class Hierarchy(NamedTuple):
     """The cells of a route that a dragon walks; the caller's memory."""
 
     counts: IntVector
@@ -97,7 +98,7 @@ class Grids(NamedTuple):
 
 
 @kernel
-def has_room(ground: Ground) -> bool:
+def has_room(ground: Hierarchy) -> bool:
     """Whether all that was counted found room."""
     counts = ground.counts
     return (
@@ -118,7 +119,7 @@ def add_row(tree: IntArray, hulls: FloatArray, row: int, group: int, number: int
 
 
 @kernel
-def want(counts: IntArray, tree: IntArray, todo: IntArray, row: int) -> None:
+def mark(counts: IntArray, tree: IntArray, todo: IntArray, row: int) -> None:
     """Put a row on the list of boxes to be made, once."""
     if tree[row, STATE] == UNKNOWN:
         tree[row, STATE], todo[counts[TODO]] = WANTED, row
@@ -126,7 +127,7 @@ def want(counts: IntArray, tree: IntArray, todo: IntArray, row: int) -> None:
 
 
 @kernel
-def cut(counts: IntArray, tree: IntArray, hulls: FloatArray, todo: IntArray, row: int) -> None:
+def split(counts: IntArray, tree: IntArray, hulls: FloatArray, todo: IntArray, row: int) -> None:
     """Give a box its parts, once, and want them boxed; beyond the room they are only counted."""
     if tree[row, CHILD]:
         return
@@ -138,4 +139,4 @@ def cut(counts: IntArray, tree: IntArray, hulls: FloatArray, todo: IntArray, row
     for n in range(PARTS):
         number = tree[row, NUMBER] * PARTS + n
         add_row(tree, hulls, base + n, tree[row, GROUP], number, tree[row, LEVEL] * PARTS)
-        want(counts, tree, todo, base + n)
+        mark(counts, tree, todo, base + n)

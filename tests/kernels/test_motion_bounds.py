@@ -9,7 +9,7 @@ import pytest
 from benchdragon import Arc, Clothoid, Dragon, Line, Route, Walk
 from benchdragon.analysis.distance import boxes
 from benchdragon.kernels import curve as kernel
-from benchdragon.kernels import pair_bounds, regions, search, step_bounds
+from benchdragon.kernels import motion_bounds, separation_bounds, swept_boxes, time_of_impact
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, box_gap, corner, set_box
 from benchdragon.kernels.chain import Placements, empty_placements, rates
 from benchdragon.kernels.curve import FloatArray, Y
@@ -19,7 +19,7 @@ from tests.kernels.tried_walks import BENCHES, ROUTES, SMOOTH
 
 def chains(walk: Walk, at: FloatArray) -> Placements:
     places = empty_placements(len(walk.dragon) + 1, len(at))
-    assert step_bounds.place_chain(walk.route.rows, walk.dragon.links, at, 0, len(at), places)
+    assert motion_bounds.place_chain(walk.route.rows, walk.dragon.links, at, 0, len(at), places)
     return places
 
 
@@ -32,20 +32,20 @@ def test_bounds_hold_everywhere_in_a_step(name: str, h: float) -> None:
     places = chains(walk, at)
     ends = chains(walk, at[[0, -1]])
     count = len(walk.dragon) + 1
-    bounds = np.empty((count, step_bounds.HANDLE_COLUMNS))
-    step_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, bounds)
+    bounds = np.empty((count, motion_bounds.HANDLE_COLUMNS))
+    motion_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, bounds)
     paths = np.hypot(np.diff(places.x, axis=1), np.diff(places.y, axis=1)).sum(axis=1)
-    assert (paths <= bounds[:, step_bounds.PATH] + 1e-12).all()
-    assert (places.ratio <= bounds[:, [step_bounds.SPEED]] + 1e-12).all()
-    assert (places.ratio >= bounds[:, [step_bounds.SLOWEST]] - 1e-12).all()
+    assert (paths <= bounds[:, motion_bounds.PATH] + 1e-12).all()
+    assert (places.ratio <= bounds[:, [motion_bounds.SPEED]] + 1e-12).all()
+    assert (places.ratio >= bounds[:, [motion_bounds.SLOWEST]] - 1e-12).all()
     rates = np.diff(np.log(places.ratio), axis=1) / (at[1] - at[0])
-    assert (rates <= bounds[:, [step_bounds.GROWTH_HIGH]] + 1e-6).all()
-    assert (rates >= bounds[:, [step_bounds.GROWTH_LOW]] - 1e-6).all()
+    assert (rates <= bounds[:, [motion_bounds.GROWTH_HIGH]] + 1e-6).all()
+    assert (rates >= bounds[:, [motion_bounds.GROWTH_LOW]] - 1e-6).all()
     direction = np.unwrap(np.arctan2(-np.diff(places.y, axis=0), -np.diff(places.x, axis=0)), axis=1)
     sway = np.abs(np.diff(direction, axis=1)).max(axis=1) / (at[1] - at[0])
-    assert (sway <= bounds[1:, step_bounds.TURNING_RATE] + 1e-9).all()
-    assert math.isfinite(bounds[-1, step_bounds.SPEED])
-    assert math.isfinite(bounds[-1, step_bounds.GROWTH_HIGH]) == (name != "kink")
+    assert (sway <= bounds[1:, motion_bounds.TURNING_RATE] + 1e-9).all()
+    assert math.isfinite(bounds[-1, motion_bounds.SPEED])
+    assert math.isfinite(bounds[-1, motion_bounds.GROWTH_HIGH]) == (name != "kink")
 
 
 @pytest.mark.parametrize("name", SMOOTH)
@@ -56,8 +56,8 @@ def test_no_point_outruns_its_bounds(name: str) -> None:
     at = np.linspace(start, start + h, 41)
     dt = at[1] - at[0]
     places, ends = chains(walk, at), chains(walk, at[[0, -1]])
-    handles = np.empty((len(BENCHES) + 1, step_bounds.HANDLE_COLUMNS))
-    step_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
+    handles = np.empty((len(BENCHES) + 1, motion_bounds.HANDLE_COLUMNS))
+    motion_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
     pulls = np.empty_like(places.u)
     change, turn = np.empty_like(places.u), np.empty((len(BENCHES), len(at)))
     rates(
@@ -74,19 +74,19 @@ def test_no_point_outruns_its_bounds(name: str) -> None:
     for i, n in itertools.product(range(len(BENCHES) + 1), range(len(at))):
         bend = kernel.curvature(route.rows, places.row[i, n], places.u[i, n])
         pulls[i, n] = math.hypot(change[i, n], places.ratio[i, n] ** 2 * bend)
-    assert (pulls.max(axis=1) <= handles[:, step_bounds.ACCELERATION] + 1e-9).all()
-    placed, bench = walk.placement(at), np.empty(step_bounds.BENCH_COLUMNS)
+    assert (pulls.max(axis=1) <= handles[:, motion_bounds.ACCELERATION] + 1e-9).all()
+    placed, bench = walk.placement(at), np.empty(motion_bounds.BENCH_COLUMNS)
     tables = [boxes(placed, n) for n in range(len(at))]
     for i in range(len(BENCHES)):
-        step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, bench)
+        motion_bounds.bound_bench(handles, i, walk.dragon.sizes, i, bench)
         corners = np.array([[corner(table, i, k) for k in range(4)] for table in tables])
         moved = np.hypot(*np.moveaxis(np.diff(corners, axis=0), -1, 0))
         second = np.hypot(*np.moveaxis(np.diff(corners, 2, axis=0), -1, 0)) / dt**2
-        assert moved.sum(axis=0).max() <= bench[step_bounds.TRAVEL]
-        assert moved.max() / dt <= bench[step_bounds.POINT_SPEED]
-        assert second.max() <= bench[step_bounds.POINT_ACCELERATION] + 1e-6
-        assert np.abs(turn[i]).max() <= bench[step_bounds.TURN] + 1e-12
-        assert np.abs(np.diff(turn[i])).max() / dt <= bench[step_bounds.ANGULAR_ACCELERATION] + 1e-9
+        assert moved.sum(axis=0).max() <= bench[motion_bounds.TRAVEL]
+        assert moved.max() / dt <= bench[motion_bounds.POINT_SPEED]
+        assert second.max() <= bench[motion_bounds.POINT_ACCELERATION] + 1e-6
+        assert np.abs(turn[i]).max() <= bench[motion_bounds.TURN] + 1e-12
+        assert np.abs(np.diff(turn[i])).max() / dt <= bench[motion_bounds.ANGULAR_ACCELERATION] + 1e-9
 
 
 @pytest.mark.parametrize(
@@ -104,14 +104,14 @@ def test_an_angle_may_go_there_and_back_within_a_step(
     for table, value in ((places.y, 0.0), (places.ty, 0.0), (places.tx, 1.0), (places.ratio, 1.0)):
         table[:] = value
     places.x[:] = [[1.0, 1.0], [0.0, 0.0]]
-    bounds = np.zeros((2, step_bounds.HANDLE_COLUMNS))
-    bounds[:, [step_bounds.PATH, step_bounds.HEADING_CHANGE]] = path, bent
-    bounds[:, [step_bounds.RIGHT, step_bounds.LEFT]] = -bend, bend
-    bounds[0, [step_bounds.SLOWEST, step_bounds.SPEED]] = 1.0
-    step_bounds.bound_next(1.0, places, 0, 0, 1, 1.0, bounds)
-    assert bounds[1, step_bounds.SPEED] >= 1.0 / math.cos(angle)
-    assert bounds[1, step_bounds.SLOWEST] <= math.cos(angle)
-    assert bounds[1, step_bounds.TURNING_RATE] >= 2.0 * math.sin(angle)
+    bounds = np.zeros((2, motion_bounds.HANDLE_COLUMNS))
+    bounds[:, [motion_bounds.PATH, motion_bounds.HEADING_CHANGE]] = path, bent
+    bounds[:, [motion_bounds.RIGHT, motion_bounds.LEFT]] = -bend, bend
+    bounds[0, [motion_bounds.SLOWEST, motion_bounds.SPEED]] = 1.0
+    motion_bounds.bound_next(1.0, places, 0, 0, 1, 1.0, bounds)
+    assert bounds[1, motion_bounds.SPEED] >= 1.0 / math.cos(angle)
+    assert bounds[1, motion_bounds.SLOWEST] <= math.cos(angle)
+    assert bounds[1, motion_bounds.TURNING_RATE] >= 2.0 * math.sin(angle)
 
 
 @pytest.mark.parametrize("name", ROUTES)
@@ -122,21 +122,21 @@ def test_distances_stay_between_their_bounds(name: str) -> None:
         at = np.linspace(start, start + h, 21)
         ends = chains(walk, at[[0, -1]])
         count = len(walk.dragon)
-        handles = np.empty((count + 1, step_bounds.HANDLE_COLUMNS))
-        step_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
-        sweeps = np.empty((count, step_bounds.BENCH_COLUMNS))
+        handles = np.empty((count + 1, motion_bounds.HANDLE_COLUMNS))
+        motion_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
+        sweeps = np.empty((count, motion_bounds.BENCH_COLUMNS))
         for i in range(count):
-            step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[i])
+            motion_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[i])
         tables = [boxes(walk.motion([t]), 0) for t in at]
         both = np.concatenate([tables[0], tables[-1]])
         for i in range(count):
             for j in range(i + 2, count):
                 sampled = min(box_distance(table, i, j) for table in tables)
-                rows = (both, sweeps, count, i, j, handles[0, step_bounds.PATH])
+                rows = (both, sweeps, count, i, j, handles[0, motion_bounds.PATH])
                 for wanted in (-1.0, 0.0, math.inf):
-                    assert pair_bounds.apart_bound(*rows, wanted) <= sampled + 1e-12
+                    assert separation_bounds.separation_lower_bound(*rows, wanted) <= sampled + 1e-12
                 highest = max(box_gap(table, i, j) for table in tables)
-                assert pair_bounds.gap_ceiling(*rows) >= highest - 1e-12
+                assert separation_bounds.gap_upper_bound(*rows) >= highest - 1e-12
 
 
 def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
@@ -145,14 +145,14 @@ def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
     losses = []
     for h in (0.1, 0.01):
         ends = chains(walk, np.array([start, start + h]))
-        handles = np.empty((len(BENCHES) + 1, step_bounds.HANDLE_COLUMNS))
-        step_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
-        sweeps = np.empty((2, step_bounds.BENCH_COLUMNS))
+        handles = np.empty((len(BENCHES) + 1, motion_bounds.HANDLE_COLUMNS))
+        motion_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
+        sweeps = np.empty((2, motion_bounds.BENCH_COLUMNS))
         tables = [boxes(walk.motion([t]), 0)[[0, 3]] for t in (start, start + h)]
         for n, i in enumerate((0, 3)):
-            step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[n])
+            motion_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[n])
         both = np.concatenate(tables)
-        losses.append(pair_bounds.face_loss(both, sweeps, 0, 1, handles[0, step_bounds.PATH]))
+        losses.append(separation_bounds.chord_loss(both, sweeps, 0, 1, handles[0, motion_bounds.PATH]))
     assert losses[1] == pytest.approx(0.01 * losses[0], rel=0.5)
 
 
@@ -162,24 +162,24 @@ def test_a_bench_that_leaps_is_never_said_to_follow() -> None:
     link = np.array([1.0])
     at = np.linspace(9.0, 13.0, 161)
     places = empty_placements(2, len(at))
-    step_bounds.place_chain(route.rows, link, at, 0, len(at), places)
+    motion_bounds.place_chain(route.rows, link, at, 0, len(at), places)
     said = []
     for n in range(len(at) - 1):
         if places.failed[0, n] or places.failed[0, n + 1]:
             continue
-        bounds = np.empty((2, step_bounds.HANDLE_COLUMNS))
-        step_bounds.bound_handles(route.rows, link, places, n, n + 1, bounds)
+        bounds = np.empty((2, motion_bounds.HANDLE_COLUMNS))
+        motion_bounds.bound_handles(route.rows, link, places, n, n + 1, bounds)
         sure = (
-            regions.follows(route.rows, places, n, n + 1, 1.0)
-            and bounds[1, step_bounds.SPEED] < math.inf
+            swept_boxes.follows(route.rows, places, n, n + 1, 1.0)
+            and bounds[1, motion_bounds.SPEED] < math.inf
         )
         said.append(sure)
         if sure:
             inner = np.linspace(at[n], at[n + 1], 9)
             fine = empty_placements(2, 9)
-            assert step_bounds.place_chain(route.rows, link, inner, 0, 9, fine)
+            assert motion_bounds.place_chain(route.rows, link, inner, 0, 9, fine)
             moved = np.hypot(np.diff(fine.x[1]), np.diff(fine.y[1]))
-            assert moved.max() <= 1.01 * bounds[1, step_bounds.SPEED] * (inner[1] - inner[0])
+            assert moved.max() <= 1.01 * bounds[1, motion_bounds.SPEED] * (inner[1] - inner[0])
     assert any(said)
 
 
@@ -188,11 +188,12 @@ def test_a_wide_arc_is_followed_though_it_turns_by_more_than_a_right_angle() -> 
     link = np.array([1.7])
     at = np.linspace(7.0, 7.1, 2)
     places = empty_placements(2, 2)
-    assert step_bounds.place_chain(route.rows, link, at, 0, 2, places)
+    assert motion_bounds.place_chain(route.rows, link, at, 0, 2, places)
     assert (
-        step_bounds.heading_bound(route.rows, places.row[1, 0], places.u[1, 0], 1, places.u[0, 1]) > 1.6
+        motion_bounds.heading_bound(route.rows, places.row[1, 0], places.u[1, 0], 1, places.u[0, 1])
+        > 1.6
     )
-    assert regions.follows(route.rows, places, 0, 1, 1.7)
+    assert swept_boxes.follows(route.rows, places, 0, 1, 1.7)
 
 
 # Routes on which another place, nearer behind the front handle, comes one link near: a leap.
@@ -215,10 +216,12 @@ def test_a_bench_that_surely_follows_never_leaps_or_folds_in_between(name: str, 
     links = np.array([link])
     at = np.arange(3.0, route.length - step, step)
     places = empty_placements(2, len(at))
-    step_bounds.place_chain(route.rows, links, at, 0, len(at), places)
+    motion_bounds.place_chain(route.rows, links, at, 0, len(at), places)
     sure = 0
     for n in range(len(at) - 1):
-        if places.failed[0, n : n + 2].any() or not regions.follows(route.rows, places, n, n + 1, link):
+        if places.failed[0, n : n + 2].any() or not swept_boxes.follows(
+            route.rows, places, n, n + 1, link
+        ):
             continue
         sure += 1
         between = np.linspace(at[n], at[n + 1], 25)
@@ -236,7 +239,7 @@ def test_a_leap_is_not_overlooked_however_short_the_step() -> None:
     places = empty_placements(2, 2)
 
     def stands(a: float, b: float) -> bool:
-        return bool(step_bounds.place_chain(route.rows, links, np.array([a, b]), 0, 2, places))
+        return bool(motion_bounds.place_chain(route.rows, links, np.array([a, b]), 0, 2, places))
 
     while after - before > 1e-9:
         middle = 0.5 * (before + after)
@@ -246,7 +249,7 @@ def test_a_leap_is_not_overlooked_however_short_the_step() -> None:
     for back in np.geomspace(1e-4, 0.1, 7):
         for ahead in np.geomspace(1e-5, 0.1, 13):
             if stands(before - back, after + ahead):
-                assert not regions.follows(route.rows, places, 0, 1, link)
+                assert not swept_boxes.follows(route.rows, places, 0, 1, link)
                 tried += 1
     assert tried > 40
 
@@ -258,15 +261,15 @@ def test_paths_and_turns_run_over_all_pieces_and_joints() -> None:
     curves = (Line(1.0), arc.moved((1.0, 0.0), 0.0), Line(1.0).moved((x, y), heading + kink))
     rows = Route(curves, kinks=True).rows.copy()
     rows[2, Y] += gap
-    assert step_bounds.path_bound(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.2 + 0.02 + gap, abs=1e-12)
-    assert step_bounds.path_bound(rows, 1, 0.01, 2, 0.1) == pytest.approx(0.11 + gap, abs=1e-12)
-    assert step_bounds.heading_bound(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.4 + kink, abs=1e-12)
-    assert step_bounds.heading_bound(rows, 1, 0.01, 2, 0.1) == pytest.approx(0.2 + kink, abs=1e-12)
-    assert step_bounds.curvature_range(rows, 1, 0.01, 2, 0.1) == (-math.inf, math.inf)
+    assert motion_bounds.path_bound(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.2 + 0.02 + gap, abs=1e-12)
+    assert motion_bounds.path_bound(rows, 1, 0.01, 2, 0.1) == pytest.approx(0.11 + gap, abs=1e-12)
+    assert motion_bounds.heading_bound(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.4 + kink, abs=1e-12)
+    assert motion_bounds.heading_bound(rows, 1, 0.01, 2, 0.1) == pytest.approx(0.2 + kink, abs=1e-12)
+    assert motion_bounds.curvature_range(rows, 1, 0.01, 2, 0.1) == (-math.inf, math.inf)
     smooth = Route.joined([Line(1.0), arc, Line(1.0)]).rows.copy()
-    np.testing.assert_allclose(step_bounds.curvature_range(smooth, 0, 0.9, 2, 0.1), (0.0, 20.0))
+    np.testing.assert_allclose(motion_bounds.curvature_range(smooth, 0, 0.9, 2, 0.1), (0.0, 20.0))
     smooth[1, Y] += 1e-11  # a gap leaps, too
-    assert step_bounds.curvature_range(smooth, 0, 0.9, 1, 0.01) == (-math.inf, math.inf)
+    assert motion_bounds.curvature_range(smooth, 0, 0.9, 1, 0.01) == (-math.inf, math.inf)
 
 
 def test_a_peak_is_no_lower_than_what_slopes_allow() -> None:
@@ -274,10 +277,10 @@ def test_a_peak_is_no_lower_than_what_slopes_allow() -> None:
         # Up as steeply as may be, then down as steeply as may be.
         turn = (end - start - low * h) / (high - low)
         assert 0.0 < turn < h
-        assert step_bounds.peak(start, end, low, high, h) == pytest.approx(start + high * turn)
-    assert step_bounds.peak(0.0, 0.1, 0.0, 1.0, 0.5) == 0.1
-    assert step_bounds.peak(0.3, 0.1, -1.0, 0.0, 0.5) == 0.3
-    assert step_bounds.peak(0.3, 0.1, -math.inf, 1.0, 0.5) == math.inf
+        assert motion_bounds.peak(start, end, low, high, h) == pytest.approx(start + high * turn)
+    assert motion_bounds.peak(0.0, 0.1, 0.0, 1.0, 0.5) == 0.1
+    assert motion_bounds.peak(0.3, 0.1, -1.0, 0.0, 0.5) == 0.3
+    assert motion_bounds.peak(0.3, 0.1, -math.inf, 1.0, 0.5) == math.inf
 
 
 @pytest.mark.parametrize(("nose", "tail"), [(0.4, 0.2), (0.2, 0.4)])
@@ -295,7 +298,7 @@ def test_no_point_of_a_bench_moves_farther_than_its_reach(nose: float, tail: flo
             for k in range(4):
                 (px, py), (qx, qy) = corner(before, 0, k), corner(after, 0, k)
                 most = max(most, math.hypot(px - qx, py - qy))
-        bound = step_bounds.reach(front, rear, sizes, 0)
+        bound = motion_bounds.reach(front, rear, sizes, 0)
         assert 0.75 * bound < most <= bound * (1.0 + 1e-5)
 
 
@@ -322,11 +325,14 @@ def test_heights_over_a_face_leave_the_straight_line_by_no_more_than_its_loss(na
     angle = turn * t + 0.5 * twist * t * t
     height = y * np.cos(angle) - x * np.sin(angle)
     off = np.abs(height - np.interp(t, t[[0, -1]], height[[0, -1]])).max()
-    sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
-    sweeps[0, step_bounds.POINT_SPEED] = math.hypot(*velocity) + h * math.hypot(*acceleration)
-    sweeps[0, step_bounds.POINT_ACCELERATION] = math.hypot(*acceleration)
-    sweeps[1, step_bounds.TURN], sweeps[1, step_bounds.ANGULAR_ACCELERATION] = turn + twist * h, twist
-    loss = pair_bounds.face_loss(table, sweeps, 0, 1, h)
+    sweeps = np.zeros((2, motion_bounds.BENCH_COLUMNS))
+    sweeps[0, motion_bounds.POINT_SPEED] = math.hypot(*velocity) + h * math.hypot(*acceleration)
+    sweeps[0, motion_bounds.POINT_ACCELERATION] = math.hypot(*acceleration)
+    sweeps[1, motion_bounds.TURN], sweeps[1, motion_bounds.ANGULAR_ACCELERATION] = (
+        turn + twist * h,
+        twist,
+    )
+    loss = separation_bounds.chord_loss(table, sweeps, 0, 1, h)
     assert 0.6 * loss < off <= loss
 
 
@@ -337,13 +343,13 @@ def test_a_direction_is_lost_to_second_order_by_both_benches() -> None:
     table[:, [4, 5]] = 0.5
     table[[1, 3], 0] = 3.0
     for pulls in ((8.0, 0.0), (0.0, 8.0), (5.0, 3.0)):
-        sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
-        sweeps[:, step_bounds.POINT_ACCELERATION] = pulls
+        sweeps = np.zeros((2, motion_bounds.BENCH_COLUMNS))
+        sweeps[:, motion_bounds.POINT_ACCELERATION] = pulls
         nearest = 2.0 - 0.125 * sum(pulls) * h * h
-        bound = pair_bounds.facing_bound(table, sweeps, 2, 0, 1, h)
+        bound = separation_bounds.nearest_direction_bound(table, sweeps, 2, 0, 1, h)
         assert bound == pytest.approx(nearest, abs=1e-12)
-        sweeps[:, step_bounds.TRAVEL] = np.array(pulls) * 0.25 * h * h
-        assert pair_bounds.apart_bound(table, sweeps, 2, 0, 1, h, 0.0) <= nearest
+        sweeps[:, motion_bounds.TRAVEL] = np.array(pulls) * 0.25 * h * h
+        assert separation_bounds.separation_lower_bound(table, sweeps, 2, 0, 1, h, 0.0) <= nearest
 
 
 def test_faces_that_are_left_and_come_back_lose() -> None:
@@ -351,43 +357,53 @@ def test_faces_that_are_left_and_come_back_lose() -> None:
     table[:, 2] = 1.0
     table[:, [4, 5]] = 0.5
     table[[1, 3], 0] = 3.0
-    sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
-    sweeps[0, step_bounds.POINT_ACCELERATION] = 8.0
+    sweeps = np.zeros((2, motion_bounds.BENCH_COLUMNS))
+    sweeps[0, motion_bounds.POINT_ACCELERATION] = 8.0
     rows = (table, sweeps, 2, 0, 1, h)
-    assert pair_bounds.face_bound(*rows) <= 2.0 - 0.125 * 8.0 * h * h
-    assert pair_bounds.face_ceiling(*rows) >= 2.0 + 0.125 * 8.0 * h * h
+    assert separation_bounds.face_bound(*rows) <= 2.0 - 0.125 * 8.0 * h * h
+    assert separation_bounds.face_upper_bound(*rows) >= 2.0 + 0.125 * 8.0 * h * h
     for row in (1, 3):  # farther off at the start, or at the end
         table[[1, 3], 0] = 3.0
         table[row, 0] = 4.0
-        assert pair_bounds.face_bound(*rows) < 2.0
-        assert pair_bounds.face_ceiling(*rows) > 3.0
+        assert separation_bounds.face_bound(*rows) < 2.0
+        assert separation_bounds.face_upper_bound(*rows) > 3.0
 
 
-def faced(gap: float, travel: float, pull: float) -> tuple[search.Search, FloatArray]:
+def faced(gap: float, travel: float, pull: float) -> tuple[time_of_impact.Search, FloatArray]:
     """What a search knows of two benches as far apart at both ends of a part, and a fresh note."""
-    room = search.room(4, 2, 1)
+    room = time_of_impact.empty_search(4, 2, 1)
     room.at[:2] = 0.0, 0.1
-    room.handles[0, step_bounds.PATH] = 0.1
+    room.handles[0, motion_bounds.PATH] = 0.1
     room.alive[1, 0], room.kept[1] = 0, 1
     room.boxes[:4] = 0.0
     room.boxes[:4, 2] = 1.0
     room.boxes[:4, [4, 5]] = 0.5
     room.boxes[[1, 3], 0] = 1.0 + gap
     room.sweeps[:] = room.off[:] = 0.0
-    room.sweeps[:, step_bounds.TRAVEL], room.sweeps[:, step_bounds.POINT_ACCELERATION] = travel, pull
-    return room, np.zeros(search.NOTES)
+    room.sweeps[:, motion_bounds.TRAVEL], room.sweeps[:, motion_bounds.POINT_ACCELERATION] = (
+        travel,
+        pull,
+    )
+    return room, np.zeros(time_of_impact.NOTES)
 
 
 @pytest.mark.parametrize(
     ("travel", "pull", "ending"),
-    [(0.001, 0.0, search.CLEAR), (0.05, 0.0, search.CLEAR), (0.05, 8.0, search.SPLIT)],
+    [
+        (0.001, 0.0, time_of_impact.CLEAR),
+        (0.05, 0.0, time_of_impact.CLEAR),
+        (0.05, 8.0, time_of_impact.SPLIT),
+    ],
 )
 def test_a_contact_lasts_only_if_travel_or_faces_say_so(
     travel: float, pull: float, ending: int
 ) -> None:
     room, note = faced(-0.01, travel, pull)
-    pairs, limits = search.Pairs(np.array([0]), np.array([1])), search.Limits(0.0, 1e-13, 1e-13, 2)
-    assert search.judge_end(room, 1, 2, pairs, limits, note) == ending
+    pairs, limits = (
+        time_of_impact.Pairs(np.array([0]), np.array([1])),
+        time_of_impact.Limits(0.0, 1e-13, 1e-13, 2),
+    )
+    assert time_of_impact.classify_contact_end(room, 1, 2, pairs, limits, note) == ending
 
 
 def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
@@ -402,8 +418,8 @@ def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
     for second in ([1, 2], [2, 1]):
         room.kept[1] = 2
         room.alive[1] = 0, 1
-        pairs = search.Pairs(np.array([0, 0]), np.array(second))
-        assert search.keep_near(room, 1, 3, pairs, 9.0, 0.0, note) == pytest.approx(1.9)
+        pairs = time_of_impact.Pairs(np.array([0, 0]), np.array(second))
+        assert time_of_impact.cull_separated(room, 1, 3, pairs, 9.0, 0.0, note) == pytest.approx(1.9)
         assert room.kept[1] == 2
 
 
@@ -412,8 +428,10 @@ def test_distances_fall_by_no_more_than_half_the_travel() -> None:
     table[:, 2] = 1.0
     table[:, [4, 5]] = 0.5
     table[[1, 3], 0] = 3.0
-    sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
-    sweeps[:, step_bounds.POINT_ACCELERATION] = math.inf  # as across a kink: there and back, leaping
+    sweeps = np.zeros((2, motion_bounds.BENCH_COLUMNS))
+    sweeps[:, motion_bounds.POINT_ACCELERATION] = math.inf  # as across a kink: there and back, leaping
     for travel in ((0.6, 0.0), (0.0, 0.6), (0.4, 0.2)):
-        sweeps[:, step_bounds.TRAVEL] = travel
-        assert pair_bounds.apart_bound(table, sweeps, 2, 0, 1, 1.0, 0.0) == pytest.approx(1.7)
+        sweeps[:, motion_bounds.TRAVEL] = travel
+        assert separation_bounds.separation_lower_bound(
+            table, sweeps, 2, 0, 1, 1.0, 0.0
+        ) == pytest.approx(1.7)

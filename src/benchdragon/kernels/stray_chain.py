@@ -7,7 +7,7 @@ k / (1 - aside k). So everything that is known of chains on a route holds for it
 
 import math
 
-from benchdragon.kernels import curve, step_bounds
+from benchdragon.kernels import curve, motion_bounds
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray, curvature, place, stretch, walks_up
@@ -109,7 +109,7 @@ def place_perturbed(
         given += settle(rows, links[i - 1], aside[i], j, u, t, i, places)
         if given == math.inf:
             return False
-        _, front, _, rear = step_bounds.bench_angles(places, i - 1, t, links[i - 1])
+        _, front, _, rear = motion_bounds.bench_angles(places, i - 1, t, links[i - 1])
         if min(front, rear) < FOLD_COSINE:
             return False
         places.ratio[i, t] = places.ratio[i - 1, t] * front / rear
@@ -128,7 +128,7 @@ def place_beside(
     """
     if aside.shape[0] and near != t and place_perturbed(rows, links, aside, at, near, t, out):
         return True
-    sound = step_bounds.place_chain(rows, links, at, t, t + 1, out)
+    sound = motion_bounds.place_chain(rows, links, at, t, t + 1, out)
     return sound and (aside.shape[0] == 0 or place_perturbed(rows, links, aside, at, t, t, out))
 
 
@@ -157,22 +157,22 @@ def bound_beside(
     for i in range(aside.shape[0]):
         ja, ua = places.row[i, a], places.u[i, a]
         jb, ub = places.row[i, b], places.u[i, b]
-        low, high = step_bounds.curvature_range(rows, ja, ua, jb, ub)
-        bounds[i, step_bounds.RIGHT] = parallel_bend(low, aside[i])
-        bounds[i, step_bounds.LEFT] = parallel_bend(high, aside[i])
-        bend = step_bounds.heading_bound(rows, ja, ua, jb, ub)
-        bounds[i, step_bounds.HEADING_CHANGE] = bend
-        bounds[i, step_bounds.PATH] = (
-            step_bounds.path_bound(rows, ja, ua, jb, ub) + abs(aside[i]) * bend
+        low, high = motion_bounds.curvature_range(rows, ja, ua, jb, ub)
+        bounds[i, motion_bounds.RIGHT] = parallel_bend(low, aside[i])
+        bounds[i, motion_bounds.LEFT] = parallel_bend(high, aside[i])
+        bend = motion_bounds.heading_bound(rows, ja, ua, jb, ub)
+        bounds[i, motion_bounds.HEADING_CHANGE] = bend
+        bounds[i, motion_bounds.PATH] = (
+            motion_bounds.path_bound(rows, ja, ua, jb, ub) + abs(aside[i]) * bend
         )
         if i > 0:
-            step_bounds.bound_next(
-                links[i - 1], places, i - 1, a, b, bounds[0, step_bounds.PATH], bounds
+            motion_bounds.bound_next(
+                links[i - 1], places, i - 1, a, b, bounds[0, motion_bounds.PATH], bounds
             )
             continue
-        bounds[0, step_bounds.SLOWEST], bounds[0, step_bounds.SPEED] = 1.0, 1.0
-        bounds[0, step_bounds.GROWTH_LOW], bounds[0, step_bounds.GROWTH_HIGH] = 0.0, 0.0
-        bounds[0, step_bounds.TURNING_RATE] = 0.0
-        bounds[0, step_bounds.ACCELERATION] = step_bounds.magnitude(
-            bounds[0, step_bounds.RIGHT], bounds[0, step_bounds.LEFT]
+        bounds[0, motion_bounds.SLOWEST], bounds[0, motion_bounds.SPEED] = 1.0, 1.0
+        bounds[0, motion_bounds.GROWTH_LOW], bounds[0, motion_bounds.GROWTH_HIGH] = 0.0, 0.0
+        bounds[0, motion_bounds.TURNING_RATE] = 0.0
+        bounds[0, motion_bounds.ACCELERATION] = motion_bounds.magnitude(
+            bounds[0, motion_bounds.RIGHT], bounds[0, motion_bounds.LEFT]
         )

@@ -1,4 +1,4 @@
-"""What benches sweep over while the head walks a step: bounds that hold for the whole of it.
+"""Motion bounds of first and second order over an interval of the head's route position, the step.
 
 Everything is a function of the head's route position sigma. Every handle walks on along the route,
 so that its places at the two ends of a step enclose it in between; from those follow bounds on
