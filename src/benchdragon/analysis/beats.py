@@ -27,11 +27,11 @@ class Run(NamedTuple):
     counted: bool
 
     def beats(self) -> int:
-        """How many there are."""
+        """Number of beats."""
         return max(0, math.ceil((self.end - self.start) / self.period - END_SHARE))
 
     def time(self, n: int) -> float:
-        """When beat number n, from 0, is, s."""
+        """Time of beat number n, counted from 0, s."""
         return self.start + n * self.period
 
 
@@ -54,8 +54,8 @@ class Score(NamedTuple):
 def score_of(plan: Plan, start: float, end: float) -> Score:
     """The beats of a plan's dance over a span, s.
 
-    They begin anew when the tempo changes and when the head starts again; while it stands they are
-    silent but for one bar that counts in, or as much of it as there is time for.
+    The beats restart when the tempo changes and when the head starts again. While the head stands, the
+    drum is silent except for one bar that counts in, or as much of it as there is time for.
     """
     bar, tempo = plan.cues.bar, plan.cues.tempo
     by_step = tempo is None
@@ -65,7 +65,7 @@ def score_of(plan: Plan, start: float, end: float) -> Score:
     since, period, still = start, 60.0 / tempo, 0.0
 
     def up_to(until: float) -> None:
-        """Beat until then, with the bar before it that the head, which stood so long, counts in."""
+        """Add the beats up to a time, after one bar that counts in if the head stood long enough."""
         nonlocal still
         if since < until:
             counted = min(bar, math.floor(still / period))
@@ -88,7 +88,7 @@ def score_of(plan: Plan, start: float, end: float) -> Score:
 
 
 def counted_in(score: Score) -> Score:
-    """The same with a bar that counts in before its first beat, if it has one and no such bar yet."""
+    """The run with a bar that counts in before its first beat, unless it is empty or has one."""
     if not score.runs or score.runs[0].counted:
         return score
     first = score.runs[0]

@@ -1,4 +1,4 @@
-"""What each bench does in a dance: where it starts, how it turns and how fast, what comes nearest."""
+"""The walk of each bench: its start, its turns, its speeds, and the bench that comes nearest."""
 
 import math
 from collections.abc import Iterator
@@ -32,7 +32,7 @@ SIDES: tuple[Side, ...] = ("left", "right", "front", "rear")
 
 # A handle slower than this, m/s, waits.
 STILL = 0.05
-# Times at which all benches are looked at, s apart; farther where benches times times exceed the most.
+# Time step at which all benches are sampled, s; larger where benches x samples would exceed the limit.
 STEP = 0.125
 MOST_LOOKED = 20_000_000
 
@@ -85,7 +85,7 @@ class Tightest:
 
 @dataclass(frozen=True)
 class BenchWalk:
-    """What one bench does.
+    """The walk of one bench.
 
     Attributes:
         bench: its number, from 1, the head's.
@@ -121,13 +121,13 @@ def bench_walks(
 
     Turnings change where the front handle passes a place at which the route changes its side, paces
     where its speed passes STILL, `people.hurry_from` and `people.run_from` between times STEP apart:
-    both to `kernels.bench_walks.TOLERANCE` seconds; of what is passed between two times and passed back
-    by the next nothing is known. Stretches shorter than SHORTEST are joined to a neighbour. `apart`, m,
-    is what no two benches that are not neighbours come nearer than, if that is known: see `Tightest`
+    both to `kernels.bench_walks.TOLERANCE` seconds. A threshold that is crossed and crossed back
+    between two samples is missed. Stretches shorter than SHORTEST are joined to a neighbour. `apart`,
+    m, is what no two benches that are not neighbours come nearer than, if that is known: see `Tightest`
     for what is established without.
 
     Raises:
-        InputError: for what is no plan or no walk, or an end before the start.
+        InputError: if `plan` is not a Plan, or the end comes before the start.
         WalkError: if the dragon cannot stand at some time.
     """
     of_kind("plan", plan, Plan)
@@ -187,7 +187,7 @@ def _slices(walk: Walk, times: FloatArray) -> Iterator[tuple[int, Motion]]:
 
 
 def _seen(walk: Walk, line: kernel.Line, times: FloatArray, progress: Progress) -> kernel.Known:
-    """What is seen of a walk at these times, s."""
+    """The walk sampled at these times, s."""
     count = len(walk.dragon)
     known = kernel.Known(
         np.empty((count, kernel.PIECE_COLUMNS)),
@@ -232,7 +232,7 @@ def _nearest(
     walk: Walk, line: kernel.Line, times: FloatArray, apart: float, known: kernel.Known,
     progress: Progress,
 ) -> list[list[float]]:  # fmt: skip
-    """What comes nearest to each bench, as rows of kernels/bench_nearness.py."""
+    """The nearest approach to each bench, as rows of kernels/bench_nearness.py."""
     count, heads = len(walk.dragon), walk.head_position(times)
     out = np.empty((count, nearness.TIGHTEST_COLUMNS))
     nearness.find_tightest(line, heads, 0, count, apart, known, np.empty((2, BOX_COLUMNS)), out)

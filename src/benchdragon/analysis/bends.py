@@ -40,5 +40,5 @@ class Bends(NamedTuple):
 
 
 def turning_of(side: float) -> Turning:
-    """What a side of kernels/bends.py is called."""
+    """The name of a side of kernels/bends.py."""
     return TURNINGS.get(int(side), "straight")

@@ -1,9 +1,9 @@
 """Certificates: a plan, what was proved of it, and the cells that show it; and their verification.
 
-Whoever verifies one need not believe the search: from the plan alone the dragon is placed in ball
-arithmetic at the ends of each cell, and each is shown to hold (proofs/cells.py). Nothing that is
-written in a certificate is believed but where the cells begin and end. The numbers of the plan, times,
-margins and speeds are the decimals that stand there; only head positions are doubles.
+Verification does not rely on the search: from the plan alone the dragon is placed in ball arithmetic at
+the ends of each cell, and each is shown to hold (proofs/cells.py). Of the certificate's content only
+the cells' boundaries are used. The numbers of the plan, times, margins and speeds are the decimals that
+stand there; only head positions are doubles.
 """
 
 import json
@@ -32,9 +32,9 @@ from benchdragon.version import __version__
 
 # Versions whose certificates say what is read here.
 VERSIONS = ("0.1.0",)
-# Tables of a plan on which no contact rests, but for margins; obstacles are looked at by themselves.
+# Tables of a plan that do not affect contact, except by margins; obstacles are checked separately.
 ASIDE = ("meta", "people", "limits", "venue", "obstacle")
-# A file that is larger is none of ours, bytes: cells of 20 characters each.
+# Largest size of a certificate file, bytes: cells of 20 characters each.
 MOST_BYTES = 64_000_000
 
 # Whole numbers of fewer signs have a double of their own.
@@ -44,7 +44,7 @@ Number = Annotated[float, Field(allow_inf_nan=False)]
 
 
 class ClaimRecord(BaseModel):
-    """A `Claim` as it is written."""
+    """A `Claim` as stored in a certificate."""
 
     model_config = ConfigDict(extra="forbid", strict=True)
 
@@ -65,7 +65,7 @@ class ClaimRecord(BaseModel):
 
 
 class SpeedRecord(BaseModel):
-    """A `SpeedClaim` as it is written."""
+    """A `SpeedClaim` as stored in a certificate."""
 
     model_config = ConfigDict(extra="forbid", strict=True)
 
@@ -83,7 +83,7 @@ class SpeedRecord(BaseModel):
 
 
 class Certificate(BaseModel):
-    """A certificate as it is written."""
+    """The content of a certificate file."""
 
     model_config = ConfigDict(extra="forbid", strict=True)
 
@@ -104,7 +104,7 @@ class Certificate(BaseModel):
 def certificate_of(
     plan: Plan, claims: Sequence[Claim], speeds: Sequence[SpeedClaim] = ()
 ) -> Certificate:
-    """What was proved of a plan, to be written.
+    """The certificate of what was proved about a plan.
 
     Raises:
         InputError: if nothing was.
@@ -177,7 +177,7 @@ def read_certificate(path: Path, kind: type[BaseModel] = Certificate) -> BaseMod
 
 
 def _refuse_odd(text: bytes) -> None:
-    """Refuse what might be read otherwise: a key twice, or a number that is not its double's decimal.
+    """Refuse ambiguous content: duplicate keys, and numbers that are not the decimal of their double.
 
     Raises:
         InputError: naming it.
@@ -252,7 +252,7 @@ def plan_in(version: str, data: dict[str, Any], sha256: str) -> Plan:
 
 
 def _shown(plan: Plan, claim: Claim, progress: Progress) -> Apart:
-    """What a claim shows."""
+    """The statement that a claim proves."""
     other = _with(plan, claim.values)
     walk, obstacle = other.build(), _obstacle(other, claim)
     _check_benches(claim, len(walk.dragon), 2 if obstacle is None else 1)
@@ -272,15 +272,15 @@ def _shown(plan: Plan, claim: Claim, progress: Progress) -> Apart:
 
 
 def _with(plan: Plan, values: Sequence[tuple[str, float]]) -> Plan:
-    """The plan that a claim is about."""
+    """The plan with the values of a claim."""
     return plan.with_values(dict(values)) if values else plan
 
 
 def _obstacle(plan: Plan, claim: Claim) -> Obstacle | None:
-    """What a claim is about; None: benches among themselves.
+    """The obstacle of a claim; None for a claim about the benches alone.
 
     Raises:
-        InputError: if nothing goes by that name.
+        InputError: if no obstacle has that name.
     """
     if not claim.about:
         return None
@@ -318,10 +318,10 @@ def _rests_on(plan: Plan, claim: Claim) -> tuple[Any, ...]:
 
 
 def _check_times(plan: Plan, walk: Walk, times: Sequence[float]) -> None:
-    """Refuse times at which nobody walks.
+    """Refuse times outside of the walk.
 
     Raises:
-        UnsureError: saying when somebody does.
+        UnsureError: naming the times of the walk.
     """
     start, end = plan.span(walk)
     if not all(start <= time <= end for time in times):
@@ -330,7 +330,7 @@ def _check_times(plan: Plan, walk: Walk, times: Sequence[float]) -> None:
 
 
 def _paces(plan: Plan, claim: SpeedClaim, progress: Progress) -> Paces:
-    """What a claim about speeds shows."""
+    """The statement that a claim about speeds proves."""
     walk = plan.build()
     if claim.handle > len(walk.dragon):
         raise InputError(_("a speed in the certificate is of no handle of this dragon"))
@@ -343,7 +343,7 @@ def _paces(plan: Plan, claim: SpeedClaim, progress: Progress) -> Paces:
 
 
 def _check_benches(claim: Claim, count: int, wanted: int) -> None:
-    """Refuse benches that are not there, or neighbours, which may touch."""
+    """Refuse benches that do not exist, and adjacent benches, which may touch."""
     benches = claim.benches
     if claim.contact is None and claim.s is None and not benches:
         return
@@ -355,7 +355,7 @@ def _check_benches(claim: Claim, count: int, wanted: int) -> None:
 
 
 def _all_left_out(plan: Plan, shown: Sequence[Apart]) -> list[str]:
-    """What the certificate says nothing about; where it is about sizes, of those that are to be safe.
+    """What the certificate does not cover; if its claims are about sizes, for those claimed safe.
 
     What it says with other margins than those of the plan is said besides.
     """
@@ -373,7 +373,7 @@ def _all_left_out(plan: Plan, shown: Sequence[Apart]) -> list[str]:
 
 
 def _left_out(plan: Plan, walk: Walk, shown: Sequence[Apart]) -> list[str]:
-    """What nothing is said about: benches, obstacles, or a part of the dance.
+    """What no claim covers: benches, obstacles, or a part of the dance.
 
     A dance is over where something is proved to come too near.
     """

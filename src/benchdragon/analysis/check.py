@@ -51,10 +51,10 @@ AFTER_NEXT = 2
 
 @dataclass(frozen=True)
 class Report:
-    """What a check found.
+    """The result of a check.
 
     Attributes:
-        plan: what was checked.
+        plan: the plan that was checked.
         walk: that of the plan.
         start: of the walk, s.
         end: of the walk, s; the answers but the first speak of it up to a contact, if there is one.
@@ -66,12 +66,12 @@ class Report:
         room: whether sway, imprecision and people have room, level upon level; empty where the plan
             asks for none.
         findings: empty if the walk is safe.
-        proved: whether what is said of contact was proved.
+        proved: whether the answers about contact were proved.
         seconds: how long the check took.
         claims: what was proved of benches alone, and of obstacles, to be shown again.
-        speeds: what was proved of speeds, likewise (see `prove_report`).
-        unproved: what was to be proved and could not be, and why.
-        not_looked_at: what the plan does not say, so that nobody looked at it.
+        speeds: what was proved of speeds, to be shown again (see `prove_report`).
+        unproved: the answers whose proof failed, and why.
+        not_looked_at: what the check did not consider because the plan does not give it.
         unfinished: what the walk lacks where it ends before the tail is out of the turn; else None.
     """
 
@@ -96,7 +96,7 @@ class Report:
 
     @property
     def safe(self) -> bool:
-        """Whether nothing was found; a question left open counts as found."""
+        """Whether there are no findings; an undecided question counts as a finding."""
         return not self.findings
 
     @property
@@ -106,7 +106,7 @@ class Report:
 
     @property
     def decided(self) -> bool:
-        """Whether no question was left open that could change `safe`."""
+        """Whether no undecided question could change `safe`."""
         return not self.findings or any(finding.decided for finding in self.findings)
 
 
@@ -116,10 +116,10 @@ def check(plan: Plan, progress: Progress = silent, *, prove: bool = False) -> Re
 
     With `prove` it is proved when the first contact comes, or that none does (see `prove_contact`);
     where two benches come within rounding of the margin first, nothing is.
-    `progress` is told how far it is: see `benchdragon.progress`.
+    `progress` is called with the share done: see `benchdragon.progress`.
 
     Raises:
-        InputError: for what is no plan.
+        InputError: if `plan` is not a Plan.
         MissingExtraError: for a proof without python-flint.
         WalkError: if no contact comes before the dragon cannot walk on.
         UnsureError: if it could not be decided whether it can.
@@ -218,7 +218,7 @@ def _obstacles(
     plan: Plan, walk: Walk, span: tuple[float, float], prover: Prover | None, left: list[Finding],
     progress: Progress,
 ) -> tuple[ObstacleAnswers, ...]:  # fmt: skip
-    """What is found about the venue's edge and each obstacle over a span of the walk, s."""
+    """The answers about the venue's edge and each obstacle over a span of the walk, s."""
     found, known = [], plan.obstacles()
     for n, obstacle in enumerate(known):
         progress(n / len(known), named(obstacle))
@@ -248,7 +248,7 @@ def _limited_peaks(
 ) -> dict[str, Answer]:  # fmt: skip
     """The greatest of each quantity but speed that the plan limits, over a span of the walk, s.
 
-    Brackets are as narrow as it takes to compare them with their limits (see `speed.greatest`).
+    Brackets are only as narrow as comparison with the limits requires (see `speed.greatest`).
     """
     limits = {name: limit for name, limit in given_limits(plan).items() if name != "speed"}
     peaks, (start, end) = {}, span
@@ -263,15 +263,15 @@ def _limited_peaks(
 
 
 def peak_text(name: str) -> str:
-    """What the greatest of a limited quantity is called, in the language in use."""
+    """The name of the greatest value of a limited quantity, in the language in use."""
     return _("greatest {what}").format(what=_(QUANTITIES[name].text))
 
 
 def sentence(report: Report, told: Clock | None = None) -> str:
     """A verdict in one sentence, in the language in use.
 
-    On papers, which have a clock, a safe walk is told of in their times, as the village calls its
-    benches; else in seconds of the plan, with numbers.
+    With a clock, as on papers, a safe walk is described in clock times and the village's names of
+    benches; otherwise in seconds of the plan, with bench numbers.
     """
     if report.safe:
         return _("Safe: {tightest}").format(tightest=_kept(report, told))
@@ -299,7 +299,7 @@ BRIEF = {
 
 
 def _soonest(found: Finding) -> tuple[bool, bool, float]:
-    """What is told first: what is decided, what touches, and of that the soonest."""
+    """The finding to report first: decided before undecided, then contact, then the earliest."""
     time = math.inf if found.time is None else found.time
     touch = found.kind in BRIEF
     return not found.decided, not touch, time if touch else 0.0
@@ -321,7 +321,7 @@ def _briefly(found: Finding) -> str:
 
 
 def _kept(report: Report, told: Clock | None) -> str:
-    """What a safe walk keeps: the tightest place, and margin and speed beside what was asked for."""
+    """A safe walk's least clearance and greatest speed, each beside its limit."""
     near, limits = report.clearance.witness, report.plan.limits
     said = [_("no two benches come near one another")]
     if near is not None and near.time is not None and len(near.benches) == 2:
@@ -362,7 +362,8 @@ def _kept(report: Report, told: Clock | None) -> str:
 def _tightest(report: Report, time: float, benches: tuple[int, ...], told: Clock | None) -> str:
     """The tightest moment of a safe walk.
 
-    Benches of one coil come as near as the bends want, any of them and at any time there.
+    Adjacent coils only: within one coil the distance is set by the bends, at any time and for any
+    bench.
     """
     (a, b), gap, hidden = benches, clearance_text(report), report.clearance.vanishing
     if in_one_coil(benches) and not hidden:
@@ -386,17 +387,17 @@ def in_one_coil(benches: tuple[int, ...]) -> bool:
 
 
 def clearance_text(report: Report) -> str:
-    """The least that benches keep, m, as all texts tell it."""
+    """The least clearance, m, formatted as in all texts."""
     return report.clearance.shown(up=False, limit=report.plan.limits.margin)
 
 
 def speed_text(report: Report) -> str:
-    """The greatest speed of a handle, m/s, as all texts tell it."""
+    """The greatest speed of a handle, m/s, formatted as in all texts."""
     return report.greatest_speed.shown(up=True, limit=report.plan.limits.speed)
 
 
 def peak_shown(report: Report, name: str) -> str:
-    """The greatest of a limited quantity, in its SI unit, as all texts tell it."""
+    """The greatest value of a limited quantity, in its SI unit, formatted as in all texts."""
     return report.peaks[name].shown(up=True, limit=given_limits(report.plan)[name])
 
 

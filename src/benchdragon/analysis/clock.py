@@ -1,4 +1,4 @@
-"""How papers tell times: of day where the plan says when the dance starts, else since it starts."""
+"""How papers give times: of day if the plan gives the dance's start, otherwise since the start."""
 
 import math
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ class Clock:
     start: float
 
     def tell(self, time: float) -> str:
-        """A time, s of the plan: of day, h:mm:ss; else since the dance starts, m:ss."""
+        """A time of the plan, s, as text: of day, h:mm:ss, or since the dance starts, m:ss."""
         found = TIME_OF_DAY.fullmatch(self.said)
         if not found:
             return minutes(time - self.start)
@@ -33,7 +33,7 @@ class Clock:
 
     @property
     def legend(self) -> str:
-        """What times on a paper are, in the language in use: said once on each."""
+        """What times on a paper mean, in the language in use: printed once on each."""
         if not self.said:
             return _("Times are minutes and seconds since the dance starts.")
         return _("Times are times of day; the dance starts at {clock}.").format(clock=self.said)
@@ -46,5 +46,5 @@ def minutes(seconds: float) -> str:
 
 
 def _whole(seconds: float) -> int:
-    """The nearest second, of two as near the later."""
+    """The nearest second; a half is rounded up."""
     return math.floor(seconds + 0.5)

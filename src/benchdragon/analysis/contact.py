@@ -1,6 +1,6 @@
 """Contact over time: the first, all of them, and the least clearance of a walk.
 
-How none is missed, see `contact_search`.
+`contact_search` explains why no contact is missed.
 """
 
 import math
@@ -35,7 +35,7 @@ from benchdragon.progress import Progress, silent
 FRAYED = 1e-5
 # The least clearance of a dragon of one or two benches.
 NONE = Answer(math.inf, math.inf, math.inf, "m", "found")
-# Grazes that are looked past for a sure contact.
+# Number of grazes that are skipped to reach a sure contact.
 MOST_GRAZES = 100
 # Samples of a clearance curve: each takes a millisecond for 223 benches.
 MOST_SAMPLES = 1_000_000
@@ -108,7 +108,7 @@ def _windows(search: ContactSearch, most: int, *, sure: bool = False) -> list[Wi
 
 
 def _take_down(windows: list[Window], found: Answer, *, touching: bool) -> None:
-    """Add to `windows` what opens, closes or grazes."""
+    """Add an opening, a closing or a graze to `windows`."""
     if touching and found.status == "found":
         windows[-1] = Window(windows[-1].opens, found)
     elif not touching and found.status == "found":
@@ -120,12 +120,12 @@ def _take_down(windows: list[Window], found: Answer, *, touching: bool) -> None:
 
 
 def _belongs(window: Window, graze: Answer) -> bool:
-    """Whether a graze is but the frayed end of a window just closed."""
+    """Whether a graze belongs to the end of a window just closed."""
     return window.closes is not None and graze.lower - window.closes.upper <= FRAYED
 
 
 def _widened(window: Window, graze: Answer) -> Window:
-    """A window with a graze joined to its end; a graze itself if it was one."""
+    """A window with a graze joined to its end; still a graze if it was one."""
     if window.opens.status == "undecided":
         opens = replace(window.opens, upper=graze.upper)
         return Window(opens, opens)
@@ -205,7 +205,7 @@ def least_clearance(
 
 @budget.question()
 def seen_clearance(walk: Walk, start: float, end: float, floor: float) -> Answer:
-    """The least clearance, m, as it is seen here and there from start to end (s): no search is made.
+    """The least clearance, m, at samples from start to end, s, without a search.
 
     No benches come nearer than `floor`, m, as far as is known: the lower end of the bracket.
 
@@ -222,7 +222,7 @@ def seen_clearance(walk: Walk, start: float, end: float, floor: float) -> Answer
 
 @contextmanager
 def refined(n: int) -> Iterator[None]:
-    """Refine a bracket to the tolerance of number n: given up, without a word, where it is too dear."""
+    """Refine a bracket to tolerance number n; keep it as it is where that would cost too much."""
     with suppress(OverBudgetError), budget.aside(REFINING_ON if n else REFINING):
         yield
 
@@ -236,7 +236,7 @@ def _clearance(search: ContactSearch, floor: float | None = None) -> Answer:
 
 
 def upper_end(gap: float, off: float) -> float:
-    """The most that bodies are apart whose distance, or minus their depth, may be off by `off`; all m.
+    """Upper bound of the distance of two bodies, m, whose computed distance or depth is off by `off`.
 
     A gap by the separating axis theorem, as a depth is, may be less than their distance: by sqrt(2).
     """

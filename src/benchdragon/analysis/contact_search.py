@@ -1,8 +1,8 @@
-"""A search along a walk for pairs of benches: the engine's question about it, and its answers.
+"""Continuous collision detection of pairs of benches along a walk: the engine's question and answers.
 
 Time enters through the head's route position alone, so that all searches run over that and hold for
-any speed. No bench is assumed clear because it was looked at: what is passed over is clear by a bound
-that holds in between (kernels/separation_bounds.py, design/first_contact.py).
+any speed. No interval is skipped because its ends are clear: it is skipped by a lower bound of
+separation over the interval (kernels/separation_bounds.py, design/first_contact.py).
 """
 
 import math
@@ -32,10 +32,10 @@ from benchdragon.model.walk import Walk
 from benchdragon.number_format import at_most
 from benchdragon.progress import Progress
 
-# What computed distances count as off by at least, m, so that grazes end; where the bound on their
-# rounding is larger (kernels/rounding.py) that counts. A larger one widens brackets.
+# Least error assumed of computed distances, m, so that grazes end; where the bound on their rounding is
+# larger (kernels/rounding.py) that counts. A larger one widens brackets.
 SLACK = 1e-13
-# Parts of a step narrower than this, m, are not halved: contact times get no sharper.
+# Intervals narrower than this, m, are not bisected: contact times get no sharper.
 WIDTH = 1e-13
 # Chains marched in one step of a search; a graze takes some hundred.
 MOST_EVALUATIONS = 200_000
@@ -48,12 +48,12 @@ TOLERANCES = (1e-12, 1e-8, 1e-5, 1e-3)
 # What the first of these may take beside a question, as a share of its work, and each of the others:
 # those are for benches that keep one distance, and a bracket is refined while that is cheap.
 REFINING, REFINING_ON = 0.25, 0.05
-# Where it is looked for why a walk could not be followed, each place so many times as far ahead.
+# Growth of the steps ahead in which the place is sought at which a walk could not be continued.
 FARTHER_AHEAD = 1.25
 
 
 def assumed_within(off: float) -> tuple[str, ...]:
-    """What answers rest on whose distances may be off by so much, m."""
+    """The assumption of answers whose distances may be off by so much, m."""
     text = _("computed distances are within {slack} m of the exact ones")
     return (text.format(slack=at_most(off)),)
 
@@ -69,16 +69,16 @@ class ContactSearch(EngineQuestion):
     """A search along a walk from one head position to another.
 
     Args:
-        walk: what is searched.
-        start: head positions, m.
-        end: likewise.
+        walk: the walk that is searched.
+        start: head position at which the search starts, m.
+        end: head position at which it ends, m.
         margin: distance that benches must keep, m.
-        progress: is told how far it has come.
+        progress: is called with the share done.
         since: the time at which it begins, s.
         spans: of the head's way, m, that are searched: the whole of it, or what repeats nothing.
         until: the time at which it ends, s.
         tolerances: widths of brackets of the least distance, m: the first that can be.
-        slack: what computed distances count as off by at least, m; None: SLACK.
+        slack: least error assumed of computed distances, m; None: SLACK.
 
     Attributes:
         walk: as given, but with coordinates counted from `origin`.
@@ -110,7 +110,7 @@ class ContactSearch(EngineQuestion):
         self._began = clock.perf_counter()
 
     def find(self, goal: int, said: Sequence[float] = (0.0,)) -> int:
-        """Search on for a goal of kernels/contact_question.py; how that ended.
+        """Continue the search for a goal of kernels/contact_question.py; return its exit status.
 
         Raises:
             WalkError: if the dragon cannot walk on.
@@ -146,11 +146,11 @@ class ContactSearch(EngineQuestion):
 
     @property
     def off(self) -> float:
-        """What distances that mattered so far may be off by, m."""
+        """Error bound of the distances that mattered so far, m."""
         return max(float(self.figures[told.OFF_BY]), self.slack)
 
     def witness(self) -> Witness:
-        """How the benches stand that were found."""
+        """The witness: how the benches found are placed."""
         (s,) = self.tell(told.LATE)
         return witness_of(nearness_of(self._near.tolist()), self.origin, self.times.at(s), s)
 
@@ -163,14 +163,14 @@ class ContactSearch(EngineQuestion):
         return Answer(*bracket, unit, status, witness, assumed_within(self.off), marched, seconds)
 
     def moment(self, status: Status) -> Answer:
-        """When the benches come to stand as was found."""
+        """The time at which the benches are placed as found."""
         early, late, behind, ahead = self.tell(told.EARLY, told.LATE, told.EARLY_LEAD, told.LATE_LEAD)
         value, lower, upper, known = self.times.told(early, late, status, (behind, ahead))
         return self.answer((value, lower, upper), "s", known)
 
 
 def _limits(margin: float, slack: float, start: float, end: float) -> FloatArray:
-    """What the engine is told of the question."""
+    """The question's limits, as arguments of the engine."""
     named = {
         told.MARGIN: margin,
         told.LEAST_OFF: slack,
@@ -199,7 +199,7 @@ def contact_search(
 ) -> ContactSearch:  # fmt: skip
     """A search of the walk from start to end, s; the dragon must stand at the start.
 
-    Of the whole of it, or but of what repeats nothing that comes before it (see `rounds`).
+    It covers the whole walk, or only the parts that do not repeat earlier ones (see `rounds`).
 
     Raises:
         InputError: for a negative margin or an end before the start.

@@ -1,7 +1,7 @@
 """Spectators about a dance: the ground left for them, how dense they stand, and their entrances.
 
-Nothing is computed of how people move: how many stand on a square metre, if they stood evenly, is
-compared with the levels of Fruin, and that is all that is said.
+The movement of people is not modelled. Only the mean density, people per square metre, is compared with
+the levels of Fruin.
 """
 
 import math
@@ -19,7 +19,7 @@ from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
 from benchdragon.plans.schema import Plan
 
-# What crowds do from so many people a square metre on: Fruin, as tabulated in EPJ Data Science (2014).
+# Least density, people per m2, of each level of Fruin, as tabulated in EPJ Data Science (2014).
 LEVELS = (
     (7.1, N_("critical even where nobody moves")),
     (5.6, N_("dangerous forces begin")),
@@ -27,7 +27,7 @@ LEVELS = (
     (2.0, N_("walking is slowed")),
     (0.0, N_("people can walk about")),
 )
-# From so many on it is a finding.
+# Density from which it is a finding.
 MOST = 3.6
 # The entrance is taken for a post so thick, m; how near to it benches come is sought to this, m.
 POST, TOLERANCES = 1e-3, (1e-3,)
@@ -35,7 +35,7 @@ POST, TOLERANCES = 1e-3, (1e-3,)
 
 @dataclass(frozen=True)
 class Crowd:
-    """What spectators have.
+    """The space of spectators.
 
     Attributes:
         people: how many are expected; None if the plan does not say.
@@ -60,7 +60,7 @@ class Crowd:
 
 
 def crowd_of(plan: Plan, swept: SweptArea) -> Crowd:
-    """What spectators have beside a dance that covers some ground."""
+    """The space of spectators beside the ground that a dance covers."""
     people, obstacles = plan.event.spectators, plan.obstacles()
     venue = next((shape_of(one) for one in obstacles if one.kind == "venue"), None)
     if venue is None:
@@ -78,7 +78,7 @@ def within_line(swept: SweptArea) -> Shape:
 
 
 def density_text(density: float) -> str:
-    """What a crowd of so many people a square metre does, to be translated."""
+    """The level of a crowd of this density, people per m2, to be translated."""
     return next(text for least, text in LEVELS if density >= least)
 
 
@@ -94,7 +94,7 @@ def body_nearest(plan: Plan, swept: SweptArea) -> list[Answer]:
 
 
 def event_findings(plan: Plan, swept: SweptArea, crowd: Crowd) -> tuple[Finding, ...]:
-    """What the plan of an event asks of spectators that it should not."""
+    """The findings about spectators in the plan of an event."""
     return (*_entrance_findings(plan, swept), *_crowd_findings(crowd))
 
 

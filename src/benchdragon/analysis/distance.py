@@ -25,7 +25,7 @@ from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
 
 CORNERS = (N_("front left"), N_("rear left"), N_("rear right"), N_("front right"))
-# What of a bench may meet: see kernels/nearness.py.
+# Features of a bench that may meet: see kernels/nearness.py.
 FEATURES = (
     *(N_("front"), N_("rear"), N_("left"), N_("right")),
     *(CORNERS[0], CORNERS[3], CORNERS[1], CORNERS[2]),
@@ -83,7 +83,7 @@ def nearness(table: FloatArray, i: int, j: int) -> Nearness:
 
 
 def nearness_of(row: list[float]) -> Nearness:
-    """What a row of kernels/nearness.py tells."""
+    """The `Nearness` of a row of kernels/nearness.py."""
     first, second, distance, gap, x, y, there_x, there_y, *meets = row
     owner, corner, other, feature = (int(one) for one in meets)
     return Nearness(
@@ -134,7 +134,7 @@ def tightest_pairs(placed: Placement, index: int = 0, count: int = 1) -> list[Ne
 
 
 def touching(placed: Placement, index: int = 0) -> IntArray:
-    """Rows of all benches that touch or overlap another but a neighbour at time number `index`.
+    """Rows of all benches that touch or overlap a non-adjacent bench at time number `index`.
 
     Raises:
         WalkError: if the dragon cannot stand there.
@@ -184,7 +184,7 @@ def low_point(
 ) -> tuple[float, float]:
     """The least distance of benches i < j (rows, from 0) with the head between low and high, m; where.
 
-    It is looked for, not bounded; infinite where the dragon stands nowhere. Minus a depth inside.
+    It is sampled, not bounded; infinite where the dragon stands nowhere; minus the depth of an overlap.
     """
     rows, dragon = walk.route.rows, walk.dragon
     return local_minima.local_minimum(
@@ -193,7 +193,7 @@ def low_point(
 
 
 def _scratch(handles: int) -> tuple[FloatArray, Placements, FloatArray]:
-    """What low points of a dragon of so many handles are looked for in."""
+    """Scratch arrays for `low_point` of a dragon with so many handles."""
     return np.empty(LANES), empty_placements(handles, LANES), np.empty((2, kernel.BOX_COLUMNS))
 
 

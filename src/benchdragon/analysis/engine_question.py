@@ -12,19 +12,19 @@ from benchdragon.kernels.curve import FloatArray
 
 
 def _closed(handle: int, thread: int) -> None:
-    """Close a question, which no other thread than that it was opened in may know."""
+    """Close a question; only the thread that opened it may do so."""
     if threading.get_ident() == thread:
         kernel.close_question(handle)
 
 
 class EngineQuestion:
-    """A question that the engine holds, open until it is closed, as by `with`, or nobody knows it.
+    """A question that the engine holds until it is closed, by `with` or by garbage collection.
 
     Args:
         handle: what its entry `open` gave.
-        step: its entry that goes on: of the handle, how much may be spent, and what else is said.
-        read: its entry that fills arrays with what is known.
-        told: these arrays; the first begins as kernels/question.py says.
+        step: its entry that continues: of the handle, the work allowed, and further arguments.
+        read: its entry that fills arrays with the results so far.
+        told: the arrays that `read` fills; the first begins as kernels/question.py says.
 
     Raises:
         MemoryError: if it could not be opened.
@@ -47,25 +47,25 @@ class EngineQuestion:
         self.close()
 
     def close(self) -> None:
-        """Give back what the engine holds for it; what was found stays."""
+        """Release the engine's memory of the question; results stay."""
         self._close()
 
     @property
     def figures(self) -> FloatArray:
-        """What it tells of itself."""
+        """The figures that the engine reports."""
         figures: FloatArray = self._told[0]
         return figures
 
     def tell(self, *columns: int) -> list[float]:
-        """Some of these figures."""
+        """Some of the engine's figures."""
         told: list[float] = self.figures[list(columns)].tolist()
         return told
 
     def rest(self) -> None:
-        """Let others go on, where pages hear their readers between steps."""
+        """Yield, so that a page can handle events between steps."""
 
     def step(self, *said: float) -> int:
-        """Go on for some hundredths of a second; how that ended.
+        """Continue for some hundredths of a second; return the exit status.
 
         Raises:
             OverBudgetError: if it takes more than the question at hand may.

@@ -1,4 +1,4 @@
-"""What a walk does that its plan forbids, in words, under codes that do not change."""
+"""Findings of a check: each way in which a walk violates its plan, in words, under a permanent code."""
 
 import math
 import re
@@ -18,7 +18,7 @@ from benchdragon.model.walk import Walk
 from benchdragon.number_format import known, seconds
 from benchdragon.plans.schema import Plan
 
-# What obstacles, and the venue, are called to which a plan gives no name.
+# Names of obstacles, and of the venue, that have none in the plan.
 NAMELESS = re.compile(r"obstacle (\d+)")
 NAMELESS_VENUE = "venue"
 
@@ -68,12 +68,12 @@ class Finding:
         kind: what, one of KINDS.
         time: when, s.
         benches: which.
-        value: what came out, m, m/s, m/s^2 or rad/s.
-        limit: what was to be kept.
+        value: the computed value, m, m/s, m/s^2 or rad/s.
+        limit: the limit or margin of the plan.
         sentence: the same in words, to be translated, with places for `words`, translated too.
         words: see `sentence`.
-        decided: whether it surely does; else that was left open.
-        obstacle: the name of what stands in the way, "" where nothing does.
+        decided: whether it surely occurs; otherwise it is undecided.
+        obstacle: the name of the obstacle, "" without one.
     """
 
     kind: str
@@ -106,7 +106,7 @@ def all_findings(
     plan: Plan, walk: Walk, span: tuple[float, float], contact: Answer | None,
     obstacles: Sequence[ObstacleAnswers], peaks: Mapping[str, Answer], room: Sequence[RoomLevel],
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """What a walk does that its plan forbids, from the first time of the span, s, to the second.
+    """All findings about a walk over a span, s.
 
     `peaks` are the greatest speed and what else is limited, `room` the levels of room for people.
     """
@@ -169,7 +169,7 @@ def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
     return [Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided)]
 
 
-# What an obstacle's answers are in words: touched or left, nearer than the margin, and undecided.
+# Sentences about an obstacle: touched or left, nearer than the margin, and undecided.
 OBSTACLE_SENTENCES = {
     "obstacle": N_("bench {bench} touches {name} at t = {t} s"),
     "obstacle_margin": N_("bench {bench} comes nearer than {margin} m to {name} at t = {t} s"),
@@ -187,7 +187,7 @@ def _obstacle_findings(answers: ObstacleAnswers) -> list[Finding]:
 
 
 def _obstacle_finding(answers: ObstacleAnswers, contact: Answer | None, margin: float) -> list[Finding]:
-    """What a contact with an obstacle comes to, which has to be kept from by a margin."""
+    """The finding of a contact with an obstacle, or of a distance less than its margin."""
     if contact is None or contact.witness is None:
         return []
     near, decided = contact.witness, contact.status != "undecided"
@@ -208,7 +208,7 @@ def _obstacle_finding(answers: ObstacleAnswers, contact: Answer | None, margin: 
     return [Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided, name)]
 
 
-# What a level of room that is not kept is in words: between benches, and towards what stands still.
+# Sentences for a level of room that is not kept: between benches, and towards obstacles.
 ROOM_SENTENCES = {
     "sway": N_("benches {a} and {b} have no room to sway at t = {t} s: {asked}"),
     "imprecision": N_("benches {a} and {b} have no room for imprecision at t = {t} s: {asked}"),
@@ -217,7 +217,7 @@ ROOM_SENTENCES = {
     "imprecision at": N_("bench {a} has no room for imprecision at {name} at t = {t} s: {asked}"),
     "people at": N_("the people of bench {a} have no room at {name} at t = {t} s: {asked}"),
 }
-# What is asked for, and how much of it is there for the pair that is named, at a time of its own.
+# The room required, and how much of it the named pair has, at the pair's own time.
 ASKED_FOR = N_("{margin} m are asked for")
 SHORT = N_(
     "{key} asks for {wanted} m; at t = {when} s, when these two are {apart} m apart, there is room for "
@@ -233,7 +233,7 @@ def _room_findings(room: Sequence[RoomLevel]) -> list[Finding]:
 
 
 def _short_words(short: Shortage) -> dict[str, str]:
-    """What is missing, cut off at millimetres; the distance, too."""
+    """The missing room and the distance, truncated to millimetres."""
     cut = {name: math.floor(round(1000.0 * getattr(short, name), 6)) for name in ("apart", "there")}
     return {
         "key": f"people.{short.key}", "wanted": f"{short.wanted:g}", "when": seconds(short.time),
@@ -242,7 +242,7 @@ def _short_words(short: Shortage) -> dict[str, str]:
 
 
 def _room_finding(level: RoomLevel) -> list[Finding]:
-    """What a level of room that is not kept comes to, and from what first."""
+    """The finding of a level of room that is not kept, and what breaks it first."""
     if level.first is None or level.first[0].witness is None:
         return []
     contact, obstacle = level.first
@@ -280,9 +280,9 @@ def _carrying_findings(plan: Plan, peak: Answer) -> list[Finding]:
 
 
 def name_words(obstacle: Obstacle) -> dict[str, str]:
-    """What an obstacle is called, as words of a sentence: one without a name goes by its number.
+    """The name of an obstacle as words of a sentence; without a name, its number.
 
-    What people call it is none of the program's words, which are translated.
+    A name given by people is not translated.
     """
     nameless = NAMELESS.fullmatch(obstacle.name)
     if nameless and obstacle.kind != "venue":
@@ -293,13 +293,13 @@ def name_words(obstacle: Obstacle) -> dict[str, str]:
 
 
 def named(obstacle: Obstacle) -> str:
-    """What an obstacle is called in a sentence, in the language in use: in Chinese between quotes."""
+    """The name of an obstacle within a sentence, in the language in use: in Chinese between quotes."""
     words = name_words(obstacle)
     return _(words["name"]).format(**words)
 
 
 def shown_name(obstacle: Obstacle) -> str:
-    """What an obstacle is called where it stands alone, in the language in use."""
+    """The name of an obstacle outside of a sentence, in the language in use."""
     return obstacle.name if "called" in name_words(obstacle) else named(obstacle)
 
 
@@ -343,7 +343,7 @@ def _told_apart(value: float, limit: float) -> dict[str, str]:
 
 
 def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
-    """Whether what is limited exceeds its limit, or may."""
+    """The findings of limited quantities that exceed their limits, or may."""
     near, quantity = peak.witness, QUANTITIES[name]
     kept = peak.keeps(limit)
     if kept or near is None:

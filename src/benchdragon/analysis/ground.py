@@ -1,7 +1,7 @@
 """How places are measured on the ground: from a peg, along a base line and to the left of it.
 
-All papers of a dance tell places alike. The base line runs along the venue's longest edge, so that a
-tape laid from edge to edge finds it; where the plan's survey knows north, it runs due east.
+All papers of a dance give places in the same way. The base line runs along the venue's longest edge, so
+that a tape laid from edge to edge finds it; where the plan's survey knows north, it runs due east.
 """
 
 import math
@@ -79,19 +79,19 @@ class Ground:
         return along.index(max(along))
 
     def edge_name(self, edge: int) -> str:
-        """What that edge is called, in the language in use."""
+        """The name of that edge, in the language in use."""
         return _((NORTH_EDGES if self.north else EDGES)[edge])
 
     @property
     def y_name(self) -> str:
-        """What an arrow along y is called."""
+        """The label of an arrow along y."""
         if self.north:
             return _("N (y axis)")
         return _("forward (y)") if self.venue else _("y axis")
 
     @property
     def legend(self) -> str:
-        """What x and y are, in a sentence."""
+        """The meaning of x and y, in a sentence."""
         if self.north:
             return _("x and y are measured from the peg: x east, y north.")
         if self.venue:
@@ -104,7 +104,7 @@ class Ground:
 
     @property
     def y_word(self) -> str:
-        """The same in a word, for small maps."""
+        """The meaning of y in a word, for small maps."""
         return _("N") if self.north else _("forward") if self.venue else "y"
 
     def seen(self, points: Sequence[Point] | FloatArray) -> FloatArray:

@@ -13,7 +13,7 @@ class HeadTimes:
     """Times of a search along a walk.
 
     Args:
-        walk: what is searched.
+        walk: the walk that is searched.
         start: the head position at which the search begins, m.
         since: the time at which it does, s.
         until: the time at which it ends, s.
@@ -31,7 +31,7 @@ class HeadTimes:
     def told(
         self, lower: float, upper: float, status: Status, leads: tuple[float, float] | None = None
     ) -> tuple[float, float, float, Status]:
-        """`bracketed`, within the search: what may come but after its end is undecided."""
+        """`bracketed`, within the search: a time that may lie after its end is undecided."""
         value, early, late = self.bracketed(lower, upper, leads)
         if late <= self.until:
             return value, early, late, status

@@ -1,4 +1,4 @@
-"""What a check leaves open, for it takes too much work, or rounding hides it: questions, and proofs."""
+"""Questions and proofs of a check that stay undecided, because of too much work or of rounding."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,29 +14,29 @@ from benchdragon.model.answer import ROUNDING, Answer, Witness
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 
-# What each question after that of contact may take at least, as a share of a question's work.
+# Least work of each question after that of contact, as a share of a question's work.
 REST = 0.25
-# Why something is open.
+# Reasons for an undecided question.
 DEAR, HIDDEN = N_("that takes more work than a question may"), N_("rounding hides it")
 
-# What may be asked to be proved, as texts call it.
+# Names of what can be proved, for texts.
 PROOFS = {
     "contact": N_("whether and when benches touch"),
     "clearance": N_("least clearance"),
     "speed": N_("greatest speed"),
 }
 
-# What is asked: an obstacle, a level of room, or what is limited, by name.
+# The subject of a question: an obstacle, a level of room, or a limited quantity, by name.
 Asked = Obstacle | str
 
 
 @dataclass(frozen=True)
 class Unproved:
-    """What was to be proved and could not be: it stands as it was found.
+    """An answer whose proof failed: it stays as found.
 
     Attributes:
         kind: what, one of PROOFS.
-        why: what its proof ended in.
+        why: how its proof failed.
     """
 
     kind: str
@@ -52,10 +52,10 @@ class Unproved:
 def told_if_open(
     found: list[Finding], asked: Asked | None = None, limit: float = 0.0
 ) -> Iterator[None]:
-    """Answer a question with work of its own; what stays open is added to `found`.
+    """Answer a question with its own share of work; if it stays undecided, add a finding to `found`.
 
-    That is if a verdict needs it: without `asked` none does. `limit` is that of what is limited, in SI
-    units.
+    The finding is added only if the verdict needs it, that is with `asked`. `limit` is that of a
+    limited quantity, in SI units.
     """
     budget.allow(REST)
     try:
@@ -69,7 +69,7 @@ def told_if_open(
 
 
 def open_finding(asked: Asked, limit: float, why: str) -> Finding:
-    """What is told of a question that stays open, of what is limited with its limit."""
+    """The finding of an undecided question; of a limited quantity with its limit."""
     if isinstance(asked, Obstacle):
         sentence = N_("whether benches keep their distance from {name} is open: {why}")
         kind, words = "venue" if asked.kind == "venue" else "obstacle", name_words(asked)
@@ -86,7 +86,7 @@ def open_finding(asked: Asked, limit: float, why: str) -> Finding:
 
 
 def speed_at_start(walk: Walk, start: float) -> Answer:
-    """What is known of the greatest speed of a handle, m/s, without a search: that at the start, s."""
+    """The greatest speed of a handle known without a search, m/s: that at the start, s."""
     motion = walk.motion([start])
     row = fastest_handle(motion.speed_ratio[0])
     value, point = float(motion.speed[0, row]), (float(motion.x[0, row]), float(motion.y[0, row]))

@@ -28,7 +28,7 @@ from benchdragon.plans.chalk import LEAST_EVERY
 
 # Marks of one plan.
 MOST_MARKS = 5_000
-# What lengths, m, and angles, degrees, are rounded to.
+# Rounding of lengths, m, and of angles, degrees.
 LENGTH_STEP, ANGLE_STEP = 0.005, 0.01
 # Marks farther apart than this, in usual distances, have others of an earlier round between them.
 FARTHEST = 1.5
@@ -62,7 +62,7 @@ class Trail:
         """The trail of a walk from one time to another, s.
 
         Raises:
-            InputError: for what is no walk, or an end before the start.
+            InputError: if `walk` is not a Walk, or the end comes before the start.
             WalkError: if the dragon cannot stand at the start.
         """
         of_kind("walk", walk, Walk)
@@ -73,7 +73,7 @@ class Trail:
 
     @property
     def usual_every(self) -> float:
-        """How far apart marks usually are: 1 m, or as many decimetres more as MOST_MARKS want."""
+        """How far apart marks usually are: 1 m, or as many decimetres more as MOST_MARKS requires."""
         return max(1.0, _least_every(self.high - self.low))
 
     def every(self, said: float | None) -> float:
@@ -176,7 +176,7 @@ class Marks:
 
     @cached_property
     def usual(self) -> float:
-        """What most of them are apart along the route, m."""
+        """The usual distance between marks along the route, m."""
         return usual_gap(self.s.tolist())
 
     @cached_property
@@ -186,7 +186,7 @@ class Marks:
 
     @cached_property
     def arms(self) -> FloatArray:
-        """The base points, likewise, m, (2, 2)."""
+        """The base points as `offsets`, m, (2, 2)."""
         return self.ground.seen(self.bases)
 
     @cached_property
@@ -213,10 +213,10 @@ class Marks:
 
     @cached_property
     def errors(self) -> FloatArray:
-        """How far rounded lengths from the peg and from each base point mislead at most, m, (M, 2).
+        """Greatest error of places by rounded lengths from the peg and each base point, m, (M, 2).
 
-        To first order: two lengths that are off by e each, at right angles, mislead by √2 e, and the
-        more the more nearly they run alike.
+        To first order: two lengths with errors e at a right angle give an error of √2 e, and a larger
+        one the closer they are to parallel.
         """
         to_peg, to_base = -self.offsets[:, None], self.arms - self.offsets[:, None]
         long = as_lengths(to_peg) * self.from_base
@@ -300,7 +300,8 @@ def placed_marks(
         obstacles: where no base point should be; the venue's edge, within which they should.
 
     Raises:
-        InputError: for what is no trail, a peg that is no place or too far, and as `Trail.marked`.
+        InputError: if `trail` is not a Trail, the peg is no point or too far away, and as
+            `Trail.marked`.
     """
     of_kind("trail", trail, Trail, "Trail.of(walk, start, end) makes one")
     check_every(as_number("every", every))
@@ -335,7 +336,7 @@ def among(places: FloatArray | Sequence[float], usual: float, s: float) -> tuple
 
 
 def usual_gap(places: Sequence[float]) -> float:
-    """What most marks at these places along the route, m, are apart, m: the median; of one 0."""
+    """The usual distance of marks at these places along the route, m: the median, m; 0 for one mark."""
     gaps = sorted(b - a for a, b in itertools.pairwise(places)) or [0.0]
     half = len(gaps) // 2
     return gaps[half] if len(gaps) % 2 else 0.5 * (gaps[half - 1] + gaps[half])
@@ -363,7 +364,7 @@ def _farthest(points: FloatArray, peg: Point) -> float:
 
 
 def _peg(peg: Point) -> Point:
-    """Where the peg stands, m, if that is a place."""
+    """The peg as a point, m, if it is one."""
     try:
         x, y = peg
     except (TypeError, ValueError):
@@ -376,7 +377,7 @@ def _bases(ground: Ground, most: int, obstacles: tuple[Obstacle, ...]) -> tuple[
     """How far from the peg both base points can stand, whole m, and where, m of the plan, (2, 2).
 
     As far as possible up to `most`, the first of them along the base line or at the next right angles
-    to it; without regard to what stands there if no place has a metre.
+    to it; obstacles are ignored if no place has a metre.
     """
     ways, first = np.concatenate([ground.ways, ground.ways]), 1 if ground.north else 0
     for reach in range(most, 0, -1):

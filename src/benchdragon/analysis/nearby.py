@@ -1,4 +1,4 @@
-"""Searches near the dance, whatever its coordinates, and what rounding leaves unsure there."""
+"""A shift of the origin to the dance, and a-priori bounds of rounding errors there."""
 
 from dataclasses import replace
 
@@ -23,7 +23,7 @@ NOWHERE = (0.0, 0.0)
 
 
 def origin_of(x: FloatArray, y: FloatArray) -> Point:
-    """From where a dragon whose handles stand at these coordinates, m, is searched: whole metres."""
+    """The origin for searches of a dragon with handles at these coordinates, m: whole metres."""
     x, y = x[np.isfinite(x)], y[np.isfinite(y)]
     if not x.size:
         return NOWHERE
@@ -34,7 +34,7 @@ def origin_of(x: FloatArray, y: FloatArray) -> Point:
 
 
 def origin_at(walk: Walk, s: float) -> Point:
-    """From where a walk is searched that begins with its head at s, m."""
+    """The origin for searches of a walk that begins with its head at s, m."""
     placed = walk.placement(s, throw=False)
     return origin_of(placed.x, placed.y)
 
@@ -57,7 +57,7 @@ def seams_of(rows: FloatArray) -> FloatArray:
 
 
 def errors_at(walk: Walk, s: float, seen: int = -1) -> tuple[FloatArray, FloatArray]:
-    """What the dragon's places may be off by with the head at s, m.
+    """Bounds of the errors of the dragon's positions with the head at s, m.
 
     Handles along the route, (N + 1,), and any point of benches, (N,), seen from row `seen` of the route
     or from that of the head; zeros where the dragon does not stand.
@@ -73,10 +73,10 @@ def errors_at(walk: Walk, s: float, seen: int = -1) -> tuple[FloatArray, FloatAr
 
 
 def checked_off(off: float) -> float:
-    """What distances may be off by, m.
+    """A bound of the errors of distances, m.
 
     Raises:
-        UnsureError: if that is too much for a search to see all pairs.
+        UnsureError: if it is too large for a search to find all pairs.
     """
     if off > MOST_OFF:
         raise UnsureError(

@@ -1,4 +1,4 @@
-"""What a check did not look at, because the plan does not say it: told beside the verdict."""
+"""What a check did not consider, as the plan does not give it: reported with the verdict."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -12,9 +12,9 @@ from benchdragon.number_format import known
 from benchdragon.plans.routes import RUN_UP, DrawnRoute
 from benchdragon.plans.schema import Plan
 
-# What rounding leaves of a dragon whose tail stands just at the start of the route, m.
+# Rounding of the place of a tail that stands at the start of the route, m.
 DUST = 1e-6
-# What each kind of it is in one sentence, and in few words.
+# Each kind in one sentence, and in few words.
 TEXTS: Mapping[str, str] = {
     "street": N_(
         "the plan gives no edge, wall or house along the drawn route (venue, obstacle): whether the "
@@ -58,7 +58,7 @@ BRIEF: Mapping[str, str] = {
 
 @dataclass(frozen=True)
 class NotLookedAt:
-    """Something that was not looked at.
+    """A subject that a check did not consider.
 
     Attributes:
         kind: what, one of TEXTS.
@@ -80,7 +80,7 @@ class NotLookedAt:
 
 
 def not_looked_at(plan: Plan, walk: Walk, start: float, end: float) -> tuple[NotLookedAt, ...]:
-    """What a check of a plan's walk from a start to an end, s, does not look at."""
+    """What a check of a plan's walk from a start to an end, s, does not consider."""
     standing = plan.obstacles()
     kinds = []
     if not standing:
@@ -105,7 +105,7 @@ def runs_on(walk: Walk) -> bool:
 
 
 def given_from(plan: Plan, walk: Walk) -> float:
-    """Where on the route begins what the plan gives, m: after the line before a drawn bend."""
+    """Route position at which the plan's own route begins, m: after the line before a drawn bend."""
     drawn = isinstance(plan.route, DrawnRoute) and not plan.route.closed
     return RUN_UP if drawn and abs(float(walk.route.joints[1]) - RUN_UP) < DUST else 0.0
 

@@ -1,4 +1,4 @@
-"""The search of a walk for benches that come near an obstacle: see kernels/obstacle_memory.py."""
+"""Continuous collision detection of benches and one obstacle: see kernels/obstacle_memory.py."""
 
 import math
 import time as clock
@@ -33,7 +33,7 @@ from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 
-# Head positions at which it is looked why benches could not be followed.
+# Head positions at which a failure to follow benches is examined.
 SAMPLES = 65
 # Brackets of touches that are wider than this, s, began with a graze.
 NARROW = 1e-6
@@ -47,11 +47,11 @@ def repeats_of(walk: Walk) -> FloatArray:
 
 
 class ObstacleSearch(EngineQuestion):
-    """A search of a walk from one time to another for what comes near one obstacle.
+    """A search of a walk from one time to another for benches that come near an obstacle.
 
     Args:
-        walk: what is searched.
-        obstacle: what stands on the square, or the venue's edge.
+        walk: the walk that is searched.
+        obstacle: an obstacle, or the venue's edge.
         start: s; the dragon must be able to stand there, and at the end.
         end: s.
 
@@ -129,7 +129,7 @@ class ObstacleSearch(EngineQuestion):
         return self._distance(found[0])
 
     def _found(self, goal: int, narrow: float) -> list[list[float]]:
-        """Rows of what is sought: see kernels/obstacle_memory.py."""
+        """Rows of touches or distances: see kernels/obstacle_memory.py."""
         kernel.seek_obstacle(self._handle, goal, narrow)
         while (ending := self.step()) == MORE:
             pass
@@ -152,7 +152,7 @@ class ObstacleSearch(EngineQuestion):
         return error or UnsureError(text.format(s=f"{self.figures[obstacle_memory.SOUND]:.6g}"))
 
     def _touch(self, row: list[float]) -> Answer:
-        """When the head is where a touch begins and surely is; how the bench then stands."""
+        """Times between which a touch begins, and how the bench then stands."""
         sure: Status = "found" if row[obstacle_memory.SURE] else "undecided"
         value, early, late, status = self._times.told(
             row[obstacle_memory.LOW_END], row[obstacle_memory.HIGH_END], sure

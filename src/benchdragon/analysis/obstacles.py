@@ -1,6 +1,6 @@
 """Benches and the square: when one first touches an obstacle, and the least distance kept to each.
 
-How a walk is searched for either is in analysis/obstacle_search.py.
+The search for both is in analysis/obstacle_search.py.
 """
 
 from collections.abc import Sequence
@@ -61,7 +61,7 @@ def least_distance(
 
 @dataclass(frozen=True)
 class ObstacleAnswers:
-    """What was found about an obstacle, or the venue's edge, over a span of a walk.
+    """The answers about an obstacle, or the venue's edge, over a span of a walk.
 
     Attributes:
         obstacle: which.
@@ -78,7 +78,7 @@ class ObstacleAnswers:
 
     @property
     def distance_text(self) -> str:
-        """The least distance, m, as all texts tell it."""
+        """The least distance, m, formatted as in all texts."""
         return self.distance.shown(up=False, limit=self.obstacle.margin)
 
 
@@ -89,7 +89,7 @@ def obstacle_answers(
 ) -> ObstacleAnswers:  # fmt: skip
     """The least distance that benches keep from an obstacle, and when one comes nearer than it may.
 
-    A contact that is sure is told before one that is not: see `first_touch` and `least_distance`.
+    A sure contact is preferred to an undecided one: see `first_touch` and `least_distance`.
 
     Raises:
         InputError: for an end before the start.

@@ -1,4 +1,4 @@
-"""Posts for marshals along the spectators' line, and what each is there for.
+"""Posts for marshals along the spectators' line, and the reason for each.
 
 The rule is this program's own and no regulation's: a post where the ground that benches cover comes
 nearest to the venue's edge, at each entrance, where benches come nearest to one another, where the
@@ -27,7 +27,7 @@ from benchdragon.model.outline import shape_of
 # another along it than JOINED, m, are one.
 EVERY, JOINED = 25.0, 3.0
 # A dance in which no handle is faster than this many times the head's least speed has no fastest place;
-# that the head stops, and brakes for it, counts for nothing: all do.
+# stops of the head, and braking for them, are ignored: they slow all handles.
 FASTER = 1.02
 # Stretches where handles run that have a post: the fastest ones.
 MOST_RUNS = 5
@@ -37,7 +37,7 @@ Why = Literal["venue", "entrance", "tightest", "fastest", "run", "line"]
 
 @dataclass(frozen=True)
 class Reason:
-    """What a post is there for.
+    """The reason for a post.
 
     Attributes:
         why: "venue": the benches come nearest to the venue's edge; "entrance"; "tightest": two
@@ -58,7 +58,7 @@ class Post:
 
     Attributes:
         point: m.
-        reasons: what it is there for; at least one.
+        reasons: at least one.
     """
 
     point: base_curve.Point
@@ -71,7 +71,7 @@ def marshal_posts(
 ) -> tuple[Post, ...]:
     """Posts on the outer spectators' lines of a dance, in going round each.
 
-    Places that posts are for are brought to the nearest point of the lines.
+    Posts are moved to the nearest point of the lines.
 
     Args:
         report: the check of the plan.
@@ -95,12 +95,12 @@ def marshal_posts(
 def _places(
     report: Report, swept: SweptArea, entrances: Sequence[base_curve.Point]
 ) -> Iterable[tuple[base_curve.Point, Reason]]:
-    """Where posts are wanted, before they are brought to the line."""
+    """Where posts are needed, before they are moved to the line."""
     for one in report.obstacles:
         if one.obstacle.kind == "venue":
             edge = shape_of(one.obstacle).boundary
             (x, y), _foot = shapely.get_coordinates(shapely.shortest_line(swept.polygon, edge))
-            # What the check found of the benches: the polygon is a little larger than what they cover.
+            # The check's answer about the benches: the polygon is a little larger than what they cover.
             yield (float(x), float(y)), Reason("venue", one.distance.sure(up=False))
     for place in entrances:
         yield place, Reason("entrance")
@@ -136,7 +136,7 @@ def _runs(report: Report) -> list[Running]:
 def _spaced(
     wanted: list[tuple[float, Reason]], length: float
 ) -> list[tuple[float, tuple[Reason, ...]]]:
-    """Places along a ring, m, with what is there: those that are wanted, joined, and some between."""
+    """Places along a ring, m, with their reasons: the needed ones, merged, and some between."""
     joined: list[tuple[float, list[Reason]]] = []
     for along, reason in sorted(wanted, key=lambda one: one[0]):
         if joined and along - joined[-1][0] <= JOINED:

@@ -1,9 +1,9 @@
-"""Proofs: what was found about contact, shown again in ball arithmetic (the extra `prove`).
+"""Proofs of answers about contact in ball arithmetic, independent of the search (the extra `prove`).
 
-A search says where the first contact is. That nothing is nearer before is then shown without it: the
+A search finds the first contact. The proof then shows without it that nothing comes nearer before: the
 head's way is cut into cells, each short enough that bounds alone show it clear (proofs/cells.py, and
-design/proof.py); and at the contact itself that benches are nearer than they may. So the search may
-be wrong in any way: what it found is then not proved.
+design/proof.py). At the contact itself it shows that benches are nearer than allowed. A wrong result of
+the search therefore stays unproved.
 """
 
 from collections.abc import Sequence
@@ -26,27 +26,27 @@ if TYPE_CHECKING:
     from benchdragon.proofs.chain import Chain
     from benchdragon.proofs.exact import Numbers
 
-# How far behind the search's own bracket a meeting is looked for, m, ten times as far each time.
+# How far behind the search's bracket a contact is sought, m; ten times as far each time.
 FIRST_BEHIND, MOST_BEHIND = 1e-15, 1e-6
-# What is clear short of a contact by more than this, m, leaves it unproved when it comes.
+# If the proved clear way ends more than this before a contact, m, its time stays unproved.
 MOST_SHORT = 1e-6
-# How wide the bracket of a proved clearance is, m.
+# Width of the bracket of a proved clearance, m.
 CLEARANCE_WIDTH = 1e-6
 
 
 @dataclass(frozen=True)
 class Claim:
-    """What was shown of a walk: that nothing comes nearer than it may from `start` to `clear`, s.
+    """A proved statement: nothing comes nearer than allowed from `start` to `clear`, s.
 
     Attributes:
         about: the name of an obstacle, or empty: of benches among themselves.
         cells: the head's route positions, m, between each two of which nothing does.
         start: s.
         clear: s.
-        contact: a time, s, by which something has come nearer; None if nothing was to.
+        contact: a time, s, by which a pair has come nearer; None in a claim without contact.
         s: the head's route position where it has, m.
         benches: which, rows from 0.
-        margin: what nothing comes nearer than, m; None: what the plan says.
+        margin: the distance kept, m; None: that of the plan.
         values: of other keys than the plan says them, by which the walk shown differs from the plan's.
     """
 
@@ -62,7 +62,7 @@ class Claim:
 
 
 def require_flint() -> None:
-    """Say what to install if python-flint is not there.
+    """Require python-flint.
 
     Raises:
         MissingExtraError: if it is not.
@@ -147,13 +147,13 @@ def prove_clearance(
     No two benches are ever nearer than the lower end of the bracket, and two are nearer than the upper.
 
     Args:
-        walk: what is walked.
+        walk: the walk.
         found: what `least_clearance` found.
         start: s.
         end: s.
         width: of the bracket, m.
-        progress: is told how far it is.
-        claims: what was shown is added to it.
+        progress: is called with the share done.
+        claims: the proved claim is added to it.
         plan: as for `prove_contact`.
 
     Raises:
@@ -178,9 +178,9 @@ def prove_clearance(
 
 
 def assumed(walk: Walk, plan: Plan | None = None) -> str:
-    """What every proof of a walk rests on."""
+    """The assumptions of every proof of a walk."""
     if plan is not None:
-        from benchdragon.analysis.written import assumed_of  # wants flint
+        from benchdragon.analysis.written import assumed_of  # needs flint
 
         return assumed_of(plan, walk)
     return _(
@@ -191,7 +191,7 @@ def assumed(walk: Walk, plan: Plan | None = None) -> str:
 
 def exact_numbers(walk: Walk, plan: Plan | None) -> "Numbers":
     """The numbers of which a proof speaks: those of a plan as written, else as they are stored."""
-    from benchdragon.proofs.exact import Numbers  # wants flint
+    from benchdragon.proofs.exact import Numbers  # needs flint
 
     if plan is None:
         return Numbers.stored(walk)
@@ -201,7 +201,7 @@ def exact_numbers(walk: Walk, plan: Plan | None) -> "Numbers":
 
 
 class Question:
-    """What is to be proved of a walk: of its benches, with a margin, m, or of an obstacle.
+    """A question to be proved about a walk: of its benches, with a margin, m, or of an obstacle.
 
     With the plan of which the walk is built, its numbers are those that are written.
     """
@@ -261,10 +261,10 @@ class Question:
         return lower - MOST_SHORT <= s <= upper + MOST_SHORT and found.witness is not None
 
     def verify(self, claim: Claim, progress: Progress = silent) -> None:
-        """Show a claim again, from nothing but its cells and where something is said to meet.
+        """Prove a claim again from its cells and its contact alone.
 
         Raises:
-            UnsureError: saying what does not hold.
+            UnsureError: naming the step that does not hold.
         """
         from benchdragon.proofs.chain import UnprovedError
         from benchdragon.proofs.cover import covered
@@ -284,7 +284,7 @@ class Question:
             self._verify_contact(claim)
 
     def _check_cells(self, claim: Claim) -> None:
-        """Refuse cells that do not reach from the start to what is clear, or on which nothing rests."""
+        """Refuse cells that do not cover the way from the start to `clear`, or that no claim needs."""
         position, at = self._numbers.position, claim.cells
         unused = _("it has cells on which nothing rests")
         if claim.clear < claim.start:
@@ -302,7 +302,7 @@ class Question:
             raise UnsureError(unused)
 
     def _verify_contact(self, claim: Claim) -> None:
-        """Show again that something has come nearer by a time."""
+        """Prove again that a pair has come nearer by a time."""
         position = self._numbers.position
         if claim.contact is None or claim.s is None:
             return

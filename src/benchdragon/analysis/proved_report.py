@@ -1,4 +1,4 @@
-"""What a check found beside contact, proved: the least clearance, and the greatest speed."""
+"""Proofs of a check's other answers: the least clearance and the greatest speed."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -19,8 +19,8 @@ from benchdragon.progress import Progress, part, silent
 def prove_report(report: Report, progress: Progress = silent) -> Report:
     """The report with its least clearance and greatest speed proved too, to the end or a contact.
 
-    The clearance stands in a bracket of 1e-6 m, the speed in as narrow a one as the work allowed pays
-    for. What could not be proved stays as it was found, and `unproved` says why.
+    The bracket of the clearance is 1e-6 m wide, that of the speed as narrow as the work allows. An
+    answer that could not be proved stays as found, and `unproved` says why.
 
     Raises:
         InputError: for a number that the plan holds rounded, or a route that cannot be enclosed.

@@ -1,7 +1,7 @@
-"""What a check found as plain data: the one schema of `--json`, the planner, the player and files.
+"""The result of a check as plain data: the one schema of `--json`, planner, player and files.
 
-SI units. Numbers that are not finite come as null: JSON knows none. What readers read comes in both
-languages, but for the assumptions of an answer: those are in the language in which it was sought.
+SI units. Numbers that are not finite are null, as JSON has none. Texts are in both languages, except
+the assumptions of an answer: they are in the language in use when it was computed.
 """
 
 import math
@@ -32,7 +32,7 @@ Number = Annotated[float | None, BeforeValidator(_finite_or_none)]
 
 
 class Record(BaseModel):
-    """Plain data that programs and pages get."""
+    """Plain data for programs and pages."""
 
     model_config = ConfigDict(frozen=True)
 
@@ -67,11 +67,11 @@ class Answer(Record):
 
 
 class Finding(Record):
-    """Something that a walk must not do, or that could not be decided: see `findings.Finding`.
+    """A violation of the plan, or an undecided question: see `findings.Finding`.
 
     Attributes:
         code: BD101 and so on: those never change.
-        obstacle: the name of what stands in the way, null where nothing does.
+        obstacle: the name of the obstacle, null without one.
     """
 
     code: str
@@ -86,12 +86,12 @@ class Finding(Record):
 
 
 class ObstacleRecord(Record):
-    """What was found about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`.
+    """The answers about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`.
 
     Attributes:
         name: what the plan calls it.
-        shown: what readers read: one without a name goes by its number.
-        kind: what it is.
+        shown: the name for readers; without a name, the number.
+        kind: of the obstacle.
         margin: m.
         contact: when a bench first comes nearer than the margin; null if none does.
         distance: the least that benches keep from it, m.
@@ -107,7 +107,7 @@ class ObstacleRecord(Record):
 
 
 class RoomAsked(Record):
-    """What a level of room asks for beyond the one before it: see `room.Asked`.
+    """A requirement that a level of room adds to the one before it: see `room.Asked`.
 
     Attributes:
         source: null for an assumption.
@@ -122,9 +122,9 @@ class RoomRecord(Record):
     """Whether a walk keeps a level of room: see `room.RoomLevel`.
 
     Attributes:
-        kept: null where rounding leaves that open.
+        kept: null where rounding leaves that undecided.
         first: when it is first broken, and by which benches; null where it is kept.
-        obstacle: the name of what stands in the way then, null where nothing does.
+        obstacle: the name of the obstacle then, null without one.
     """
 
     name: Literal["benches", "sway", "imprecision", "people"]
@@ -137,7 +137,7 @@ class RoomRecord(Record):
 
 
 class LimitedPeak(Record):
-    """The greatest of a quantity that the plan limits, and what that is in words."""
+    """The greatest value of a quantity that the plan limits, and its name in words."""
 
     name: str
     text: Words
@@ -145,14 +145,14 @@ class LimitedPeak(Record):
 
 
 class NotLookedAt(Record):
-    """Something that was not looked at: see `not_looked_at.NotLookedAt`."""
+    """A subject that the check did not consider: see `not_looked_at.NotLookedAt`."""
 
     kind: str
     text: Words
 
 
 class Unproved(Record):
-    """Something that was to be proved and could not be: see `left_open.Unproved`."""
+    """An answer whose proof failed: see `left_open.Unproved`."""
 
     kind: str
     text: Words
@@ -171,14 +171,14 @@ class Verdict(Record):
 
     Attributes:
         safe: whether nothing was found.
-        decided: whether no open question could change `safe`.
-        proved: whether what is said of contact was proved.
-        unproved: what was to be proved and could not be, and why; it stands as it was found.
+        decided: whether no undecided question could change `safe`.
+        proved: whether the answers about contact were proved.
+        unproved: the answers whose proof failed, and why; they stay as found.
         sentence: the verdict for readers.
         start: of the walk, s.
         end: of the walk, s.
         clearance: null where the dragon cannot walk, like the following.
-        not_looked_at: what the plan does not say, so that nobody looked at it.
+        not_looked_at: what the check did not consider because the plan does not give it.
         room: level upon level, benches alone first; empty where the plan asks for no room for people.
         stops: of the head; null for a plan without cues.
         seconds: how long it took; null in files, which are the same each time.
@@ -320,7 +320,7 @@ def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> 
 
 
 def untimed(verdict: Verdict) -> Verdict:
-    """The same without how long anything took."""
+    """The record without computing times."""
 
     def without(answer: Answer | None) -> Answer | None:
         return answer and answer.model_copy(update={"seconds": None})

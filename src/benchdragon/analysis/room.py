@@ -22,7 +22,7 @@ from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress
 
 LevelName = Literal["benches", "sway", "imprecision", "people"]
-# What a level asks for beyond the one before it: keys of the plan's table of people.
+# Requirements that each level adds to the one before it: keys of the plan's table of people.
 ASKED: dict[LevelName, tuple[str, ...]] = {
     "benches": (), "sway": ("sway",), "imprecision": ("imprecision",), "people": ("beside", "ahead"),
 }  # fmt: skip
@@ -38,7 +38,7 @@ TOLERANCES = (1e-3,)
 
 @dataclass(frozen=True)
 class Asked:
-    """Something that a level asks for: a key of the plan's people, m, and where that comes from.
+    """A requirement of a level: a key of the plan's people, its value, m, and its source.
 
     Attributes:
         key: sway, imprecision, beside or ahead.
@@ -57,11 +57,11 @@ class RoomLevel:
 
     Attributes:
         name: which.
-        asked: what it asks for beyond the one before it.
+        asked: the requirements that it adds to the level before it.
         margin: that two benches that are not neighbours must keep, m.
         contact: when two of them first come nearer than that; None if none do.
-        obstacles: what comes nearer to an obstacle or the venue's edge than it may, and what does not.
-        short: of what the pair that breaks it first has how much too little, where that is known.
+        obstacles: the answers about each obstacle and the venue's edge.
+        short: the room that the pair breaking it first lacks, where known.
     """
 
     name: LevelName
@@ -73,13 +73,13 @@ class RoomLevel:
 
     @property
     def between(self) -> float:
-        """What it asks for between the sides of two benches, m: the people of both walk within."""
+        """Required distance between the sides of two benches, m: the people of both walk within."""
         beside = sum(one.value for one in self.asked if one.key == "beside")
         return round(self.margin + 2.0 * beside, 9)
 
     @property
     def first(self) -> tuple[Answer, Obstacle | None] | None:
-        """What breaks it first, surely if anything does, and the obstacle, if it is one; else None."""
+        """The first contact that breaks it, a sure one if any, and its obstacle; None if it is kept."""
         known: list[tuple[Answer, Obstacle | None]] = []
         known += [] if self.contact is None else [(self.contact, None)]
         known += [(one.contact, one.obstacle) for one in self.obstacles if one.contact is not None]
@@ -87,14 +87,14 @@ class RoomLevel:
 
     @property
     def kept(self) -> bool | None:
-        """Whether it is kept; None where rounding leaves that open."""
+        """Whether it is kept; None where rounding leaves that undecided."""
         contacts = [self.contact, *(one.contact for one in self.obstacles)]
         broken = {one.status != "undecided" for one in contacts if one is not None}
         return False if True in broken else None if broken else True
 
 
 def levels_asked(people: PeopleTable) -> list[LevelName]:
-    """The levels for which there is something asked for."""
+    """The levels with requirements."""
     return [name for name, keys in ASKED.items() if any(getattr(people, key) for key in keys)]
 
 
@@ -105,10 +105,10 @@ def room_levels(
 ) -> None:  # fmt: skip
     """Add the levels of room that a plan asks for, if it does, to `levels`, benches alone first.
 
-    Two benches that each sway, or stray, come nearer by twice that; to what stands still, by once. Each
-    level is searched from the start of the span, s, until the one before it is broken. `bare` is what
-    was found of benches alone: their first contact, and obstacles. With `prove` contacts are proved by
-    the same calls.
+    Two benches that each sway, or stray, come nearer by twice that; a bench and an obstacle by once.
+    Each level is searched from the start of the span, s, until the one before it is broken. `bare` has
+    the answers for benches alone: their first contact, and obstacles. With `prove` contacts are proved
+    by the same calls.
 
     Raises:
         InputError: for benches that would be too long or too wide with their people.
@@ -142,12 +142,12 @@ def _proved(walk: Walk, start: float, end: float, margin: float, progress: Progr
 
 
 def shown_name(level: RoomLevel) -> str:
-    """What a level is called, in the language in use."""
+    """The name of a level, in the language in use."""
     return _(TEXTS[level.name])
 
 
 def asked_text(level: RoomLevel) -> str:
-    """What a level asks for and where that comes from, in the language in use."""
+    """The requirements of a level and their sources, in the language in use."""
     said = []
     for one in level.asked:
         text = _("{key} {value} m (assumption)")
@@ -168,7 +168,7 @@ def with_people(dragon: Dragon, people: PeopleTable) -> Dragon:
 def with_all_room(plan: Plan) -> tuple[Walk, tuple[Obstacle, ...]]:
     """The plan's walk and obstacles with all that its people ask for: the hardest of the levels.
 
-    Benches have room for bearers, and margins to what stands still are wider by sway and imprecision.
+    Benches have room for bearers, and margins to obstacles are wider by sway and imprecision.
 
     Raises:
         InputError: for benches that would be too long or too wide with their people.
@@ -186,7 +186,7 @@ def _asked(people: PeopleTable, name: LevelName) -> tuple[Asked, ...]:
 
 
 def _measured(level: RoomLevel, walk: Walk, end: float) -> RoomLevel:
-    """The level with what is missing where it is surely broken, looked at until the end, s."""
+    """The level with its shortage where it is surely broken, measured until the end, s."""
     if level.first is None or level.kept is None:
         return level
     asked = {one.key: one.value for one in level.asked}

@@ -1,4 +1,4 @@
-"""Where a walk only repeats itself, so that no search need look there again: see kernels/rounds.py."""
+"""Parts of a walk that repeat earlier ones, so that searches may skip them: see kernels/rounds.py."""
 
 import numpy as np
 
@@ -31,7 +31,7 @@ def _repeats(rows: FloatArray, seams: FloatArray, reach: float) -> FloatArray:
 
 
 class Rounds:
-    """What of the ways of a dragon is new, on a route of which parts repeat as is `known`."""
+    """The new parts of a dragon's ways, on a route of which the `known` parts repeat."""
 
     def __init__(self, walk: Walk, known: FloatArray) -> None:
         self._walk, self._known = walk, known
@@ -39,7 +39,7 @@ class Rounds:
     def new(self, first: float, last: float) -> tuple[list[Span], float]:
         """The spans of the head's way from first to last, m, that repeat nothing before them there.
 
-        And what places may be off by from those some rounds before, m.
+        And by how much positions may differ from those some rounds before, m.
         """
         rows, links, spans = (
             self._walk.route.rows, self._walk.dragon.links, np.empty((len(self._known) + 1, 2)),

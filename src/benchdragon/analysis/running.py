@@ -13,7 +13,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
 
-# Times looked at, s apart; farther where handles times times exceed the most that are looked at.
+# Time step of samples, s; larger where handles x samples would exceed the limit.
 STEP, MOST_LOOKS = 0.25, 5_000_000
 # Places where handles run are kept once a square of so many m; those no farther apart than the second
 # are one stretch.

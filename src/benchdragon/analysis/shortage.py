@@ -1,6 +1,6 @@
-"""How much room is missing where people have too little: of the pair that lacks it first, and when.
+"""The room that is missing where people have too little: for the pair that first lacks it, and when.
 
-A level of room is broken at one time by one pair: what is told of it is measured between these two.
+A level of room is first broken by one pair: the shortage is measured between these two.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,8 +15,8 @@ from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 
-# Times at which a pair is looked at from its first contact on, closer together near that, and again
-# about the tightest of them; decimals of the time that is told, s.
+# Times at which a pair is sampled from its first contact on, denser near it, and again about the
+# tightest of them; decimals of the time that is reported, s.
 SAMPLES, CLOSER, DECIMALS = 200, 50, 2
 # Room within this of the least, m, counts as the least: rounding must not choose the moment.
 LEVEL = 1e-6
@@ -25,13 +25,13 @@ HALVINGS = 50
 
 @dataclass(frozen=True)
 class Shortage:
-    """Of what a pair has too little when its room is tightest.
+    """The room that a pair lacks when it is tightest.
 
     Attributes:
         key: of the plan's people: sway, imprecision, beside or ahead.
-        wanted: its value, m.
-        time: s; the tightest of the times that were looked at.
-        apart: what the boards, or a board and what stands still, then are from one another, m.
+        wanted: the value required, m.
+        time: s; the tightest of the times sampled.
+        apart: distance then of the boards, or of a board and the obstacle, m.
         there: the greatest value of the key with which the pair would then keep its room, m; 0 if none.
     """
 
@@ -44,7 +44,7 @@ class Shortage:
 
 @dataclass(frozen=True)
 class _Need:
-    """What a pair must keep, m, as a function of one of the values asked for."""
+    """The distance that a pair must keep, m, as a function of one of the required values."""
 
     key: str
     wanted: float
@@ -99,16 +99,16 @@ def shortage(
     walk: Walk, broken: tuple[Answer, Obstacle | None], margin: float, asked: Mapping[str, float],
     end: float,
 ) -> Shortage | None:  # fmt: skip
-    """What the pair that breaks a level of room first has too little of, until the end, s.
+    """The shortage of the pair that first breaks a level of room, until the end, s.
 
-    None where too little is missing to be told. The walk is that of the boards alone.
+    None where too little is missing to be reported. The walk is that of the boards alone.
 
     Args:
-        walk: what is looked at.
+        walk: the walk that is sampled.
         broken: when the level is first broken, and the obstacle, if it is one.
         margin: that two benches must keep, m; an obstacle has its own.
-        asked: what the level asks for, by key, m.
-        end: of what is looked at, s; the walk stands until then.
+        asked: the level's requirements by key, m.
+        end: of the samples, s; the dragon stands until then.
     """
     contact, obstacle = broken
     if contact.witness is None:

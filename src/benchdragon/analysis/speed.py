@@ -34,18 +34,18 @@ from benchdragon.progress import Progress, silent
 TOLERANCE, LEAST_TOLERANCE = 1e-10, 1e-12
 # The same for accelerations and turning rates, whose bounds close more slowly.
 RATE_TOLERANCE = 1e-6
-# What the engine goes by, in the order of kernels/speed_memory.py: 24 MB of cells at a time, a look at
-# the clock every 20 ms, and the coarse bound's cost, steps and loss (design/coarse_bound.py).
+# Limits of the engine, in the order of kernels/speed_memory.py: 24 MB of cells at a time, the clock is
+# read every 20 ms, and the coarse bound's cost, steps and loss (design/coarse_bound.py).
 ROOM = (500_000, 1_024, 5_000_000, 100_000, 24.0, 0.8, 0.1, ROUNDING)
-# Handles placed at a time where it is looked for why a dragon does not stand.
+# Handles placed at a time when the place is sought where a dragon does not stand.
 PLACES = 1_000_000
-# What it may take to tell of a bracket that was not closed, as a share of a question's work.
+# Work for reporting a bracket that was not closed, as a share of a question's work.
 TOLD = 0.001
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """What is limited: its number in the kernels, and its power of the speed of a steady head."""
+    """A limited quantity: its number in the kernels, and the power of a steady head speed in it."""
 
     name: str
     kind: int
@@ -72,7 +72,7 @@ QUANTITIES = {
 
 @dataclass(frozen=True)
 class Peak:
-    """The greatest of a quantity: never more than `upper`, and surely as much as `least`.
+    """The greatest value of a quantity: never more than `upper`, and surely as much as `least`.
 
     It was seen at `time`, s, with the head at s, m, on handle or bench `row` (from 0), at `point`, m.
     """
@@ -110,10 +110,10 @@ def greatest(
 
     Where the head's acceleration or a curvature jumps, what is just before and just after counts. The
     bracket is `tolerance` times the answer wide (wider where the greatest value lasts, infinite across
-    a kink of the route): its lower end was seen, its upper end is exceeded by nobody, by a bound on how
-    the quantity changes (kernels/drive.py). Both have room for rounding (kernels/rate_rounding.py).
-    Given a `limit`, a value that surely keeps to it has a bracket of 1 % of the value or of the limit.
-    The witness names the first handle that reaches it, or the bench, and its place.
+    a kink of the route): its lower end was seen, its upper end is never exceeded, by a Lipschitz bound
+    of the quantity (kernels/drive.py). Both have room for rounding (kernels/rate_rounding.py). Given a
+    `limit`, a value that surely keeps to it has a bracket of 1 % of the value or of the limit. The
+    witness names the first handle that reaches it, or the bench, and its place.
 
     Raises:
         InputError: for an end before the start, or a tolerance that is not between 1e-12 and 1.
@@ -150,7 +150,7 @@ def greatest_of(
 
 @dataclass(frozen=True)
 class Found:
-    """What the engine found: a greatest value, or that of the limit that decides on a head speed.
+    """The engine's answer: a greatest value, or that of the limit that decides on a head speed.
 
     Then that speed lies between `lower` and `upper`, m/s; `decides` is None if nothing limits it.
     """
@@ -192,7 +192,7 @@ class PeakQuestion(EngineQuestion):
         self, at: FloatArray, first: int, last: int, square: float, limits: FloatArray,
         most: FloatArray, table: FloatArray,
     ) -> int:  # fmt: skip
-        """Fill tables of a pace, as `bound_peak` says; how that ended."""
+        """Fill tables of a pace as `bound_peak` does; return its exit status."""
         return kernel.bound_peak(self._handle, at, first, last, square, limits, most, table)
 
 
@@ -230,9 +230,9 @@ def sought(
 
 
 def _new(walk: Walk, stretches: Stretches) -> tuple[Stretches, list[int]]:
-    """The parts of stretches on which something new may be seen, and the number of each one's stretch.
+    """The parts of stretches with new motion, and the number of each one's stretch.
 
-    Who keeps one speed does what was done one round before.
+    A head of constant speed repeats the round before.
     """
     times, ways, speeds, rates = (table.tolist() for table in stretches)
     rounds = Rounds(walk, repeats(walk.route.rows))
@@ -256,9 +256,9 @@ def witness_of(walk: Walk, quantity: Quantity, found: Peak) -> Witness:
 
 
 def fastest_handle(speeds: Sequence[float]) -> int:
-    """The first handle that comes to the greatest of these speeds but for rounding.
+    """The first handle whose speed is the greatest up to rounding.
 
-    On one arc all handles are equally fast: rounding alone would name now this one and now that.
+    On one arc all handles are equally fast: otherwise rounding would decide.
     """
     most = max(speeds) * (1.0 - ROUNDING)
     return next(n for n, speed in enumerate(speeds) if speed >= most)

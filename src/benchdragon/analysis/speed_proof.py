@@ -1,4 +1,4 @@
-"""The greatest speed ratio of a walk, proved: no handle is ever faster, and one is nearly as fast."""
+"""A proof of a walk's greatest speed ratio: no handle is ever faster, and one is nearly as fast."""
 
 import math
 from collections.abc import Sequence
@@ -25,13 +25,13 @@ WIDTHS = (5e-13, *(10.0**power for power in range(-12, -1)))
 WRONG, LONGEST, MOST_WORK = 20.0, 0.2, 1_500_000
 # How near to where it was seen a greatest speed is sought again, m, and by what share it is cut.
 NEAR, GOLDEN = 1e-4, 0.5 * (math.sqrt(5.0) - 1.0)
-# Places at which speeds are looked at beforehand.
+# Places at which speeds are sampled first.
 SAMPLES = 400
 
 
 @dataclass(frozen=True)
 class SpeedClaim:
-    """What was shown of speeds: that no handle is faster than `most` from `start` to `clear`, s.
+    """A proved statement: no handle is faster than `most` from `start` to `clear`, s.
 
     With the head at 1 m/s, whatever its own speed is.
 
@@ -82,7 +82,7 @@ class SpeedQuestion:
         self._dance = self._numbers.dance(None)
 
     def proved(self, start: float, end: float, s: float, progress: Progress = silent) -> SpeedClaim:
-        """What can be shown, a handle having been seen to be the fastest with the head near s, m.
+        """The claim that can be proved, given the fastest handle seen with the head near s, m.
 
         Raises:
             UnsureError: if another is faster, or that could not be shown.
@@ -117,10 +117,10 @@ class SpeedQuestion:
         return best, max(range(len(found)), key=lambda handle: found[handle])
 
     def verify(self, claim: SpeedClaim, progress: Progress = silent) -> None:
-        """Show a claim again, from nothing but its cells and where a handle is said to be fast.
+        """Prove a claim again from its cells and the place of its fast handle alone.
 
         Raises:
-            UnsureError: saying what does not hold.
+            UnsureError: naming the step that does not hold.
         """
         from benchdragon.proofs.chain import UnprovedError
         from benchdragon.proofs.cover import covered
@@ -159,7 +159,7 @@ class SpeedQuestion:
         return stepped(float(speed), lambda value: number(value) <= speed, -math.inf)
 
     def _most(self, first: float, last: float, least: float) -> float:
-        """The speed that is to be shown never to be exceeded: as little more as can be paid."""
+        """The speed to be proved as an upper bound: as low as the work allows."""
         at = np.linspace(first, last, SAMPLES)
         placed = self._walk.placement(at, throw=False)
         seen = np.nan_to_num(placed.speed_ratio[:, 1:].max(axis=1), nan=math.inf)
@@ -181,12 +181,12 @@ def prove_speed(
     """Bounds on the greatest speed of any handle from start to end, s, with the head at 1 m/s.
 
     Args:
-        walk: what is walked.
+        walk: the walk.
         start: s.
         end: s.
         s: the head's route position, m, near which a handle was found to be the fastest.
         plan: of which the walk is built: then its numbers count as they are written.
-        progress: is told how far it is.
+        progress: is called with the share done.
 
     Raises:
         InputError: for a number that the plan holds rounded, or a route that cannot be enclosed.

@@ -1,4 +1,4 @@
-"""What a certificate shows, in sentences and as data: made of what was shown, and of nothing else."""
+"""The content of a certificate in sentences and as data, from its proved claims alone."""
 
 import unicodedata
 from collections.abc import Mapping
@@ -9,7 +9,7 @@ from benchdragon.analysis.speed_proof import SpeedClaim, head_speeds
 from benchdragon.i18n import N_, _
 from benchdragon.model.obstacle import Obstacle
 
-# What stands still, by its kind: a name proves nothing, so that it is told where it stands.
+# Obstacles by their kinds; a name proves nothing, so that the place is given.
 STANDING: Mapping[str, str] = {
     "circle": N_('the circle "{name}" of radius {radius} m about ({x}, {y}) m'),
     "rectangle": N_('the rectangle "{name}" between ({x}, {y}) and ({to_x}, {to_y}) m'),
@@ -22,7 +22,7 @@ QUOTES = '"\uff02\\'
 
 
 def quoted(name: str) -> str:
-    """A name that is put between quotes: what could end them, or is not seen, is told by its code."""
+    """A name in quotes; characters that could end them, or are invisible, become their code."""
 
     def plain(sign: str) -> bool:
         return (
@@ -42,7 +42,7 @@ def place_of(obstacle: Obstacle) -> str:
 
 @dataclass(frozen=True)
 class Apart:
-    """What was shown of benches among themselves, or of benches and what stands still.
+    """A proved statement about benches among themselves, or benches and an obstacle.
 
     Attributes:
         values: of other keys than the plan says them, by which the walk shown differs from the plan's.
@@ -50,7 +50,7 @@ class Apart:
         margin: than which nothing comes nearer from `start` to `clear`, m.
         start: s.
         clear: s; the start itself where no time before the contact is shown.
-        contact: a time, s, by which something has come nearer; None if nothing was to.
+        contact: a time, s, by which a pair has come nearer; None in a claim without contact.
         benches: which, numbers from 1.
     """
 
@@ -129,10 +129,10 @@ class Apart:
 
 @dataclass(frozen=True)
 class Paces:
-    """What was shown of handles' speeds, and follows from it for the head's.
+    """A proved statement about handles' speeds, and what follows for the head's.
 
     Attributes:
-        claim: what was shown.
+        claim: the proved claim.
         limit: of handles' speeds, m/s; None if the plan has none.
     """
 
@@ -170,7 +170,7 @@ Statement = Apart | Paces
 
 @dataclass(frozen=True)
 class Verified:
-    """What a certificate shows, and what it says nothing about, a sentence each."""
+    """What a certificate proves, and what it does not cover, a sentence each."""
 
     statements: tuple[Statement, ...]
     left_out: tuple[str, ...]

@@ -32,7 +32,7 @@ def stops_of(walk: Walk, start: float, end: float) -> tuple[Stop, ...]:
 def stops_text(stops: tuple[Stop, ...], clock: Clock | None = None) -> str:
     """How often the head stands, for how long, and when, in the language in use.
 
-    Times are seconds of the plan, without a clock that tells them.
+    Times are seconds of the plan unless a clock is given.
     """
     if not stops:
         return _("the head does not stop")

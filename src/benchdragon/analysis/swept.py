@@ -1,8 +1,8 @@
 """The ground that a dance covers: a polygon with a bound on its error, what holds it, its widest place.
 
-Steps of the benches (swept_steps.py) are outlined each by a convex hull that has all of the bench in it
-but for a stray, and no more than a fill besides. The polygon is the union of the hulls, widened by the
-greatest stray: bounds of motion say that it holds everything, not places looked at.
+The convex hull of each step of a bench (swept_steps.py) contains the bench up to a distance `stray`,
+and nothing farther than `fill` from it. The polygon is the union of the hulls, widened by the greatest
+stray: motion bounds guarantee that it contains everything, not samples.
 """
 
 import math
@@ -162,12 +162,12 @@ def swept_area(
     """The ground that benches cover from start to end, s, both included.
 
     Args:
-        walk: what is walked.
+        walk: the walk.
         start: s.
         end: s; the same as start for one instant.
         margin: how far spectators keep from it, m, 0 to 1000.
         error: of the polygon, m, 0.0001 to 1: see `SweptArea`.
-        progress: is told how far it is.
+        progress: is called with the share done.
 
     Raises:
         InputError: for times, a margin or an error that cannot be; if the area takes more than
@@ -220,7 +220,7 @@ def drawn_ground(walk: Walk, start: float, end: float) -> tuple[FloatArray, ...]
     """The outlines of the ground covered, as pictures show it, to DRAWN: closed lines, (n, 2) each, m.
 
     Those around the outside go counter-clockwise, those around holes clockwise. None where it cannot be
-    told or would take too long: `swept_area` says why.
+    computed or would take too long: `swept_area` says why.
     """
     try:
         polygon = swept_area(walk, start, end, error=DRAWN).polygon

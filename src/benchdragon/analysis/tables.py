@@ -25,12 +25,12 @@ PAIRS, MEMBERS, DOUBTS = 1_000, 256, 64
 
 
 def in_columns(told: dict[int, float]) -> FloatArray:
-    """Numbers in the order of the columns that they are told for."""
+    """Numbers in the order of their columns."""
     return np.array([told[n] for n in range(len(told))], dtype=np.float64)
 
 
 def beginnings() -> IntArray:
-    """The room that searches begin with, as the engine takes it: see kernels/search_room.py."""
+    """The initial sizes of searches' workspaces, for the engine: see kernels/search_room.py."""
     named = {
         search_room.A_CELL: A_CELL,
         search_room.AT_FIRST: AT_FIRST,
@@ -69,7 +69,7 @@ def kinds_of(sizes: FloatArray) -> tuple[IntArray, Kinds]:
 
 
 def walk_tables(walk: Walk) -> workspace.Walk:
-    """A dragon on its route, as kernels want them.
+    """A dragon on its route as tables for the kernels.
 
     Raises:
         InputError: if its benches are of too many kinds.

@@ -22,13 +22,13 @@ from benchdragon.model.walk import Walk
 from benchdragon.plans.cues import Moment, cue_name
 from benchdragon.plans.schema import Plan
 
-# Joints are told if there are no more.
+# Joints are listed if there are no more.
 MOST_JOINTS = 60
-# The way is looked at so finely for obstacles and the venue's edge, m, but at no more places; what it
-# finds is then drawn near to this, m.
+# Step of samples of the way for obstacles and the venue's edge, m, and their greatest number; places
+# found are then refined to this, m.
 FINE, MOST_LOOKS, NEAR = 0.1, 50_000, 1e-6
 
-# What is at a place where the route changes the side to which it bends.
+# Names of places where the route changes the side to which it bends.
 BENDS: dict[tuple[Turning, Turning], str] = {
     ("left", "right"): N_("left bend becomes right bend"),
     ("right", "left"): N_("right bend becomes left bend"),
@@ -47,7 +47,7 @@ class Passing:
 
     Attributes:
         kind: of the place.
-        name: what it is called, in the language in use.
+        name: in the language in use.
         s: its route position, m.
         way: that of the head from the start of the dance, m.
         point: x and y, m.
@@ -73,7 +73,7 @@ def timetable(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Passing
     Names are in the language in use.
 
     Raises:
-        InputError: for what is no plan or no walk, or an end before the start.
+        InputError: if `plan` is not a Plan, or the end comes before the start.
         WalkError: if the dragon cannot stand at some time.
     """
     of_kind("plan", plan, Plan)
@@ -133,7 +133,7 @@ def _tail_time(walk: Walk, s: float, span: tuple[float, float]) -> float | None:
 
 
 def _cue(walk: Walk, span: tuple[float, float], one: Moment, first: float) -> Passing:
-    """The place at which the head is at a cue; a cue is told at its own time."""
+    """The place of the head at a cue, at the cue's own time."""
     place = _passing(walk, span, "cue", cue_name(one.cue), first + one.way)
     until = min(one.until, span[1])
     return Passing("cue", place.name, place.s, one.way, place.point, one.time, until, place.tail)
@@ -142,8 +142,8 @@ def _cue(walk: Walk, span: tuple[float, float], one: Moment, first: float) -> Pa
 def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passing]:
     """Where the head crosses the venue's edge inward, and is nearest to obstacles; entrances.
 
-    A dance that passes a place several times is told once: where it is nearest of all. At an entrance
-    it is the dragon's body that counts, hence all the way that any of its handles goes.
+    A place that is passed several times is listed once: where the dance is nearest. At an entrance the
+    dragon's body counts, so that the ways of all handles are searched.
     """
     first, last = np.minimum(walk.head_position(span), walk.route.length).tolist()
     count = max(2, min(MOST_LOOKS, math.ceil((last - first) / FINE) + 1))
@@ -178,7 +178,7 @@ def _entered(walk: Walk, venue: Obstacle, out: float, within: float) -> float:
 
 
 def _nearest(walk: Walk, shape: BaseGeometry, looks: FloatArray) -> float:
-    """Where the route comes nearest to a shape, m, about the best of route positions looked at, m."""
+    """Where the route comes nearest to a shape, m, about the best of sampled route positions, m."""
 
     def away(s: float) -> float:
         return float(shapely.distance(shape, shapely.Point(walk.route.point([s])[0])))

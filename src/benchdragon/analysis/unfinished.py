@@ -7,9 +7,9 @@ from benchdragon.i18n import _
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 
-# What the head lacks at most of a dance that is whole, m.
+# The greatest way that a complete dance may lack, m.
 NEARLY = 0.01
-# Ends are told in tenths of a second; so much of one is rounding.
+# Ends are given in tenths of a second; so much of one is rounding.
 TENTHS, DUST = 10.0, 1e-6
 
 
@@ -37,13 +37,13 @@ class Unfinished:
 
     @property
     def told(self) -> str:
-        """The same for papers, whose readers know nothing of the plan's keys."""
+        """The sentence for papers, without the plan's keys."""
         text = _("the dance ends before the tail is out of the turn: the head lacks {way} m")
         return text.format(way=f"{self.way:.1f}")
 
 
 def unfinished(plan: Plan, walk: Walk, end: float) -> Unfinished | None:
-    """What a plan's walk in and out again lacks when it ends at a time, s.
+    """What a plan's walk in and out lacks if it ends at a time, s.
 
     None where it lacks nothing, and for routes of other kinds, whose dances may end anywhere.
     """

@@ -1,4 +1,4 @@
-"""A plan's numbers as they are written, in balls: what a proof speaks of.
+"""A plan's numbers as written, in balls: those that a proof is about.
 
 A plan file's numbers are decimals, and pi is pi. From these sizes, curves and places are computed in
 ball arithmetic; no double stands between. Where a route comes about by a search (a formation, a
@@ -35,7 +35,7 @@ from benchdragon.proofs.parts import (
 
 
 class Told(NamedTuple):
-    """What a plan says of its route: parts in order, where the first begins, and where it ends, m."""
+    """A plan's route: parts in order, where the first begins, and where it ends, m."""
 
     parts: list[Part]
     start: Start = NOWHERE
@@ -78,7 +78,7 @@ def numbers_of(plan: Plan, walk: Walk) -> Numbers:
 
 
 def assumed_of(plan: Plan, walk: Walk) -> str:
-    """What every proof about a plan rests on."""
+    """The assumptions of every proof about a plan."""
     if _told(plan, walk) is None:
         return _(
             "the numbers of the plan are exact as they are written; the curves of its route as they "
@@ -140,7 +140,7 @@ def _part(part: CurvePart) -> Part:
 
 
 def _turn(plan: Plan, route: TurnRoute, walk: Walk) -> Told | None:
-    """In along a spiral, arcs, out along its twin; None for turns that are not told in closed form."""
+    """In along a spiral, arcs, out along its twin; None for turns without closed form."""
     turn, disc = plan.turn, route.disc(plan)
     entry = disc if turn.entry_radius is None else turn.entry_radius
     exit_ = entry if turn.exit_radius is None else turn.exit_radius
