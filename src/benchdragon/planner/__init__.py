@@ -1,1 +1,1 @@
-"""The planner: a page that plans, judges and shows dances without a server, as one file."""
+"""The planner: a page that plans, checks and shows dances without a server, as one file."""

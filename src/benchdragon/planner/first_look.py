@@ -1,4 +1,4 @@
-"""What the planner shows where no script runs: a picture of its first dance, and the verdict.
+"""The planner's content without scripts: a picture of its first dance, and the verdict.
 
 The picture is an SVG that stands in the page and takes the page's colours. Its points are whole numbers
 of units, of which its longer side has SIDE: finer would not be seen.
@@ -27,7 +27,7 @@ SIDE, OFF, ROOM = 2_000, 1.0, 40
 STEP, MOST_POINTS = 0.1, 100_000
 # A scale bar takes at most this share of the width.
 BAR_SHARE = 0.25
-# Outlines of benches are so thick, units, or so large a share of their width where that is less.
+# Thickness of benches' outlines, units, and its greatest share of their width.
 EDGE, EDGE_SHARE = 3.0, 0.08
 # Radius of the ring about what meets, units.
 RING = 45
@@ -41,7 +41,7 @@ class FirstLook:
         width, height: of the picture, units; y points down.
         route, benches, head: paths.
         edge: how thick the outline of a bench is, units.
-        standing: kinds of what stands on the square, with a path each.
+        standing: kinds of obstacles, with a path each.
         disc: the turning disc: x, y, radius; None if there is none.
         ring: where benches touch, or are nearest: x, y, radius; None if they never are.
         bar: of the scale: its length, in units and in words.

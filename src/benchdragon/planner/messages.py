@@ -1,6 +1,6 @@
 """What the planner's page, its Workers and this package send one another: presets, long questions.
 
-Metres, seconds, metres a second. Numbers that are not finite come as null: JSON knows none.
+Metres, seconds, metres a second. Numbers that are not finite are null, as JSON has none.
 `tools/make_types.py` turns the models into `web/messages.d.ts`.
 """
 
@@ -53,7 +53,7 @@ class TurnShape(Record):
 
 
 class PaceFound(Record):
-    """The plan walked at its own head speed, slowed down only where a limit wants it."""
+    """The plan walked at its own head speed, slowed down only where a limit requires it."""
 
     plan: SentPlan
     steady: Answer
@@ -81,10 +81,10 @@ class MarginsFound(Record):
 
 
 class JobState(Record):
-    """How a long question stands.
+    """The state of a long question.
 
     Attributes:
-        share: of the work, 0 to 1, as far as can be told.
+        share: of the work done, 0 to 1, estimated.
         text: what is being done.
         result: once it is done.
         error: why there is none, if it failed.

@@ -21,7 +21,7 @@ from benchdragon.version import __version__
 STYLES = ("style.css", "explain.css", "planner.css", "grips.css", "print.css", "sheets.css")
 PAGE, WORKER = "planner_start.js", "compute/worker.js"
 ENGINE = built.ENGINE / built.MODULE
-# Whose code is in the file, beside ours.
+# Owners of other code in the file.
 NOTICES = (ENGINE.with_name("NOTICE.txt"), WEB / "carried.txt")
 
 

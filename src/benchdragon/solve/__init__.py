@@ -1,1 +1,1 @@
-"""What a walk may be: sizes, the head's speed, turns, and tolerance to imprecision."""
+"""Inverse questions about a walk: sizes, the head's speed, turns, and tolerance to imprecision."""

@@ -1,4 +1,4 @@
-"""What a proposed dance amounts to, in the few figures that its people ask for first."""
+"""A proposed dance in the few figures that people ask for first."""
 
 import math
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ import numpy as np
 
 from benchdragon.plans.schema import Plan
 
-# A dance that is over sooner than this, s, is hardly one: whoever proposes it says so.
+# A shorter dance, s, is reported as too short.
 SHORT = 60.0
 
 
@@ -31,7 +31,7 @@ class Course:
 
     @property
     def short(self) -> bool:
-        """Whether it is over too soon to be called a dance."""
+        """Whether it is too short for a dance."""
         return self.seconds < SHORT
 
 

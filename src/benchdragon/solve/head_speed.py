@@ -1,4 +1,4 @@
-"""How fast the head may walk: the greatest constant speed, and a pace that slows only where it must."""
+"""The greatest constant head speed, and a speed profile that slows down only where it must."""
 
 import math
 import time as clock
@@ -35,9 +35,9 @@ PRUDENCE = 1e-9
 MOST_KNOTS = 5000
 # Parts of a step between two knots of a pace over which bounds are made.
 FINER = 8
-# Digits of a start, s, behind the point: what rounding leaves behind them is none of the plan's.
+# Digits of a start, s, behind the point: later digits are rounding.
 DIGITS = 12
-# Handles bounded between two tellings of progress.
+# Handles bounded between two reports of progress.
 AT_ONCE = 1_000_000
 EVEN = SpeedProfile.constant(1.0)
 
@@ -222,8 +222,8 @@ def with_head_speed(plan: Plan, speed: float) -> Plan:
     lasts as long as before.
 
     Raises:
-        InputError: for a speed that cannot be, a plan with a profile of its own, or with cues that
-            are told by their times.
+        InputError: for a speed that cannot be, a plan with a speed profile, or with cues given by their
+            times.
         WalkError: if the dragon cannot walk on.
     """
     if plan.walk.profile:

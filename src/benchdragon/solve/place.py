@@ -1,8 +1,8 @@
 """Where on the square a dance fits best: farthest from the venue's edge and from every obstacle.
 
 What the dance and its people cover is drawn once, as a region of the plane; moving the dance moves
-the region. A global search goes by distances of the region, a last one by the exact least distances
-(analysis/obstacles.py), which the answer tells. What is found is judged by the check, as any plan is.
+the region. A global search uses distances of the region, a local one the exact least distances
+(analysis/obstacles.py), which the answer gives. The result is checked as any plan is.
 """
 
 import math
@@ -33,16 +33,17 @@ from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, part, silent
 
-# What the dance covers is drawn to this, m.
+# Error of the ground that the dance covers, m.
 ROUGH = 0.05
-# What is found is rounded to so many digits of a metre and of a degree: nobody places benches finer.
+# The result is rounded to so many decimals of a metre and of a degree: benches cannot be placed more
+# accurately.
 DIGITS = 3
 # Widths of brackets of the answer's distances, m: the first that can be reached.
 TOLERANCES = (1e-12, 1e-8, 1e-5)
 # Share of the time that the global search takes.
 SEARCHED = 0.6
-# Places that are strewn over the square, the lowest of them that are gone on from, and how far apart
-# those are, as a share of the ranges.
+# Sample places on the square, the best of them that are refined, and the least distance of those, as a
+# share of the ranges.
 STREWN, STARTS, APART = 600, 4, 0.1
 # Edges of a descent's first simplex: as shares of the ranges, then m, m and degrees; trials of each.
 SIMPLEX, FINE, LOCAL = 0.02, (0.04, 0.04, 0.2), 200
@@ -83,7 +84,7 @@ class PlacedDance:
 
 
 def verdict_json(report: Report) -> dict[str, Any]:
-    """What a check says, in short, as plain data."""
+    """The verdict of a check, in short, as plain data."""
     said = both(lambda: sentence(report))
     return {
         "safe": report.safe, "decided": report.decided, "sentence": {"en": said.en, "zh": said.zh},
@@ -130,12 +131,12 @@ def downhill(score: Callable[[FloatArray], float], x: FloatArray, edges: FloatAr
 
 @dataclass(frozen=True)
 class Enough:
-    """What would do for a dance that has no place on its square.
+    """What a dance without a place on its square needs: a larger square, or fewer benches.
 
     Attributes:
-        rectangle: length and width of a square on which nothing else stands, m, rounded up to
-            decimetres: the dance fits on it, its people and the margin to the edge included; None where
-            the check refuses the dance without any square, too.
+        rectangle: length and width of an empty square, m, rounded up to decimetres: the dance fits on
+            it, its people and the margin to the edge included; None where the check refuses the dance
+            without any square, too.
         benches: so many of the plan's have a place on its own square, which `best_place` found, and
             pass the check there; None where no number of them was found to, or where the plan says each
             its own size.
@@ -154,7 +155,7 @@ class Enough:
 
 @budget.question()
 def enough_room(plan: Plan, *, progress: Progress = silent) -> Enough:
-    """What would do for a dance of which `best_place` found no place: a larger square, fewer benches.
+    """What a dance needs for which `best_place` found no place: a larger square, or fewer benches.
 
     Raises:
         InputError, WalkError, UnsureError: as `best_place` and `swept_area`.
@@ -166,7 +167,7 @@ def enough_room(plan: Plan, *, progress: Progress = silent) -> Enough:
 
 
 def _rectangle(plan: Plan) -> tuple[float, float]:
-    """Length and width of a square on which a plan's dance fits where nothing else stands, m."""
+    """Length and width of an empty square on which a plan's dance fits, m."""
     walk, obstacles = with_all_room(plan)
     box = enclosing(walk, *plan.span(walk), error=ROUGH).rectangle
     edge = next((one.margin for one in obstacles if one.kind == "venue"), 0.0)
@@ -226,7 +227,7 @@ class Square:
         return 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
 
     def roughly(self, progress: Progress) -> FloatArray:
-        """The place with the most room downhill from the best of places strewn over the square."""
+        """The place with the most room, by descent from the best sample places on the square."""
         outline = self.obstacles[0].outline
         low, size = np.append(outline.min(axis=0), 0.0), np.append(np.ptp(outline, axis=0), 360.0)
         powers = spread(len(low)) ** -np.arange(1.0, len(low) + 1.0)
@@ -246,11 +247,11 @@ class Square:
         return downhill(self.crowding, min(ends, key=self.crowding), SIMPLEX * size)
 
     def pose(self, place: FloatArray) -> tuple[tuple[float, float], float]:
-        """What a plan says of a place: route.at, m, and route.turned, degrees, rounded."""
+        """A place as a plan gives it: route.at, m, and route.turned, degrees, rounded."""
         x, y, turned = place.tolist()
         c, s = math.cos(math.radians(turned)), math.sin(math.radians(turned))
         a, b = self.middle
-        # + 0.0, for nobody wants a minus before a zero
+        # + 0.0 makes -0.0 a 0.0
         at = round(x - c * a + s * b, DIGITS) + 0.0, round(y - s * a - c * b, DIGITS) + 0.0
         return at, round(turned % 360.0, DIGITS) % 360.0
 
@@ -260,7 +261,7 @@ class Square:
         return self.plan.with_values({"route.at": list(at), "route.turned": turned})
 
     def crowding(self, place: FloatArray) -> float:
-        """What is to be small: minus the least room seen, m; positive where there is none."""
+        """The objective: minus the least room seen, m; positive where there is none."""
         self.evaluations += 1
         at, turned = self.pose(place)
         moved = self.plan.route.model_copy(update={"at": at, "turned": turned})

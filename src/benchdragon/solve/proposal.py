@@ -1,8 +1,8 @@
-"""A dance for a village that knows its benches, its people and its square, and nothing else yet.
+"""A first dance from the benches, the people and the square of a village.
 
-What is asked for is a dance that can be walked, not the best one: sizes come from the searches of this
-room, rounded up, and what is proposed passes the same check as any plan. Bearers are counted as benches
-so wide, and a head so long, that they have room (`room.with_people`).
+The dance can be walked, but need not be the best: sizes come from the searches of this room, rounded
+up, and the proposal passes the same check as any plan. Benches are widened, and the head lengthened, so
+that bearers have room (`room.with_people`).
 """
 
 import math
@@ -32,14 +32,14 @@ Kind = Literal["turn", "spiral-in"]
 KINDS: tuple[Kind, ...] = ("turn", "spiral-in")
 NAME = "benchdragon new"
 
-# Assumed of people, m: shoulders' breadth, which is the room beside a bench or under it; what a bearer
-# wants of a bench's length; room before the head; and, if nobody measured it, how far benches sway and
+# Assumed of people, m: shoulders' breadth, which is the room beside a bench or under it; the length of
+# a bench that a bearer needs; room before the head; and, unless measured, how far benches sway and
 # bearers stray.
 SHOULDERS, ELBOWS, AHEAD, SWAY, IMPRECISION = 0.5, 0.5, 0.5, 0.05, 0.1
 # Asked for beyond that, m: between benches, and from the edge of the square.
 MARGIN, VENUE_MARGIN = 0.05, 0.5
 MOST_BENCHES, MOST_BEARERS = 500, 8
-# Sizes are proposed in decimetres, speeds in steps of 5 cm/s: nobody lays them out finer.
+# Sizes are proposed in decimetres, speeds in steps of 5 cm/s: finer ones cannot be laid out.
 SIZE_STEP, SPEED_STEP = 0.1, 0.05
 # Discs that are tried, as multiples of the longer of a link and a bench's width with its bearers.
 DISCS = (2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 10.0)
@@ -51,7 +51,7 @@ ENOUGH = 60
 ROUNDS: dict[Kind, tuple[float, ...]] = {
     "turn": (2.0, 1.0, 0.5, 0.0), "spiral-in": (6.0, 4.0, 3.0, 2.0, 1.0, 0.5),
 }  # fmt: skip
-# The ground is drawn to this, m; a round square has so many corners; angles of the dance, degrees.
+# Error of the ground, m; corners of a round square; angles of the dance, degrees.
 DRAWN, CORNERS, ANGLES = 0.02, 90, 180
 # Sizes of a bench, in the order of `Dragon.sizes`.
 SIZES = ("length", "width", "front_inset", "rear_inset")
@@ -60,7 +60,7 @@ TITLE = N_("A bench dragon on our square")
 
 @dataclass(frozen=True)
 class Wishes:
-    """What a village says of its dragon and its square: m, m/s.
+    """The data that a village gives of its dragon and its square: m, m/s.
 
     Attributes:
         benches: how many, head and tail included.
@@ -140,7 +140,7 @@ class TooSmall:
         rectangle: on which that dance fits, its margins included, m; rounded up.
         radius: of a round square on which it fits, m; rounded up.
         benches: so many, of the same sizes, fit on the square; 0 where none were found to.
-        under: whether all of them fit if those who walk beside their benches walk under them.
+        under: whether all of them fit if bearers walk under their benches, not beside them.
     """
 
     kind: Kind
@@ -163,8 +163,8 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     """A dance of the benches on the square that passes `check`, or how much too small the square is.
 
     Raises:
-        InputError: for what are no wishes, for a square that is not said or said twice, and for sizes
-            that no dance can have.
+        InputError: if `wishes` is not a Wishes, for a square that is missing or given twice, and for
+            sizes that no dance can have.
         UnsureError: if what fits the square does not pass the check.
         PlanError: for sizes of which no dragon can be built.
     """
@@ -195,7 +195,7 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
 def benches_out_again(wishes: Wishes, *, progress: Progress = silent) -> int:
     """How many benches fit on the square if the dance is to come out again; 0 if none were found to.
 
-    Fewer than are wished: for those a dance that comes out again was not found, or not wanted.
+    Fewer than requested: for all of them no dance out again was found, or none was requested.
     """
     of_kind("wishes", wishes, Wishes)
     _refuse(wishes)
@@ -206,7 +206,7 @@ def benches_out_again(wishes: Wishes, *, progress: Progress = silent) -> int:
 
 @dataclass(frozen=True)
 class _Tried:
-    """What came of trying the kinds of dance: one that passes the check, or what takes the least room.
+    """The result of trying the kinds of dance: one that passes the check, or that with the least room.
 
     `fits` says whether any dance fits the square.
     """
@@ -254,7 +254,7 @@ def _too_wide(wishes: Wishes, sized: Plan, rounds: float) -> bool:
 
 
 def _fits_under(wishes: Wishes) -> bool:
-    """Whether the dance fits if those who walk beside their benches walk under them."""
+    """Whether the dance fits if bearers walk under their benches, not beside them."""
     if wishes.carry == "under":
         return False
     under = replace(wishes, carry="under")
@@ -267,7 +267,7 @@ def _fits_under(wishes: Wishes) -> bool:
 
 
 def _refuse(wishes: Wishes) -> None:
-    """Refuse what cannot be before anything is computed."""
+    """Refuse impossible wishes before anything is computed."""
     if (wishes.rectangle is None) == (wishes.radius is None):
         raise InputError(_("say how large the square is: either its rectangle or its radius"))
     if not 2 <= wishes.benches <= MOST_BENCHES:
@@ -344,7 +344,7 @@ def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> Plan:
     """A plan of benches with their room, for searches of sizes."""
     data = _data(wishes, kind, pitch, disc)
     plan = checked(data, NAME)
-    # Building says what is wrong with benches as the village has them.
+    # Building reports errors in the village's benches.
     head, body, *_others = with_people(plan.dragon.build(), plan.people).sizes.T.tolist()
     sizes = [dict(zip(SIZES, bench, strict=True)) for bench in (head, body)]
     data["dragon"] = {"bench": [sizes[0], sizes[1] | {"count": wishes.benches - 1}]}
@@ -483,10 +483,10 @@ def _corners(wishes: Wishes) -> list[list[float]]:
 
 
 def _up(value: float, step: float) -> float:
-    """The next multiple of a step, upwards, without the dust of binary fractions."""
+    """The next multiple of a step, upwards, as a short decimal."""
     return round(math.ceil(value / step - 1e-9) * step, 6)
 
 
 def _down(value: float, step: float) -> float:
-    """The same, downwards."""
+    """The next multiple of a step, downwards, as a short decimal."""
     return round(math.floor(value / step + 1e-9) * step, 6)

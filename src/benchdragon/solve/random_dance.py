@@ -16,7 +16,7 @@ from benchdragon.solve.size_family import QUESTIONS, PlanFamily, kernel_family
 
 
 def answered(plan: Plan, limits: dict[int, float]) -> float:
-    """What is answered about a dance; `limits`: what varies of those of kernels/random_dance_memory.py.
+    """The engine's answer about a dance; `limits`: those of kernels/random_dance_memory.py that vary.
 
     Raises:
         WalkError: where the exact dragon cannot stand at the start.
@@ -43,7 +43,7 @@ def answered(plan: Plan, limits: dict[int, float]) -> float:
 
 
 def refuse(ending: int, guess: float, number: int) -> None:
-    """Say why a dance of that number, from 1, was not answered, if its question ended so."""
+    """Raise the error of a dance, by its number from 1, whose question was not answered."""
     if ending == TOO_LONG:
         raise InputError(_("the walk is too long, or the dragon, for random dances"))
     if ending == NO_BENCH:

@@ -1,8 +1,8 @@
 """Inverse answers: how small or large one size of a plan may be for the walk to stay clear.
 
-One mechanism for all of them. A walk is tried by the search that misses no contact. Where it fails,
-the pair that meets there gives a smooth function of the size, its least distance around that moment,
-whose root is where the search goes next; the answer is the root at which the whole walk passes.
+Each is found by a bracketed secant method: continuous collision detection decides whether the walk of a
+size passes; if not, the separation of the active pair near its contact is a smooth function of the
+size, whose root is tried next. The answer is the root at which the whole walk passes.
 """
 
 import itertools
@@ -40,7 +40,7 @@ from benchdragon.solve.size_question import SizeQuestion
 # How often a bracket is doubled until it can be proved.
 MOST_WIDENINGS = 12
 MOST_COUNT = 10_000
-# How wide the bracket of a size may be, m, while its slider is dragged.
+# Width of the bracket of a size, m, while its slider is dragged.
 QUICK_SIZE = 1e-5
 
 
@@ -63,9 +63,9 @@ def limit(
         margin: distance, m, that benches must keep; None: the plan's own.
         tolerance: how wide the bracket may be, m; no narrower than 1e-12 can be had.
         prove: whether both ends of the bracket are established again by `proof`, which widens it.
-        progress: is told what is being tried.
-        claims: what was proved is added to it: that the walk at one end of the bracket stays clear, and
-            that two benches come too near at the other.
+        progress: is called with the share done and the size being tried.
+        claims: the proved claims are added to it: that the walk at one end of the bracket stays clear,
+            and that two benches come too near at the other.
 
     Returns:
         The limit, m. Its bracket: at one end the whole walk stays clear, at the other a pair comes
@@ -106,7 +106,7 @@ def found_limit(
 def _proved(
     family: PlanFamily, answer: Answer, progress: Progress, began: float, claims: list[Claim]
 ) -> Answer:
-    """The answer with a bracket both ends of which are proved; what was shown is added to `claims`."""
+    """The answer with both ends of its bracket proved; the proved claims are added to `claims`."""
     near = answer.witness
     if near is None or len(near.benches) != 2:
         raise UnsureError(_("only an answer that two benches decide can be proved"))
@@ -134,7 +134,7 @@ def _proved(
 
 
 def _clear(family: PlanFamily, size: float, progress: Progress) -> list[Claim]:
-    """What shows that a walk of a size stays clear of contact and obstacles; nothing if that fails."""
+    """Claims that prove the walk of a size clear of contact and obstacles; none if that fails."""
     (walk, start, end), plan, claims = family.walk(size), family.sized(size), list[Claim]()
     contact = prove_contact(
         walk, start, end, margin=family.margin, progress=progress, claims=claims, plan=plan
@@ -149,7 +149,7 @@ def _clear(family: PlanFamily, size: float, progress: Progress) -> list[Claim]:
 
 
 def _limit_answer(family: PlanFamily, search: SizeQuestion, ending: int, began: float) -> Answer:
-    """The answer of a search for a limit that ended so."""
+    """The answer of a search for a limit, by its exit status."""
     good, bad, value = (float(search.state[column]) for column in (GOOD, BAD, VALUE))
     texts, evaluations = _assumed(family, search.doubts), search.evaluations
     seconds = clock.perf_counter() - began
@@ -177,7 +177,7 @@ def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLE
 
 
 def _witness(family: PlanFamily, found: SizeQuestion, size: float) -> Witness | None:
-    """What shows that a size does not pass; None where no pair does, or there is no such walk."""
+    """The witness that a size does not pass; None without a pair, or without such a walk."""
     meeting, number = found.guide, found.blocked(size)
     if meeting is None and number is None:
         return None
@@ -230,7 +230,7 @@ class Span:
 
 @dataclass(frozen=True)
 class FeasibleSizes:
-    """What trying sizes of a range came to.
+    """The result of trying sizes of a range.
 
     Attributes:
         spans: of safe sizes, in order.
@@ -256,7 +256,7 @@ def feasible_sizes(
     """The sizes between low and high (m) with which the walk stays clear, tried at `count` places.
 
     Where a span borders on sizes that do not pass, the border is found as by `limit`; where on ones
-    that could not be decided, it is the last that passes. What lies between sizes tried is not known.
+    that could not be decided, it is the last that passes. Sizes between those tried are not covered.
 
     Raises:
         InputError: as `limit`; for an empty range, or a count outside 2..10,000.

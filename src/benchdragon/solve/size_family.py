@@ -39,11 +39,11 @@ class Question:
     """A size of a plan whose limit is sought.
 
     Attributes:
-        name: what the command line calls it.
+        name: as on the command line.
         keys: the plan's keys that hold it.
         sense: +1 where larger sizes are safer, -1 where smaller ones are.
-        text: what the answer is, in words.
-        what: the kernels' number of it.
+        text: the meaning of the answer, in words.
+        what: its number in the kernels.
     """
 
     name: str
@@ -151,7 +151,7 @@ class PlanFamily:
     def walk(self, size: float) -> tuple[Walk, float, float]:
         """The walk of a size, and the times between which it must stay clear.
 
-        The last one is kept: who shows a size asks for its walk several times.
+        The last one is cached, as a proof asks for it several times.
         """
         if self._last is None or self._last[0] != size:
             plan = self.sized(size)
@@ -185,7 +185,7 @@ def meeting_of(walk: Walk, end: float, witness: Witness) -> Meeting:
 
 
 def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
-    """What the kernels are told of a plan: see kernels/family.py."""
+    """A plan's numbers as the kernels take them: see kernels/family.py."""
     route, turn, walk = plan.route, plan.turn, plan.walk
     begin_way, end_way, most_way = plan.ways()
     pitch, disc = math.nan, _or_nan(plan.disc.radius)
@@ -236,7 +236,7 @@ def _or_nan(value: float | None) -> float:
 
 
 def kernel_family(family: PlanFamily, walk: Walk) -> tuple[sizes_of.Family, KernelWalk]:
-    """A family as kernels want it, which copy it, and `walk`, one of its walks."""
+    """A family, and one of its walks, `walk`, as the kernels take them; they copy both."""
     name, sizes, benches = family.question.name, walk.dragon.sizes, walk_tables(walk).benches
     all_of = {"width": 0, "length": 1}.get(name, len(walk.dragon))  # from which bench on they vary
     share = [0.0 if n < all_of else 1.0 for n in range(len(walk.dragon))]

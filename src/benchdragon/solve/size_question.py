@@ -29,7 +29,7 @@ MOST_WIDENINGS = 30
 
 
 def limits_of(family: PlanFamily, walk: Walk, first: float, last: float) -> FloatArray:
-    """What the engine is told of a question about a family, whose plan's own `walk` goes so far, m."""
+    """The limits of a question about a family as the engine takes them; `walk` is the plan's own."""
     x, y = origin_at(walk, first)
     named = {
         told_of.MARGIN: family.margin,
@@ -49,9 +49,9 @@ def limits_of(family: PlanFamily, walk: Walk, first: float, last: float) -> Floa
 
 
 def square_of(family: PlanFamily, fixed: bool) -> told_of.Square:
-    """What stands on the square, for the engine; `fixed` if all walks have one route.
+    """The obstacles as the engine takes them; `fixed` if all walks have one route.
 
-    Other routes are laid where they are before a plan moves them: what stands is moved to there.
+    Other routes are built before a plan moves them: the obstacles are moved back to there.
     """
     route, given = family.plan.route, family.plan.obstacles()
     moves = not fixed and (route.at is not None or route.turned != 0.0)
@@ -74,7 +74,7 @@ class SizeQuestion(EngineQuestion):
 
     Args:
         family: the walks among which a size is sought.
-        progress: is told what is being tried.
+        progress: is called with the share done and the size being tried.
 
     Attributes:
         state: of the search, by the names in kernels/size_bracket.py.
@@ -110,12 +110,12 @@ class SizeQuestion(EngineQuestion):
 
     @property
     def guide(self) -> Meeting | None:
-        """The pair that decides, or was last gone by."""
+        """The pair that decides, or the last active pair."""
         s, left, i, j = self._meetings[search.GUIDE].tolist()
         return None if i == search.NOBODY else Meeting(s, left, int(i), int(j))
 
     def limit(self, size: float) -> int:
-        """Seek the limit next to the first size that passes, from `size` on; how that ended."""
+        """Find the limit next to the first size that passes, from `size` on; return the exit status."""
         return self._sought(search.GROW, size)
 
     def border(self, good: float, bad: float) -> tuple[float, bool]:
@@ -135,7 +135,7 @@ class SizeQuestion(EngineQuestion):
         return int(self.figures[told_of.RESULT])
 
     def _sought(self, stage: int, size: float, good: float = math.nan) -> int:
-        """Let the engine step until it has what is sought; how that ended."""
+        """Let the engine step until it has the answer; return its exit status."""
         kernel.seek_size(self._handle, stage, size, good)
         ending, tried = MORE, math.nan
         while ending == MORE:
@@ -146,7 +146,7 @@ class SizeQuestion(EngineQuestion):
         return ending
 
     def blocked(self, size: float) -> int | None:
-        """The number, from 0, of the obstacle by which alone a size failed last; None if by none."""
+        """Number, from 0, of the only obstacle that the last failing size touches; None without one."""
         return int(self.figures[told_of.BLOCKED_BY]) if self.figures[told_of.BLOCKED] == size else None
 
     def surely_bad(self, good: float, bad: float) -> float:

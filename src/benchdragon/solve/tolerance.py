@@ -1,8 +1,8 @@
-"""People are not exact: how likely benches touch when handles stray, pins have play, benches vary.
+"""Monte Carlo model of imprecise people: probability of contact if handles, pins and benches deviate.
 
-The paper assumes that nothing of this happens (its assumptions 1 to 4). Here each is dropped, one at
-a time or all together: many dances are drawn at random, and each is walked. All benches stay rigid and
-joined; the dances of one seed are the same for all sizes of a plan, so that a size can be sought.
+The paper assumes no such deviation (its assumptions 1 to 4). Here each assumption is relaxed, alone or
+together: many random dances are drawn, and each is walked. All benches stay rigid and joined; the
+dances of one seed are the same for all sizes of a plan, so that a size can be sought.
 """
 
 import math
@@ -38,7 +38,7 @@ from benchdragon.solve.size import found_limit
 
 MOST_DRAWS, MOST_SEED = 100_000, 2**53 - 1
 CONFIDENCE = 0.95
-# Chances of touching for which a pitch is told.
+# Probabilities of contact for which a pitch is reported.
 RISKS = (0.5, 0.1, 0.05, 0.02)
 
 
@@ -47,9 +47,9 @@ class Deviations:
     """How far from exact a dance is: standard deviations, m; 0 keeps the paper's assumption.
 
     Attributes:
-        aside: of each handle from the trodden line, to either side, all along the walk.
-        stray: of the trodden line from the drawn one, smooth over 10 m: a pitch that drifts. Places d
-            apart are correlated by exp(-d^2 / (2 (10 m)^2)).
+        aside: of each handle from the line that is walked, to either side, all along the walk.
+        stray: of the line that is walked from the route, smooth over 10 m: a pitch that drifts. Places
+            d apart are correlated by exp(-d^2 / (2 (10 m)^2)).
         play: of the distance of a bench's pins, which play and pull change.
         height: of the height of a handle over the one before, which shortens a bench seen from above.
         length: of the benches' lengths, holes and all.

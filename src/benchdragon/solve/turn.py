@@ -1,8 +1,8 @@
 """Better turns: the engine's search over a family, then exact figures of what it found.
 
-While it searches, a turn is judged by looking at the first benches of the dragon: all later ones walk
-through it as those do. What comes out is judged by `head_speed` and `contact`, over continuous time and
-with the whole dragon, and searched anew with narrower limits where a look had flattered it.
+During the search a turn is evaluated by samples of the first benches: all later ones pass it in the
+same way. The result is evaluated by `head_speed` and `contact`, over continuous time and with the whole
+dragon; where the samples were too favourable, the search runs again with narrower limits.
 """
 
 import math
@@ -28,8 +28,8 @@ from benchdragon.solve.turn_question import SOUGHT, Seen, TurnQuestion
 
 # Share of the work that the search all over the family takes.
 SEARCHED = 0.7
-# How often limits are narrowed after exact figures, by PRUDENCE more than those tell, and four times as
-# much each time.
+# How often limits are narrowed after exact figures, by PRUDENCE more than these require, and four times
+# as much each time.
 NARROWINGS = 8
 # What touches counts as so deep, m.
 DEEP = 1e-3
@@ -101,7 +101,7 @@ def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = 
     of_kind("wish", wished, TurnGoal)
     if wished.objective == "speed" and plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
-    plan.profile()  # a wrong one is told before the search, not after it
+    plan.profile()  # a wrong one is reported before the search
     family, began = TurnFamily(plan, wished), clock.perf_counter()
     with TurnQuestion(family) as question:
         seen = question.best(part(progress, 0.0, SEARCHED), _("global search"))
@@ -161,7 +161,7 @@ def _judged(family: TurnFamily) -> list[str]:
 def _exact_figures(
     plan: Plan, seen: Sequence[float], rates: Sequence[str]
 ) -> tuple[list[float], Answer]:
-    """What was seen made exact, on the safe side, and the least clearance."""
+    """The sampled figures made exact, on the safe side, and the least clearance."""
     walk, exact = plan.build(), [*seen]
     first, last = float(walk.route.joints[1]), walk.head_where_tail(float(walk.route.joints[-2]))
     for name in rates:

@@ -1,7 +1,7 @@
 """Certificates of the best turn: which boxes of turns hold none that is better, and what shows each.
 
-Whoever verifies one believes no search: the boxes are made again from the plan's ranges by halving,
-so that none is left out, and the bound of each is taken anew (proofs/turn_boxes.py).
+Verification does not rely on the search: the boxes are made again from the plan's ranges by bisection,
+so that none is left out, and each bound is computed again (proofs/turn_boxes.py).
 """
 
 import math
@@ -32,7 +32,7 @@ Written = tuple[bool, Number, int]
 
 
 class TurnCertificate(BaseModel):
-    """A certificate as it is written.
+    """The content of a certificate file.
 
     Attributes:
         bound: no turn is shorter, m, or lets the head walk faster, m/s.
@@ -56,7 +56,7 @@ class TurnCertificate(BaseModel):
 
     @property
     def goal(self) -> TurnGoal:
-        """What was sought."""
+        """The goal of the search."""
         longest, way = (math.inf if x is None else x for x in (self.longest, self.longest_way))
         return TurnGoal(self.objective, self.least_radius, longest, way)
 
@@ -68,12 +68,12 @@ def is_turn_certificate(path: Path) -> bool:
             return False
         with path.open("rb") as file:
             return FORMAT.encode() in file.read(100)
-    except (OSError, UnicodeEncodeError):  # whoever reads all of it says why it cannot be read
+    except (OSError, UnicodeEncodeError):  # `read_certificate` reports why it cannot be read
         return False
 
 
 def certificate_of(plan: Plan, goal: TurnGoal, proof: TurnProof) -> TurnCertificate:
-    """What was proved about a plan's best turn, to be written.
+    """The certificate of what was proved about a plan's best turn.
 
     Raises:
         InputError: if nothing was.
@@ -113,7 +113,7 @@ def verify(certificate: TurnCertificate, progress: Progress = silent) -> list[st
 
 @budget.question()
 def shown(certificate: TurnCertificate, progress: Progress = silent) -> TurnStatement:
-    """What a certificate shows, every box of turns being shown again.
+    """What a certificate proves, after every box of turns is proved again.
 
     Raises:
         InputError, PlanError: for a plan that is none, or another than its hash says, an unknown

@@ -1,4 +1,4 @@
-"""What is sought of a turn, and the unknowns of the turns among which it is sought."""
+"""The goal of a search for a turn, and the unknowns of the turns searched."""
 
 import math
 from collections.abc import Sequence
@@ -29,7 +29,7 @@ OBJECTIVES = {
 
 @dataclass(frozen=True)
 class TurnGoal:
-    """What is sought of a turn, and what it must keep besides the plan's limits.
+    """The goal of a search for a turn, and its constraints besides the plan's limits.
 
     Attributes:
         objective: one of OBJECTIVES.
@@ -89,7 +89,7 @@ class TurnFamily:
         return [*joints, *inner, *ease]
 
     def table(self, x: Sequence[float]) -> dict[str, object]:
-        """What the unknowns say in a plan's [turn]."""
+        """The [turn] of a plan with these unknowns."""
         family = self.plan.turn.family
         entry, exit_, *inner = x
         said: dict[str, object] = {"entry_radius": entry, "exit_radius": exit_}

@@ -32,7 +32,7 @@ from benchdragon.solve.turn_statement import Ends, TurnStatement, ranges_of
 if TYPE_CHECKING:
     from benchdragon.proofs.turn_boxes import Turns, Witness
 
-# What the bracket is to be at most, m or m/s, and how many boxes are looked at for it.
+# Greatest width of the bracket, m or m/s, and greatest number of boxes.
 GAP, MOST_BOXES = 1e-3, 20_000
 PROVABLE = ("way", "length", "speed")
 # Limits count as kept that are exceeded by less than this share: more than the search allows.
@@ -85,17 +85,17 @@ class Node:
 
 @dataclass(frozen=True)
 class TurnProof:
-    """What no turn of a family is better than.
+    """A bound that no turn of a family exceeds.
 
     Attributes:
         plan: of whose turns.
-        goal: what was sought.
+        goal: of the search.
         turns: which turns, and what they must keep.
         root: the box of all of them, halved as was needed.
         bound: no turn is shorter, m, or lets the head walk faster, m/s.
         gap: how much better than the best that was found that is, at most 0 apart from rounding.
-        boxes: how many boxes were looked at.
-        complete: whether the gap is as small as was wanted.
+        boxes: how many boxes were bounded.
+        complete: whether the gap is as small as required.
     """
 
     plan: Plan
@@ -113,9 +113,9 @@ class TurnProof:
 
 
 def turns_of(plan: Plan, goal: TurnGoal) -> "tuple[Turns, Ends, Ends]":
-    """The turns that a search for a plan's best turn is about, and the ranges of their numbers.
+    """The turns among which a plan's best turn is searched, and the ranges of their numbers.
 
-    Limits are wider by KEPT, so that what is shown holds for all turns that a search takes.
+    Limits are wider by KEPT, so that the proof holds for all turns that a search accepts.
 
     Raises:
         InputError: for a family or a wish about which nothing can be proved.
@@ -160,10 +160,10 @@ def proved_bound(
     most: int = MOST_BOXES,
     progress: Progress = silent,
 ) -> TurnProof:
-    """What no turn of the plan's family is better than, by `gap` (m or m/s) at most, if that succeeds.
+    """A bound of the family, at most `gap` (m or m/s) better than the best turn if that succeeds.
 
     `value` is that of the best turn known. The search ends early after `most` boxes, or when it is
-    interrupted: what it had shown by then holds.
+    interrupted: the bound reached by then holds.
 
     Raises:
         InputError: as `turns_of`, or for a gap that is not positive.
@@ -187,7 +187,7 @@ def proved_bound(
 
 @dataclass
 class _Search:
-    """Boxes that may hold better turns than are wanted, the most promising first."""
+    """Boxes that may hold better turns than allowed, the most promising first."""
 
     turns: "Turns"
     family: TurnFamily
@@ -196,7 +196,7 @@ class _Search:
     _open: list[tuple[float, int, Node, Ends]] = field(default_factory=list)
 
     def added(self, low: Ends, high: Ends, witness: "Witness | None" = None) -> Node:
-        """A box, to be looked at."""
+        """A box, queued."""
         found = self.turns.bound(low, high, witness)
         self.boxes += 1
         node = Node(low, high, found.least, witness)
@@ -204,7 +204,7 @@ class _Search:
         return node
 
     def run(self, most: int, progress: Progress) -> None:
-        """Halve boxes until none is promising, or so many have been looked at."""
+        """Bisect boxes until none is promising, or so many have been bounded."""
         first = self._open[0][0]
         while self._open and self._open[0][0] < self.wanted and self.boxes < most:
             bound, _number, node, spread = heapq.heappop(self._open)

@@ -27,7 +27,7 @@ SOUGHT = {
     "way": told_of.WAY, "length": told_of.LONG, "disc": told_of.REACH,
     "speed": QUANTITIES["speed"].kind, "acceleration": QUANTITIES["total_acceleration"].kind,
 }  # fmt: skip
-# Limits by the figures that they limit, in the order in which they are told.
+# Limits by the figures that they limit, in the engine's order.
 LIMITS = {
     told_of.BEND: "radius", told_of.REACH: "disc", told_of.LONG: "length", told_of.WAY: "way",
     **{quantity.kind: quantity.name for quantity in QUANTITIES.values()},
@@ -49,7 +49,7 @@ class Seen(NamedTuple):
 
 
 def told_of_limits(family: TurnFamily) -> FloatArray:
-    """What the engine is told of a family, as kernels/turn_trial.py says."""
+    """A family's numbers as the engine takes them: see kernels/turn_trial.py."""
     plan, goal = family.plan, family.goal
     known = {
         told_of.FAMILY: FAMILIES[plan.turn.family],
@@ -126,7 +126,7 @@ class TurnQuestion(EngineQuestion):
         return Seen(self._found_at.tolist(), self._seen.tolist(), exceeds)
 
     def correct(self, seen: Sequence[float], exact: Sequence[float], prudence: float) -> None:
-        """Tell the engine by how much what is seen flatters a turn like this, and somewhat more."""
+        """Set the engine's corrections of sampled figures near a turn, and somewhat more."""
         for kind, (one, other) in enumerate(zip(seen, exact, strict=True)):
             if not math.isfinite(one) or not math.isfinite(other):
                 continue

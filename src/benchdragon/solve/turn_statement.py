@@ -1,4 +1,4 @@
-"""What is proved about the best turn, in sentences and as data, and all limits that it rests on."""
+"""The proved statement about the best turn, in sentences and as data, with all its assumptions."""
 
 import math
 from collections.abc import Iterator
@@ -12,7 +12,7 @@ from benchdragon.solve.turn_goal import TurnFamily, TurnGoal
 
 Ends = tuple[float, ...]
 
-# What the numbers of each family are, for readers.
+# The meaning of the numbers of each family, for readers.
 NAMES = {
     "arc-arc": (N_("entry radius"), N_("exit radius"), N_("ratio r1 : r2")),
     "arc-line-arc": (N_("entry radius"), N_("exit radius"), N_("first radius"), N_("last radius")),
@@ -30,11 +30,11 @@ def ranges_of(family: str, low: Ends, high: Ends) -> dict[str, Ends]:
 
 @dataclass(frozen=True)
 class TurnStatement:
-    """What is proved of the turns of a family, and all that it rests on but the dragon.
+    """The proved statement about the turns of a family, and all its assumptions except the dragon.
 
     Attributes:
         plan: of which it is proved.
-        goal: what was sought, and is to be kept besides the plan's limits.
+        goal: of the search, with its constraints besides the plan's limits.
         low: the least of each number of the family.
         high: the greatest of each.
         bound: no turn is shorter, m, or lets the head walk faster, m/s; None if no turn is there.
@@ -60,7 +60,7 @@ class TurnStatement:
         said = []
         for name, (least, most) in ranges_of(self.plan.turn.family, self.low, self.high).items():
             text, ends = _("{name} {low}"), (repr(least), repr(most))
-            if least != most:  # within what was looked at, not beside it
+            if least != most:  # inside the ranges searched, not beside them
                 text, ends = (
                     _("{name} {low} to {high}"),
                     (figures(least, up=True), figures(most, up=False)),
@@ -69,7 +69,7 @@ class TurnStatement:
         return ", ".join(said)
 
     def _limits(self) -> Iterator[str]:
-        """What the turns keep, in words."""
+        """The constraints of the turns, in words."""
         kept = self.kept()
         if self.goal.objective == "speed":
             yield _("handles at most {speed} m/s").format(speed=kept["speed_limit"])
@@ -105,7 +105,7 @@ class TurnStatement:
         }  # fmt: skip
 
 
-# What is proved, by the objective; and where no turn keeps what it must.
+# The statement by the objective; and the one where no turn satisfies its constraints.
 NONE_BETTER = {
     "speed": N_(
         "proved: for {benches} benches, spirals of pitch {pitch} m and a disc of radius {disc} m, no "
