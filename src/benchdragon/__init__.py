@@ -1,4 +1,4 @@
-"""Where every handle of a bench dragon is, and how fast, on any route: the one public door.
+"""Position and speed of every handle of a bench dragon on any route: the public interface.
 
 Its names stand in `__init__.pyi`. They are fetched on first use, so that `benchdragon --help` need not
 wait for NumPy.

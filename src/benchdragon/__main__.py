@@ -1,4 +1,4 @@
-"""`benchdragon` and `python -m benchdragon`: settle the language, then hand over to the door."""
+"""`benchdragon` and `python -m benchdragon`: choose the language, then run the command line."""
 
 import io
 import itertools
@@ -78,7 +78,7 @@ def _drop_unprinted() -> None:
 
 
 def _choose_language(arguments: list[str]) -> None:
-    """Speak what is wanted, or English where the streams have no Chinese signs."""
+    """Use the requested language, or English where the streams cannot encode Chinese."""
     language = preferred_language(asked_language(arguments))
     use_language(language)
     if language == "zh" and not all(_speaks_chinese(stream) for stream in (sys.stdout, sys.stderr)):

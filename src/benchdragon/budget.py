@@ -1,6 +1,6 @@
 """How much work and memory one question may take: counted, so that it is the same on all machines.
 
-A question is what somebody asks at once: a check, a size, a sheet for each bench. What it calls counts
+A question is one request of a user: a check, a size, a sheet for each bench. All that it calls counts
 with it. Work is counted in handles placed on a route, or what takes as long: some millions a second.
 Searches estimate what they need at least before they begin, and spend while they go on.
 """

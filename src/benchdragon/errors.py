@@ -1,4 +1,4 @@
-"""Everything that can go wrong, in words: checks at the door, and Status -> advice."""
+"""All errors in words: checks of input, and Status -> advice."""
 
 import errno
 import math
@@ -16,7 +16,7 @@ MOST_SHOWN = 80
 
 
 class BenchDragonError(Exception):
-    """The one above the rest; `exit_code` is what the command line ends with."""
+    """The base of all errors; `exit_code` is that of the command line."""
 
     exit_code = 2
 
@@ -34,7 +34,7 @@ def _made_again(
 
 
 class InputError(BenchDragonError, ValueError):
-    """A value that cannot be used: what was wanted, and what came."""
+    """A value that cannot be used: what was expected, and what was given."""
 
 
 class WalkError(BenchDragonError):
@@ -68,7 +68,7 @@ class WalkError(BenchDragonError):
 
 
 class OpenError(BenchDragonError):
-    """A question that stays open: why, as a text of the catalogue, and what stands in its places."""
+    """An undecided question: why, as a text of the catalogue, and the values of its places."""
 
     exit_code = 5
 
@@ -86,13 +86,13 @@ class UnsureError(OpenError):
 
 
 class NoSolutionError(InputError):
-    """What was sought is not there."""
+    """There is no solution."""
 
     exit_code = 4
 
 
 class MachineError(BenchDragonError):
-    """What the machine could not do: a disk that is full, memory that ran out."""
+    """A failure of the machine: a disk that is full, memory that ran out."""
 
     exit_code = 6
 
@@ -201,7 +201,7 @@ def reason(error: OSError) -> str:
 
 
 def pipe_closed(error: OSError) -> bool:
-    """Whether nobody reads what is written any more, as EPIPE tells, or EINVAL on Windows."""
+    """Whether the reader of a pipe is gone: EPIPE, or EINVAL on Windows."""
     return error.errno == errno.EPIPE or (
         error.errno == errno.EINVAL and error.filename is None and not hasattr(signal, "SIGPIPE")
     )

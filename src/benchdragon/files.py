@@ -1,7 +1,7 @@
 """Files appear whole or not at all, and never over one that was there unless asked.
 
 However a run ends: what kill -9 leaves is hidden, and cleared by the next run that writes the same.
-On Windows an open file is locked by that alone: nobody can remove or rename it.
+On Windows an open file is locked: it cannot be removed or renamed.
 """
 
 import errno
@@ -80,7 +80,7 @@ def alone(folder: Path) -> Iterator[None]:
     """Keep other runs out of a folder; the system lets go when this process ends, however it does.
 
     Raises:
-        FileRefusedError: if somebody else is in.
+        FileRefusedError: if another run has the folder.
     """
     if fcntl is None:  # no folder can be opened there
         handle = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
@@ -95,7 +95,7 @@ def alone(folder: Path) -> Iterator[None]:
 
 
 def _locked(handle: int, *, otherwise: bool) -> bool:
-    """Whether what is open could be locked, as nobody else has; `otherwise` where nothing can be."""
+    """Whether an open file could be locked; `otherwise` where locks are not supported."""
     try:
         if fcntl is None:
             import msvcrt
@@ -166,7 +166,7 @@ def clear_leftovers(path: Path) -> None:
 
 
 def _clear(leftover: Path) -> None:
-    """Remove a temporary file that nobody writes any more."""
+    """Remove a temporary file that no process writes any more."""
     if fcntl is None:
         with suppress(PermissionError):  # it is open
             leftover.unlink(missing_ok=True)

@@ -1,6 +1,6 @@
 """Pages of one file: their modules, styles and words, and what they hold, as the text of it.
 
-Each module keeps its own names: it becomes a function's body, but for the one that is asked for.
+Each module keeps its own names: it becomes a function's body, except the one that is requested.
 """
 
 import base64
@@ -86,7 +86,7 @@ def exported(text: str) -> list[tuple[str, str]]:
 
 
 def _taken(importer: str, names: str, path: str) -> str:
-    """What stands in place of an import."""
+    """The replacement of an import."""
     pattern = ", ".join(_pair(outside, inside) for outside, inside in _pairs(names))
     return f"const {{ {pattern} }} = {_variable(_resolved(importer, path))};\n"
 

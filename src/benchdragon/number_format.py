@@ -42,7 +42,7 @@ def figures(value: float, *, up: bool) -> str:
 
 
 def known(low: float, high: float, unit: str, *, up: bool, limit: float | None = None) -> str:
-    """What is surely true of a number in a bracket, in the digits that are known, wherever it is told.
+    """What is surely true of a number in a bracket, in the digits that are known, for all texts.
 
     That is "at least" the lower end, or with `up` "at most" the upper one. It has DECIMALS: fewer where
     the bracket is wider than the last of them; more where it would have less than two figures, or would
@@ -69,14 +69,14 @@ def known(low: float, high: float, unit: str, *, up: bool, limit: float | None =
 
 
 def _cut(value: float, count: int, up: bool) -> str:
-    """So many decimals, rounded up or down, but for DUST."""
+    """So many decimals, rounded up or down, apart from DUST."""
     scale = 10.0**count
     whole = math.ceil(value * scale - DUST) if up else math.floor(value * scale + DUST)
     return decimals(whole / scale, count)
 
 
 def seconds(time: float) -> str:
-    """A time in the walk, s, as all texts tell it."""
+    """A time in the walk, s, formatted as in all texts."""
     return known(time, time, "s", up=False)
 
 

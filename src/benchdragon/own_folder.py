@@ -1,4 +1,4 @@
-"""Folders that nobody but this user can write to: whatever lies there is loaded and run as code.
+"""Folders that only this user can write to: files there are loaded and run as code.
 
 It stands outside of `kernels` so that a change here makes no compiled kernel stale.
 """
@@ -12,7 +12,7 @@ from pathlib import Path
 def made_own(folder: Path | None, *names: str) -> Path | None:
     """`folder`, and what is named in it, one in the other, made if need be, for this user alone.
 
-    None where one cannot be made or written, is a link, belongs to somebody else, or is open to others;
+    None where one cannot be made or written, is a link, belongs to another user, or is open to others;
     and where anyone may put another one in the place of the first; and for no folder.
     """
     if folder is None:

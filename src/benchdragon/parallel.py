@@ -98,7 +98,7 @@ def threads(count: int) -> Place:
 
 
 def given(executor: Executor, slots: int | None = None) -> Place:
-    """An executor that somebody else ends, which runs `slots` blocks at a time, or one a core.
+    """An executor owned by the caller, which runs `slots` blocks at a time, or one a core.
 
     Raises:
         InputError: for a number out of range.
@@ -204,13 +204,13 @@ def in_blocks(
                 _see_that_one_starts(executor)
             try:
                 yield from run.drive(executor)
-            finally:  # an executor that somebody else ends has no more to do with these
+            finally:  # an executor owned by the caller has finished with these
                 for future in run.running:
                     future.cancel()
 
 
 def _see_that_one_starts(executor: Executor) -> None:
-    """See that a worker can do something at all, before any item is blamed.
+    """Test that a worker starts at all, before any item is blamed.
 
     Raises:
         MachineError: if none can.

@@ -1,7 +1,7 @@
-"""How far long work is: one protocol, told by searches and writers, heard by the terminal.
+"""Progress of long work: one protocol from searches and writers to the terminal.
 
-Whoever passes `progress=` gets calls progress(share, text): the share of the work that is done, 0 to 1
-and never less than before, and what is being done; an empty text leaves that as it was.
+`progress=` is called as progress(share, text): the share of the work that is done, 0 to 1 and never
+less than before, and the step at work; an empty text keeps the last one.
 """
 
 from collections.abc import Callable
@@ -12,7 +12,7 @@ Stage = Callable[[str], Progress]
 
 
 def silent(_share: float, _text: str) -> None:
-    """Nobody listens."""
+    """Ignore all progress."""
 
 
 def part(progress: Progress, start: float, end: float, text: str = "") -> Progress:

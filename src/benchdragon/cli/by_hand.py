@@ -1,4 +1,4 @@
-"""What somebody wrote into a plan by hand, of which a plan that takes its place knows nothing."""
+"""Entries of a plan written by hand, which a plan that replaces it would lose."""
 
 import json
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ BY_HAND = ("roster", "sheet", "unit", "count_head", "address")
 
 
 def kept_by_hand(path: Path) -> list[str]:
-    """What somebody wrote into a plan: obstacles, cues, marks, the event, who dances and is counted.
+    """A plan's entries by hand: obstacles, cues, marks, the event, who dances and is counted.
 
     Nothing, where no plan can be read.
     """

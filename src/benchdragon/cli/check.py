@@ -124,7 +124,7 @@ def _shown(plan: "Plan", progress: "Progress") -> "Report":
 
 
 def _roster(plan: "Plan", needed: bool) -> "Roster":
-    """Who carries the benches; a list that cannot be read is told, and refused only if it is needed.
+    """Who carries the benches; an unreadable list is reported, and refused only if it is needed.
 
     Raises:
         PlanError: for a list that is needed and cannot be read.
@@ -200,7 +200,7 @@ def print_report(report: "Report", brackets: bool = False) -> None:
 
 
 def _print_left_open(report: "Report") -> None:
-    """What could not be proved; and what the plan does not say, so that nobody looked at it."""
+    """Print the answers whose proof failed, and what the check did not consider."""
     for proof in report.unproved:
         click.echo(proof.text)
     if report.not_looked_at:

@@ -48,7 +48,7 @@ def print_rows(
 ) -> None:
     """A table: words of the first column may break, figures in the others stand to the right."""
     from rich.table import Table
-    from rich.text import Text  # what stands in brackets is no markup
+    from rich.text import Text  # text in brackets is no markup
 
     table = Table(title=Text(title))
     for n, name in enumerate(columns):
@@ -254,7 +254,7 @@ class Lines:
         seconds = 0.0
         while not self._wait(LINE_EACH):
             seconds += LINE_EACH
-            with suppress(OSError):  # nobody is left to be told
+            with suppress(OSError):  # there is no reader any more
                 click.echo(self._line(seconds), err=True)
 
     def _line(self, seconds: float) -> str:

@@ -38,7 +38,7 @@ class Finding:
 
 
 def findings() -> list[Finding]:
-    """Everything worth knowing when something does not work."""
+    """All facts that help when something does not work."""
     found = [
         Finding("benchdragon", __version__, True),
         Finding("python", platform.python_version(), True),

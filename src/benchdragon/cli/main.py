@@ -399,7 +399,7 @@ def run(arguments: Sequence[str]) -> int:
         sys.stdout.flush()
         return code if isinstance(code, int) else 0
     except click.ClickException as error:
-        with suppress(OSError):  # nobody is left to be told
+        with suppress(OSError):  # there is no reader any more
             error.show()
         return error.exit_code
     except BenchDragonError as error:

@@ -106,7 +106,7 @@ def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:
     """What options and answers say, and the names of what was said rather than taken as usual.
 
     Raises:
-        InputError: for what cannot be read, and for what is missing where nobody can be asked.
+        InputError: for unreadable answers, and for missing ones without a terminal.
     """
     if options["square"] is not None and options["radius"] is not None:
         sentence = _("{option} does not go with {what}")
@@ -167,7 +167,7 @@ def _told_answer(question: Question, said: Mapping[str, Any]) -> str:
 
 
 def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
-    """Add what is usual to what was said, where nobody can be asked."""
+    """Add the usual answers to those given, without a terminal."""
     missing = [one.option for one in questions if one.usual is None]
     if missing:
         text = _("nobody is there to be asked: add {options}")
@@ -251,7 +251,7 @@ def _refusal(wishes: "Wishes", found: "TooSmall") -> str:
 
 
 def _told(found: "Proposal", wishes: "Wishes", again: int) -> Iterator[str]:
-    """What is proposed, in plain words, before its check; so many benches would come out again."""
+    """Describe the proposal before its check, and how many benches could come out again."""
     from benchdragon.solve.course import course_of
 
     course = course_of(found.plan)
@@ -308,7 +308,7 @@ PROPOSED = frozenset({
 
 
 def _notes(plan: "Plan", given: set[str]) -> dict[str, str]:
-    """Of each number of a plan that nobody gave, where it comes from, by dotted key."""
+    """The source of each number of a plan that was not given, by dotted key."""
     said = {key for one in QUESTIONS if one.name in given for key in one.keys}
     numbers = {
         f"{name}.{key}"

@@ -11,8 +11,8 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.rosters.words import NUMERALS, numeral
 
-# What a bench may be at most, long, wide and beside its line, a square (m) and a speed (m/s): beyond it
-# something was mistyped.
+# What a bench may be at most, long, wide and beside its line, a square (m) and a speed (m/s): larger
+# values are typing errors.
 MOST_LENGTH, MOST_WIDTH, MOST_STRAY, MOST_SQUARE, MOST_SPEED = 20.0, 2.0, 1.0, 2_000.0, 10.0
 # Half a metre more than another bench: a head's bench is often longer.
 HEAD_LONGER = 0.5
@@ -49,7 +49,7 @@ class Question:
         label: what it is called where it is asked.
         text: the question.
         why: it is asked.
-        usual: the answer of those who know no better, from those before; None: nobody can say.
+        usual: the default answer, from those before; None: there is none.
         read: reads an answer: what it is called, the answer, an example.
         example: of an answer.
         keys: of the plan that the answer settles.
@@ -127,7 +127,7 @@ def read_benches(called: str, text: str, example: str) -> int:
 
 
 def read_bearers(called: str, text: str, example: str) -> int:
-    """How many carry a bench, likewise."""
+    """How many carry a bench, refused if out of range."""
     from benchdragon.solve.proposal import MOST_BEARERS
 
     return _counted(called, text, example, 1, MOST_BEARERS)

@@ -214,7 +214,7 @@ def tell_names(notes: Sequence[str], quiet: bool) -> None:
     """Say on standard error what is odd about a list of names, a sentence each; MOST_TOLD at most."""
     if quiet or not notes:
         return
-    # The last says which benches nobody carries.
+    # The last lists the benches without bearers.
     shown = notes if len(notes) <= MOST_TOLD else (*notes[: MOST_TOLD - 1], notes[-1])
     for note in shown:
         click.echo(_("List of names: {note}").format(note=note), err=True)

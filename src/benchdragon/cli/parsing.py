@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 # Times in one call: a day and more, each tenth of a second.
 MOST_TIMES = 1_000_000
-# What stands between the ends of a range, and its step.
+# The signs between the ends of a range and its step.
 RANGE = ".."
 # Hours may be left out; what follows a colon is less than 60, or it was not meant as a clock time.
 CLOCK = re.compile(r"([-+]?)(?:(\d{1,6}):(?=[0-5]?\d:))?(\d{1,6}):([0-5]?\d(?:\.\d*)?)", re.ASCII)
@@ -182,7 +182,7 @@ def _time(text: str) -> float | None:
 
 
 def _quantity(text: str, units: dict[str, float]) -> float | None:
-    """A number, bare or with units, in the first of `units`; None for what is no finite one."""
+    """A number, bare or with units, in the first of `units`; None unless finite."""
     bare = NUMBER.fullmatch(text)
     try:
         number = quantity(f"{text} {next(iter(units))}" if bare else text, units)
@@ -192,7 +192,7 @@ def _quantity(text: str, units: dict[str, float]) -> float | None:
 
 
 def check_ending(option: str, path: Path, endings: Sequence[str]) -> None:
-    """Refuse a file's name whose ending promises something else than what would be written.
+    """Refuse a file's name whose ending belongs to another format.
 
     Raises:
         InputError: naming the option and the endings.

@@ -32,7 +32,7 @@ def planner(
     check_ending("-o", path, [".html"])
     read = None if plan is None else plan_to_walk(plan, settings, quiet)
     if read is not None:
-        read.build()  # says what is wrong with a plan that nobody can walk
+        read.build()  # reports a plan that cannot be walked
     refuse_existing([path], force)
     write_planner(path, read)
     if output is None:

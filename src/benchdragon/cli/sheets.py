@@ -113,7 +113,7 @@ def _whole_told(files: Sequence[Path]) -> Iterator[None]:
         made = [path for path in files if _made_at(path) != before[path]]
         if made:
             text = _("These papers are whole, and those not named were not made: {files}")
-            with suppress(OSError):  # nobody is left to be told
+            with suppress(OSError):  # there is no reader any more
                 click.echo(text.format(files=_(", ").join(map(str, made))), err=True)
         raise
 
@@ -124,7 +124,7 @@ def _made_at(path: Path) -> int:
 
 
 def _chalk_options(options: dict[str, Any]) -> "ChalkOptions":
-    """How the chalk plan is wanted.
+    """The options of the chalk plan.
 
     Raises:
         InputError: for a scale that cannot be.

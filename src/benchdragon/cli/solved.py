@@ -67,7 +67,7 @@ def read_to_write(
 def write_plan(plan: "Plan", path: Path, source: str) -> None:
     """The plan as a whole file, with the comments of the file that it was made from.
 
-    What somebody wrote into the file that it replaces, and is not in it, is told.
+    Entries by hand in the file that it replaces, and that are lost, are reported.
     """
     from benchdragon.files import write_whole
     from benchdragon.plans.rewriting import rewritten

@@ -54,7 +54,7 @@ def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) 
 
 
 def _marks(plan: "Plan", walk: "Walk", span: tuple[float, float], ground: "Ground") -> "Marks | None":
-    """The chalk plan's marks; None where nobody could lay them out."""
+    """The chalk plan's marks; None where they cannot be laid out."""
     from benchdragon.analysis.marks import Trail, placed_marks
 
     trail = Trail.of(walk, *span)

@@ -113,7 +113,7 @@ def _prove_turn(
     from benchdragon.solve.turn import best_turn
     from benchdragon.solve.turn_certificate import certificate_of
 
-    turn_proof.turns_of(plan, goal)  # what cannot be proved is told before the search
+    turn_proof.turns_of(plan, goal)  # unprovable questions are refused before the search
     with shown_progress(quiet) as progress:
         best = best_turn(plan, goal, progress=part(progress, 0.0, 0.5))
         value, ends = best.objective.value, {"gap": options["within"], "most": options["boxes"]}

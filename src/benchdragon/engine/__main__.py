@@ -14,7 +14,7 @@ PLAIN_CODE = {"NUMBA_OPT": "0", "NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES
 
 
 def main(arguments: list[str]) -> int:
-    """Build, and say what became of it; the exit code."""
+    """Build, and report the result; return the exit code."""
     parser = argparse.ArgumentParser(prog="python -m benchdragon.engine", description=__doc__)
     parser.add_argument("--wasm", action="store_true", help="build engine.wasm, for browsers")
     parser.add_argument("folder", type=Path, nargs="?", help="where to put it")

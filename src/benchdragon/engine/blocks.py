@@ -4,8 +4,9 @@ It points to the group's slots (hosts/signature.py): in the entry's own block, o
 kernel that makes the group. What is read of it is loaded when it is read. numba's own way, all numbers
 of all arrays as arguments of each function, made most of the code (design/typed_pointers.py).
 
-Nothing writes into a group's slots once it is made, which LLVM is told. A kernel returns no group, as
-its stack ends with it, and makes none where arrays are counted (`allocates`): slots count nothing.
+Nothing writes into a group's slots once it is made, which is declared to LLVM. A kernel returns no
+group, as its stack ends with it, and makes none where arrays are counted (`allocates`): slots count
+nothing.
 """
 
 import inspect

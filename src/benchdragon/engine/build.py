@@ -80,7 +80,7 @@ def build(folder: Path) -> Path:
     Raises:
         BuildError: if it cannot be built.
     """
-    c_compiler()  # told before a minute is spent
+    c_compiler()  # reported before a minute is spent
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / native.library_name()
     optimise.prepare()

@@ -1,7 +1,7 @@
 """What numba makes of each function, kept as text: optimise.py makes one module of all of it.
 
-numba by itself links each function with all that it calls, and makes machine code of that for each
-anew, to run it in the process at hand. That took 60 % of a build's time and 80 % of its memory.
+numba by itself links each function with all that it calls, and makes machine code of all that for each,
+to run it in the current process. That took 60 % of a build's time and 80 % of its memory.
 """
 
 from collections.abc import Iterable

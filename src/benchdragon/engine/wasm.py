@@ -3,7 +3,7 @@
 The module imports nothing. It exports its memory, `malloc`, `free` and the entries, each as
 `int32 name(int64 *block)` (hosts/signature.py), and carries, as JSON in the custom section
 "benchdragon", what they take and return, and the stamp: what it was built from, and by what. The same
-sources and tools give the same bytes. Who else's code is linked in is told in NOTICE.txt.
+sources and tools give the same bytes. NOTICE.txt lists other code that is linked in.
 """
 
 import importlib.util

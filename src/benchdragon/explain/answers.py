@@ -20,7 +20,7 @@ from benchdragon.solve.size import FeasibleSizes, undecided_text
 from benchdragon.solve.size_family import Meeting, PlanFamily, question
 from benchdragon.solve.turn import BestTurn
 
-# How far from a limit the pair's distance is looked at, m of the size.
+# Distance from a limit at which the pair's distance is evaluated, m of the size.
 ASIDE = 1e-3
 # From how far, as a share of the size, the slope of that distance is taken.
 SLOPE_STEP = 1e-6

@@ -16,8 +16,8 @@ from benchdragon.plans.people import PeopleTable
 
 # Turns and paces that the first line names one by one; of more it tells how many there are.
 MOST_TURNS, MOST_PACES = 3, 4
-# A stretch that turns by less than this, degrees, turns hardly at all. Nobody on the ground reads an
-# angle: turnings are told to the nearest quarter of a round, and by rounds where that is a whole one.
+# A stretch that turns by less than this, degrees, turns hardly at all. Angles cannot be read on the
+# ground: turns are given to the nearest quarter of a round, and in rounds where they are whole ones.
 LEAST_ANGLE, ROUND, QUARTERS = 5.0, 360.0, 4
 
 WALKING = N_("keep walking")
@@ -85,7 +85,7 @@ class Basis:
     Attributes:
         clock: which tells times.
         people: what the plan says of them.
-        ground: from which places are told.
+        ground: from which places are given.
         halts: what the plan says the head stands for.
         coiled: whether the dance ends inside.
     """
@@ -117,7 +117,7 @@ def bench_lines(
 ) -> BenchText:
     """What one bench of a plan does; `called` says what people call the bench of a number.
 
-    Places are told as the chalk plan measures them on the ground.
+    Places are given as the chalk plan measures them on the ground.
     """
     clock, halts, people = basis.clock, basis.halts, basis.people
     return BenchText(
@@ -186,7 +186,7 @@ def _quick_pace(pace: str, some: Sequence[Stretch], clock: Clock, halts: Sequenc
 
 
 def _pace_lines(people: PeopleTable, found: BenchWalk) -> tuple[str, ...]:
-    """What the paces of a bench mean, but for walking, which everybody knows."""
+    """The meaning of a bench's paces, except walking."""
     means = {
         "hurry": _("Hurry means {speed} m/s or more.").format(speed=f"{people.hurry_from:g}"),
         "run": _("Run means {speed} m/s or more.").format(speed=f"{people.run_from:g}"),

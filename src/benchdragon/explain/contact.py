@@ -26,7 +26,7 @@ MOST_FACTORS = 8
 
 
 def check_lines(report: Report) -> list[str]:
-    """Which pairs were looked at, why no contact can be missed, what meets, and how fast."""
+    """The pairs searched, why no contact can be missed, the contact, and the speeds."""
     walk = report.walk
     first, last = walk.head_position([report.start, report.end]).tolist()
     benches, margin = len(walk.dragon), report.plan.limits.margin

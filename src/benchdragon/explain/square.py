@@ -1,4 +1,4 @@
-"""How a check came about what stands on the square: a search for each size of bench, not each time."""
+"""How a check searched for contact with obstacles: one search for each size of bench."""
 
 import math
 

@@ -40,7 +40,7 @@ def write_atlas(path: Path, sweeps: Mapping[str, Sweep], progress: Progress = si
     Args:
         path: of the page.
         sweeps: by the folder that the command of each names.
-        progress: is told of each picture.
+        progress: is called for each picture.
 
     Raises:
         MachineError: if it cannot be written.

@@ -93,8 +93,8 @@ class Document:
         language: "en" or "zh".
         date: of the day on which it was made, YYYY-MM-DD.
         blocks: from the first to the last; the contents stand before the first heading.
-        foot: what stands at the foot of each page before its number.
-        dated: what stands below the title; the date if it is "".
+        foot: the text at the foot of each page before its number.
+        dated: the text below the title; the date if it is "".
     """
 
     title: str

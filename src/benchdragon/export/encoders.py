@@ -123,7 +123,7 @@ def encode_gif(path: Path, reel: Reel) -> None:
             palette = palette or image.quantize(256, kmeans=1)  # else white is not quite white
             yield image.quantize(palette=palette, dither=Image.Dither.NONE)
 
-    # A GIF counts hundredths of a second: shares that do not come out even are made up for.
+    # A GIF counts hundredths of a second: remainders are carried over.
     ends = [round(100.0 * n / reel.fps) for n in range(reel.count + 1)]
     durations = [10 * (b - a) for a, b in itertools.pairwise(ends)]
     every = images()

@@ -176,7 +176,7 @@ def write_film(film: Film, path: Path, look: Look, progress: Progress = silent) 
         film: what is shown.
         path: its suffix says how.
         look: size, colours, and what is followed.
-        progress: is told of each frame.
+        progress: is called for each frame.
 
     Raises:
         InputError: for what a GIF cannot hold, or a bench that is not there.

@@ -111,7 +111,7 @@ class Place:
         disc: its radius, m.
         bench_width: of most benches, m.
         framed: what is to be seen.
-        obstacles: what stands on the square, the venue's edge too.
+        obstacles: on the square, the venue's edge included.
         ground: outlines of the ground that the dance covers.
     """
 

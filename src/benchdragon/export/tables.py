@@ -188,7 +188,7 @@ def workbook(made: io.BytesIO) -> Iterator[Any]:
     """A workbook whose rows wait in files that are gone when the block ends, however that ends."""
     import xlsxwriter  # slow to import
 
-    # What fails leaves some open, which Windows would not remove: it is that failure which is told.
+    # A failure leaves some files open, which Windows would not remove: the first failure is reported.
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         options = {"constant_memory": True, "nan_inf_to_errors": False, "tmpdir": folder}
         book = xlsxwriter.Workbook(made, options)

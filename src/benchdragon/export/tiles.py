@@ -122,7 +122,7 @@ class _Key:
 
 
 class _Frames(Typeset):
-    """What stands around the windows: names, crop marks; on the first page how the others lie."""
+    """The frames around the windows: names, crop marks; on the first page an overview of the others."""
 
     def __init__(self, tiling: Tiling, title: str, foot: str, date: str) -> None:
         super().__init__(date, text=title)

@@ -45,7 +45,7 @@ class AreaDrawing:
     Attributes:
         title: of the dance.
         swept: the ground, and the spectators' line.
-        obstacles: the venue's edge and what stands in it.
+        obstacles: the venue's edge and the obstacles in it.
         ground: the peg from which papers measure, and the ways x and y point; a page shows the peg.
         clock: by which a paper tells times; without one they are seconds of the plan.
     """

@@ -51,7 +51,7 @@ class ChalkDrawing:
         title: of the dance.
         marks: on the ground.
         trail: what of its route the dragon covers.
-        obstacles: the venue's edge and what stands in it.
+        obstacles: the venue's edge and the obstacles in it.
         every: m between marks.
         foot: which plan it is, and when it was checked.
     """
@@ -227,9 +227,9 @@ def _free(box: FloatArray, taken: FloatArray) -> bool:
 
 
 def _is_told(box: FloatArray, places: FloatArray, n: int, kind: Kind) -> bool:
-    """Whether a number tells of mark n: that is nearest, and clearly so but for the next on the way.
+    """Whether a number identifies mark n: nearest to it by a clear distance, the next mark aside.
 
-    Of the marks that have a look of their own it is enough that it hides none.
+    Marks with a symbol of their own only need to stay visible.
     """
     if kind != "step":
         return not bool(_under(box, places).any())

@@ -88,7 +88,7 @@ def _lacking(sign: str) -> bool:
 def _spare(sign: str) -> Path | None:
     """The font of the system, or of the Windows beneath it, that prints a sign."""
     if unicodedata.category(sign) in ("Co", "Cs", "Cn", "Cc"):
-        return None  # what stands there is another sign in each font, or none
+        return None  # that code is another sign in each font, or none
     return next(
         (path for path in (*_system_fonts(), *_windows_fonts()) if ord(sign) in _signs(path)), None
     )

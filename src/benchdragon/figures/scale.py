@@ -140,7 +140,7 @@ def drawn_sheet(sheet: Sheet, ground: Ground) -> Iterator[tuple[Figure, Axes]]:
 
 
 def draw_obstacles(axes: Axes, sheet: Sheet, obstacles: Sequence[Obstacle]) -> None:
-    """The venue's edge and what stands in it, with names; one of each kind has a label.
+    """Draw the venue's edge and obstacles with names; one of each kind has a label.
 
     In black and white and in mm of paper, each an element of its own in SVG, without margins:
     `square.draw_square` draws the square on axes of metres, in colour.

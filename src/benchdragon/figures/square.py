@@ -1,4 +1,4 @@
-"""The square in pictures: the venue's edge, what stands in it, and the margins that benches keep."""
+"""The square in pictures: the venue's edge, the obstacles, and the margins that benches keep."""
 
 from collections.abc import Iterator, Sequence
 
@@ -16,7 +16,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import drawn_outline, margin_rings
 
-# Okabe and Ito's reddish purple for what stands on the square, hatched; blue for the venue's edge.
+# Okabe and Ito's reddish purple for obstacles, hatched; blue for the venue's edge.
 OBSTACLE, EDGE = "#CC79A7", "#0072B2"
 HATCH = "...."
 # Okabe and Ito's sky blue, pale, for the ground that the dance covers.
@@ -65,7 +65,7 @@ def _draw_ground(panel: Axes, ground: Sequence[FloatArray]) -> None:
 
 
 def _standing(obstacles: Sequence[Obstacle], ink: str, mark: float) -> Iterator[Collection]:
-    """What stands on the square: what has an inside, and lines."""
+    """Draw the obstacles: those with an inside, and lines."""
     stands = [one for one in obstacles if one.kind != "venue"]
     solid = [drawn_outline(one) for one in stands if one.kind != "line"]
     ropes = [one.outline for one in stands if one.kind == "line"]

@@ -34,7 +34,7 @@ from benchdragon.sweeps.sweep import Sweep
 
 # Small pictures side by side: at most so many, so many in a row.
 MOST_PANELS, IN_ROW = 12, 3
-# Inches: heights of one picture and of a row of small ones, and what stands about those.
+# Inches: heights of one picture and of a row of small ones, and of the space about those.
 HEIGHT, ROW_HEIGHT, AROUND = 3.6, 2.2, 0.9
 # In a legend beside the pictures.
 LEGEND_COLUMNS = 4

@@ -21,7 +21,7 @@ SEEN, UPRIGHT = 1e-2, 2.0
 FEW = 60
 # A bracket is seen if it is so wide, as a share of all answers; a stretch is named if it is.
 VISIBLE, NAMED = 2e-3, 0.04
-# Above and below the curve, as a share of its height, for what stands beside it.
+# Above and below the curve, as a share of its height, for labels.
 ROOM = 0.1
 # Answers that agree so well are one answer.
 ONE_ANSWER = 1e-6
@@ -57,8 +57,8 @@ def jumps(x: FloatArray, value: FloatArray, who: Ints) -> Bools:
     """Behind which points, in the order of x, all with an answer, the answer jumps, (n - 1,).
 
     It can where others decide, and does unless it changes about as the slopes on either side say, or as
-    most slopes do where there is none, or so little that nobody would see it. Where no slope is known
-    it is taken to jump.
+    most slopes do where there is none, or so little that it is invisible. Where no slope is known it is
+    taken to jump.
     """
     step, change = np.diff(x), np.diff(value)
     other = who[1:] != who[:-1]
@@ -133,7 +133,7 @@ def _draw_bracket(panel: Axes, sound: Answered, x: FloatArray, apart: Ints) -> N
 
 
 def spread(value: FloatArray) -> float:
-    """How far answers lie apart; a little of them where they are one answer but for rounding."""
+    """The range of answers; a small share of them where they agree up to rounding."""
     if not len(value):
         return 0.0
     return max(float(np.ptp(value)), ONE_ANSWER * float(np.abs(value).max()))

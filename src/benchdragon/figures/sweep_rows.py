@@ -17,7 +17,7 @@ from benchdragon.sweeps.sweep import Sweep
 
 Bools = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.int64]
-# Who decides an answer: two benches, or a handle, or nobody.
+# What decides an answer: two benches, a handle, or nothing.
 Who = tuple[int, ...]
 # How it is hatched where there is no answer, by the reason.
 HATCHES = {
@@ -51,8 +51,8 @@ class Answered:
             walk.
         upper: see lower.
         why: why there is no answer, one of HATCHES; "" where there is one, (n,).
-        who: who decides, numbers in `names`; -1 for nobody, (n,).
-        names: of whoever decides anywhere.
+        who: what decides, numbers in `names`; -1 for nothing, (n,).
+        names: of all that decide anywhere.
     """
 
     question: Question

@@ -63,7 +63,7 @@ def dragon_picture(
         title: above all; signs that cannot be drawn become "?", with a warning.
         indices: of `walk.times`, one panel each.
         disc: radius of a circle to draw about the first spiral's centre, m.
-        obstacles: what stands on the square, the venue's edge too: see `Plan.obstacles`.
+        obstacles: on the square, the venue's edge included: see `Plan.obstacles`.
         ground: outlines of the ground that the dance covers: see `swept.drawn_ground`.
     """
     columns = min(len(indices), 2)

@@ -1,1 +1,1 @@
-"""Who serves the kernels' entries: a native library, engine.wasm by Wasmtime, or plain Python."""
+"""Hosts of the kernels' entries: a native library, engine.wasm by Wasmtime, or plain Python."""

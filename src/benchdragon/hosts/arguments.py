@@ -1,4 +1,4 @@
-"""How arguments of an entry fill its block, and what is refused: the same for library and module."""
+"""How arguments of an entry fill its block, and which are refused: the same for library and module."""
 
 import ctypes
 import struct
@@ -22,7 +22,7 @@ class Block:
 
     Args:
         shape: what the entry takes and returns.
-        address: where the numbers of an array lie, as the slots shall say it.
+        address: where the numbers of an array lie, as the slots hold it.
 
     Attributes:
         symbol: the entry's name where it was built.
@@ -137,7 +137,7 @@ def address(array: npt.NDArray[Any]) -> int:
 
 
 def refusal(leaf: Leaf, value: Any) -> str:
-    """What array was wanted, and what came."""
+    """The error of a wrong array: what was required, and what was given."""
     wanted = f"contiguous {leaf.layout.dimensions}-dimensional array of {DTYPES[leaf.layout.code]}"
     if type(value) is not np.ndarray:
         return f"{leaf.name} must be a {wanted}, not {type(value)}"

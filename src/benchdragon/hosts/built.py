@@ -42,9 +42,9 @@ def processor() -> str:
 
 
 def user_folder() -> Path | None:
-    """The user's own folder of what is built, for packages that stand where nobody may write.
+    """The user's own folder of what is built, for packages in read-only folders.
 
-    None for a user without a home.
+    None for a user without a home folder.
     """
     told = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")  # the latter by Windows
     usual = "Library/Caches" if sys.platform == "darwin" else ".cache"

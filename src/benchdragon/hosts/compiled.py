@@ -1,6 +1,6 @@
-"""engine.wasm, compiled for this machine: once, and kept in a folder that nobody else can write to.
+"""engine.wasm, compiled once for this machine, and cached in a folder that only this user can write to.
 
-What is kept is run as it stands, and Wasmtime does not look whether it is whole: its hash stands before
+The cached code is run as it is, and Wasmtime does not check whether it is whole: its hash stands before
 it. It is named by the module, Wasmtime's version and the machine, and appears whole or not at all, so
 that processes may race.
 """

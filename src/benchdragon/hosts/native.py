@@ -27,7 +27,7 @@ def library_name() -> str:
 def find_library() -> Path | None:
     """The library for these kernels and this machine: its builder's, or the user's; or None.
 
-    The user's is taken from a folder that nobody else can write to.
+    The user's is taken from a folder that only this user can write to.
     """
     name, mine = library_name(), built.user_folder()
     folders = [built.ENGINE, *([mine] if mine is not None and is_own(mine) else [])]

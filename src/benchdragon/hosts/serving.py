@@ -26,7 +26,7 @@ Group = TypeVar("Group", bound=tuple[Any, ...])
 
 
 def usual(shape: Sequence[int], code: str) -> npt.NDArray[Any]:
-    """An array where NumPy puts it, of a code of DTYPES; what stands in it is not said."""
+    """An uninitialised array where NumPy puts it, of a code of DTYPES."""
     return np.empty(shape, DTYPES[code])
 
 
@@ -51,8 +51,8 @@ def chosen() -> Serving:
     """Who is to serve.
 
     Raises:
-        EngineError: for a name that is none, a library that is wanted and not there, or a module that
-            is of other kernels.
+        EngineError: for an unknown name, a library that is required and missing, or a module of other
+            kernels.
     """
     wanted = os.environ.get(VARIABLE, "")
     if wanted not in ("", NATIVE, WASM, PLAIN):
@@ -74,7 +74,7 @@ serving = cache(chosen)
 
 
 def empty(*shape: int) -> npt.NDArray[np.float64]:
-    """An array that calls of this thread need not copy; what stands in it is not said."""
+    """An uninitialised array that calls of this thread need not copy."""
     return serving().array(shape, "d")
 
 

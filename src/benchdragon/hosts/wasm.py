@@ -106,7 +106,7 @@ class Host:
         return cast("Function", wasm)
 
     def instance(self) -> "Instance":
-        """That of this thread, made anew after one broke off.
+        """The instance of this thread, made again after one failed.
 
         Raises:
             EngineError: if Wasmtime cannot be started.
@@ -151,7 +151,7 @@ class Instance:
         self._blocks: dict[str, tuple[int, memoryview]] = {}
 
     def array(self, shape: Sequence[int], code: str) -> npt.NDArray[Any]:
-        """Room in the memory for an array of a code of DTYPES; what stands in it is not said.
+        """An uninitialised array in the memory, of a code of DTYPES.
 
         Raises:
             MemoryError: if there is none.
@@ -230,7 +230,7 @@ class Instance:
         return self._kept
 
     def _room(self, size: int) -> int:
-        """The address of so many bytes that are nobody else's.
+        """The address of newly allocated bytes.
 
         Raises:
             MemoryError: if there are none.
@@ -254,7 +254,7 @@ class Instance:
 
 
 class Held:
-    """Room for an array in the memory of an instance, given back when nothing looks at it any more."""
+    """Memory of an array in an instance, freed when nothing refers to it any more."""
 
     def __init__(
         self, instance: Instance, at: int, base: int, shape: tuple[int, ...], code: str
@@ -288,7 +288,7 @@ def rounded(size: int) -> int:
 
 
 def signed_address(array: npt.NDArray[Any]) -> int:
-    """Where an array's numbers lie; as a negative number where nobody may write."""
+    """Where an array's numbers lie; as a negative number where the array is read-only."""
     return address(array) if array.flags.writeable else -address(array)
 
 

@@ -1,4 +1,4 @@
-"""Answers: a number with the bracket that was established, how, and what shows it."""
+"""Answers: a number with its bracket, how that was established, and a witness."""
 
 import math
 from dataclasses import dataclass
@@ -47,11 +47,11 @@ class Answer:
         lower: with upper, the bracket that was established: lower <= value <= upper.
         upper: see lower.
         unit: of the three.
-        status: "found" with bounds that hold but for rounding (which they leave room for), "proved" if
-            all places behind it were enclosed in ball arithmetic besides, "infeasible", "undecided", or
+        status: "found" with bounds that hold up to rounding (which they allow for), "proved" if all
+            places behind it were enclosed in ball arithmetic besides, "infeasible", "undecided", or
             "unlimited" (none met up to the value).
-        witness: what shows it.
-        assumptions: what it rests on.
+        witness: where and when it occurs.
+        assumptions: of the bracket.
         evaluations: how many times the dragon was placed to find it.
         seconds: how long that took.
     """
@@ -68,7 +68,7 @@ class Answer:
 
     @property
     def vanishing(self) -> bool:
-        """Whether rounding hides all of a distance that may be more than 0: its upper end is told."""
+        """Whether rounding hides a distance that may be more than 0: then its upper end is shown."""
         return self.lower <= 0.0 <= self.value <= self.upper - self.value and self.upper > 0.0
 
     def sure(self, *, up: bool) -> float:
@@ -87,7 +87,7 @@ class Answer:
         return known(self.sure(up=False), self.sure(up=True), self.unit, up=up, limit=limit)
 
     def keeps(self, limit: float) -> bool | None:
-        """Whether the number is at most a limit, but for rounding; None where that is open."""
+        """Whether the number is at most a limit, up to rounding; None where that is undecided."""
         most = limit * (1.0 + ROUNDING)
         if self.lower > most:
             return False

@@ -1,4 +1,4 @@
-"""Lists of numbers, checked once at the door."""
+"""Lists of numbers, checked once on input."""
 
 from collections.abc import Sequence
 

@@ -46,7 +46,7 @@ def connections(start: Pose, end: Pose, radius: float) -> list[Connection]:
 
     Args:
         start: point, m, and heading, rad.
-        end: likewise.
+        end: point, m, and heading, rad.
         radius: of the arcs, m.
     """
     for pose in (start, end):
@@ -69,7 +69,7 @@ def _connection(start: Pose, ways: FloatArray, n: int, radius: float) -> Connect
 
 
 def _check(pose: object) -> None:
-    """Refuse what is no pose."""
+    """Refuse invalid poses."""
     if not isinstance(pose, tuple) or len(pose) != 2:
         raise InputError(_("a pose must be ((x, y), heading), not {value}").format(value=brief(pose)))
     as_numbers("point", pose[0])
@@ -111,7 +111,7 @@ def programme(steps: Sequence[Step], radius: float) -> Route:
         radius: of the connections' arcs, m.
 
     Raises:
-        InputError: for no steps, and for what is none.
+        InputError: without steps, and for invalid ones.
     """
     _check_steps(steps)
     positive("radius", radius, "m")
@@ -128,7 +128,7 @@ def programme(steps: Sequence[Step], radius: float) -> Route:
 
 
 def _check_steps(steps: object) -> None:
-    """Refuse what are no steps."""
+    """Refuse invalid steps."""
     if isinstance(steps, str) or not isinstance(steps, Sequence):
         text = _("steps must be a list of Step, not {value}")
         raise InputError(text.format(value=brief(steps)))

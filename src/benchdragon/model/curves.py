@@ -361,7 +361,7 @@ class Route(Curve):
     def seen_from(self, origin: Point) -> "Route":
         """The same route, the numbers that kernels see counted from an origin, m, near the dance.
 
-        Its curves keep their coordinates. Far out, what rounding left open at joints is closed.
+        Its curves keep their coordinates. Far from the origin, gaps at joints from rounding are closed.
         """
         near = Route(self.curves, self.kinks)
         near.__dict__["rows"] = rows = self.rows.copy()

@@ -2,7 +2,7 @@
 
 Each lies about the origin and begins and ends at its outer edge where it can, so that routes to and
 from it need not cross it. Lines, arcs and Archimedean spirals; headings never jump, curvatures do.
-No source that was read gives the geometry of a formation: but for the coils, which are those of the
+No source that was read gives the geometry of a formation: except for the coils, which are those of the
 contest, it is this project's own, and each `source` says so.
 """
 
@@ -337,7 +337,7 @@ class StraightDragon(Formation):
 
 @dataclass(frozen=True)
 class TailSwing(Formation):
-    """A line, bends to and fro, and a line, along the axis of x; the middle is the origin."""
+    """A line, alternating bends, and a line, along the axis of x; the middle is the origin."""
 
     name: ClassVar = "tail-swing"
     chinese: ClassVar = "甩尾"

@@ -1,4 +1,4 @@
-"""What stands on the square: obstacles, and the venue's edge, from which benches keep their distance.
+"""Obstacles and the venue's edge, from which benches keep their distance.
 
 To every search an obstacle is boxes without width, its sides, or without length either, a circle's
 centre. Benches move without a leap, so that none comes inside without crossing a side: only where the
@@ -30,14 +30,14 @@ SORTS = {
     "line": kernel.LINE,
     "venue": kernel.VENUE,
 }
-# Corners of one outline: each is looked at for each stretch of the route.
+# Greatest number of corners of one outline: each is tested for each stretch of the route.
 MOST_CORNERS = 5_000
-# Sides shorter than this, m, are slips of the pen.
+# Shorter sides, m, are input errors.
 LEAST_SIDE = 1e-6
 
 
 class Standing:
-    """What kernels know of an obstacle.
+    """An obstacle as the kernels take it.
 
     Attributes:
         kind: see `Obstacle`, as all others.
@@ -61,7 +61,7 @@ class Standing:
         return out
 
     def forbids(self, points: FloatArray) -> npt.NDArray[np.bool_]:
-        """Which of points, m, (P, 2), lie where none may: inside it, or outside the venue; (P,)."""
+        """Which points, m, (P, 2), are forbidden: inside it, or outside the venue; (P,)."""
         out = np.empty(len(points), dtype=np.int64)
         points = np.ascontiguousarray(points)
         kernel.forbidden(self.sort, self.outline, self.radius, points, out)
@@ -77,7 +77,7 @@ class Obstacle(Standing):
     Attributes:
         name: what people call it.
         kind: "venue" is an edge that no bench may cross outwards, "line" one without an inside.
-        outline: its corners in order, m, (P, 2), the last joined to the first but for a line; of a
+        outline: its corners in order, m, (P, 2), the last joined to the first except for a line; of a
             circle the centre.
         radius: of a circle, m; else 0.
         margin: the distance that benches must keep, m.
@@ -178,7 +178,7 @@ def closed_outline(name: str, points: npt.ArrayLike) -> FloatArray:
     """The corners of a polygon, m, (P, 2); a last one that repeats the first is left out.
 
     Raises:
-        InputError: for what is no polygon, naming the sides that cross.
+        InputError: for an invalid polygon, naming the sides that cross.
     """
     corners = _points(name, points, 3, closed=True)
     crossing = _crossing(corners)
@@ -198,7 +198,7 @@ def closed_outline(name: str, points: npt.ArrayLike) -> FloatArray:
 
 
 def _points(name: str, points: npt.ArrayLike, least: int, *, closed: bool = False) -> FloatArray:
-    """Points as an array, (P, 2); repeated ones refused, but for a closed outline's last."""
+    """Points as an array, (P, 2); repeated ones refused, except a closed outline's last."""
     table = as_numbers(f"{name}: points", points).tolist()
     if np.shape(table)[1:] != (2,):
         raise InputError(

@@ -187,7 +187,7 @@ class SpeedProfile:
         knot = np.maximum(np.searchsorted(self.times, t, side="right") - 1, 0)
         dt = t - np.asarray(self.times)[knot]
         slope = np.where(dt < 0.0, 0.0, self._slopes[knot + 1])
-        # Who stands does not move in an infinite time either.
+        # A head at rest does not move in infinite time either.
         speed = np.asarray(self.speeds)[knot]
         with np.errstate(over="ignore"):
             speed = speed + 0.5 * slope * np.where(slope == 0.0, 0.0, dt)

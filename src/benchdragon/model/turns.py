@@ -2,7 +2,7 @@
 
 The paper's: two arcs, S-shaped. With psi the angle between radius and tangent where the turn begins
 (tan psi = theta there), both arcs sweep 2 psi and r1 + r2 = R / sin psi, so that the length does not
-depend on r1 : r2. That ends where the joints may move, or where something lies between the arcs.
+depend on r1 : r2. This no longer holds where the joints may move, or a piece lies between the arcs.
 """
 
 import math

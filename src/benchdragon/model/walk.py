@@ -42,7 +42,7 @@ HANDLE_TABLES = ("x", "y", "s", "speed", "acceleration")
 MOST_WORKERS = 64
 # The same for one slice of `Walk.motions`: 40 to 100 MB.
 SLICE_PLACES = 1_000_000
-# How near to the last sound place a failure is told, m.
+# Distance from the last sound place within which a failure is located, m.
 FAILURE_TOLERANCE = 1e-9
 
 
@@ -71,7 +71,7 @@ class Walk:
             raise InputError(_("start must lie within 1e8 m, not at {s} m").format(s=f"{self.start:g}"))
 
     def head_position(self, times: npt.ArrayLike) -> FloatArray:
-        """Route positions of the head's handle at `times`, m, (times,): exact but for rounding."""
+        """Route positions of the head's handle at `times`, m, (times,): exact up to rounding."""
         return self.start + self.profile.distance(_clock(times))
 
     def time_at(self, s: float) -> float:
@@ -96,8 +96,8 @@ class Walk:
     def first_failure(self, at: FloatArray) -> WalkError | None:
         """Where the dragon first cannot stand, its head at or between increasing positions, m, (T,).
 
-        It is looked for at these, the first that fails then drawn near to the one before, or to the
-        route's end; None where none fails.
+        It is sought at these; the first failure is then refined towards the position before it, or the
+        route's end. None where none fails.
         """
         length = self.route.length
         placed = self.placement(np.minimum(at, length), throw=False)
@@ -146,7 +146,7 @@ class Walk:
     def motion_at(
         self, times: npt.ArrayLike, head_s: FloatArray, *, throw: bool = True, workers: int = 1
     ) -> "Motion":
-        """The same with the head at given route positions, m, (T,), found in another way."""
+        """The motion with the head at given route positions, m, (T,), found by other means."""
         clock = _clock(times)
         whole("workers", workers, 1, MOST_WORKERS)
         if clock.size * (len(self.dragon) + 1) > MOST_PLACES:

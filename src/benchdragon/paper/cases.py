@@ -41,7 +41,7 @@ class Case:
         walk: that of the plan.
         other: the walk of the contest's other part.
         span: start and end of `walk`, s.
-        times: of the columns, s, (T,); other_times: what stands in the same columns of the other part's
+        times: of the columns, s, (T,); other_times: those of the same columns of the other part's
             workbook.
         theirs, ours: x, y (m) and speed (m/s), (3, T, 224), NaN where there is nothing.
         moment: whether the workbook is of one moment, that of first contact.

@@ -18,7 +18,7 @@ from benchdragon.paper.cases import (
     with_points,
 )
 
-# Share of such cells that hold the same number if that is what stands for benches outside.
+# Share of such cells with one number from which it is taken as the sign of benches outside.
 MOSTLY = 0.8
 
 

@@ -21,7 +21,7 @@ from benchdragon.paper.mistakes import (
 # A prediction explains a cell that it brings so much nearer, or as near as rounding leaves it; it is a
 # mistake of a sheet if it explains so many of the cells that are off or should be.
 NEARER, EXPLAINED = 0.05, 0.8
-# What is left of positions, a logarithm, if their cells are right but for rounding and a few.
+# Residual of positions, a logarithm, if their cells are right except for rounding and a few.
 SETTLED = 1.0
 # Positions of which so small a share is off show slips, and so many cells are single ones.
 SLIPS, SINGLE = 0.01, 3

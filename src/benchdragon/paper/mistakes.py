@@ -29,7 +29,7 @@ from benchdragon.paper.wrong_sizes import degrees, size
 # Steps of differences that are tried, s; handles by which rows may be shifted.
 STEPS = (1.0, 0.1, 0.01, 0.001)
 SHIFTS = (1, -1, 2, -2)
-# Steps of searches for contact that are told of, s.
+# Steps of searches for contact that are reported, s.
 SEARCH_STEPS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001)
 # Steps in which a turn and a delay are sought at once.
 REFINEMENTS = 6
@@ -205,7 +205,7 @@ def turned_time(case: Case) -> Iterator[Guess]:
 
 
 def together(case: Case, turned: Guess, moved: Guess) -> Guess:
-    """Other moments on which turned axes stand, better than from how far out the head is.
+    """Other moments on which turned axes stand, better than from the head's distance from the centre.
 
     A turn and a delay look alike at any one handle, so both are sought at once, from all.
     """

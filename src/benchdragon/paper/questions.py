@@ -1,4 +1,4 @@
-"""The contest's five questions in the report: what comes out, in words, tables and pictures."""
+"""The contest's five questions in the report: the answers in words, tables and pictures."""
 
 import math
 from collections.abc import Iterable, Sequence

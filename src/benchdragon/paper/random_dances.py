@@ -1,7 +1,7 @@
 """The random dances that report and manual quote: one run, kept with the program.
 
 tools/make_random_dances.py makes it, in a quarter of an hour on two busy cores; `walked_again` walks
-some of its dances anew, so that whoever quotes it can say that they still come out as they are kept.
+some of its dances again, so that the report can state that they are still reproduced.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""The report on the paper: what it says, claim by claim, beside what comes out, and how that is known.
+"""The report on the paper: its claims beside the computed values, and how these are established.
 
 Here it is text, tables and names of pictures in the language in use; `publish` writes it as HTML
 and PDF. Every number is one of the run's own, or the paper's.
@@ -54,7 +54,7 @@ def report(found: Results, docs: str | None = None) -> Document:
     """The report in the language in use.
 
     Args:
-        found: what came out.
+        found: the computed value.
         docs: folder or address of the documentation's pages; None: no links to it.
     """
     title = _("The bench dragon paper, repeated and checked")

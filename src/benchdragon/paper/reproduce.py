@@ -72,7 +72,7 @@ COMPUTED = 0.8
 
 @dataclass(frozen=True)
 class Reproduction:
-    """What came out: answers by name (SI units), and the files written."""
+    """The result: answers by name (SI units), and the files written."""
 
     answers: dict[str, Any]
     files: list[Path]
@@ -104,9 +104,10 @@ def reproduce(
     Args:
         folder: made if it is not there.
         force: whether files that are there are overwritten.
-        progress: is told what is being done.
+        progress: is called with the share and the step at work.
         docs: folder or address of the documentation's pages, for links in the report; None: no links.
-        first: is told the first contact, the smallest pitch and where the report will lie, in seconds.
+        first: is called, within seconds, with the first contact, the smallest pitch and the report's
+            path.
 
     Raises:
         FileRefusedError: if a file is there already and `force` is not set.

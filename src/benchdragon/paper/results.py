@@ -48,24 +48,24 @@ TABLE_TIMES = (0.0, 60.0, 120.0, 180.0, 240.0, 300.0)
 TABLE_HANDLES = (0, 1, 51, 101, 151, 201, 223)
 # The contest's times of the turn's table.
 MOTION_TIMES = (-100.0, -50.0, 0.0, 14.0, 50.0, 100.0)
-# Where velocities are taken from differences, s, and the step whose errors are told.
+# Where velocities are taken from differences, s, and the step whose errors are reported.
 DIFFERENCE_TIMES = np.arange(10.0, 291.0, 10.0)
 SHORT_STEP = 0.1
 
 # Steps of the paper's traversal whose answers are compared, pitch (m) and time (s), and the first pitch
-# tried; the last looks at the moment alone at which the head reaches the disc.
+# tried; the last evaluates only the moment at which the head reaches the disc.
 TRAVERSALS = (
     (0.02, 1.0, 0.42), (0.01, 1.0, 0.42), (0.005, 1.0, 0.42), (0.004, 1.0, 0.44), (0.002, 1.0, 0.44),
     (0.001, 1.0, 0.44), (0.0005, 1.0, 0.44), (0.002, 0.2, 0.44), (0.001, 1e6, 0.41),
 )  # fmt: skip
-# Steps of a search that looks at times one by one, s.
+# Steps of a search that samples times, s.
 CONTACT_STEPS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02)
 # How long these go on: until the dragon overlaps for good, s.
 STEPPED_UNTIL = 430.0
 # Pitches of the paper's Fig 2, m.
 FIGURE_PITCHES, FIGURE_RESOLUTION = (0.43, 0.47, 21), 5e-4
-# Head speeds, m/s, for which the shortest turn is sought, and the one of them whose turn is told beside
-# the paper's; bends are no tighter than the paper's.
+# Head speeds, m/s, for which the shortest turn is sought, and the one of them whose turn is shown
+# beside the paper's; bends are no tighter than the paper's.
 FRONT_SPEEDS = tuple(round(1.26 + 0.02 * n, 2) for n in range(24))
 TOLD_SPEED = 1.3
 # Radius, m, at which joints of the paper's two arcs lie deeper than on the disc's edge.
@@ -165,7 +165,7 @@ class Results:
 
     @property
     def told(self) -> int:
-        """Which turn of the front is told beside the paper's."""
+        """The turn of the front that is shown beside the paper's."""
         speeds = [best.plan.walk.speed for best in self.front]
         return int(np.argmin(np.abs(np.array(speeds) - TOLD_SPEED)))
 
@@ -282,7 +282,7 @@ def speed_error(walk: Walk) -> float:
 
 
 def stepped_contacts(walk: Walk, start: float, report: Report) -> list[tuple[float, float]]:
-    """What a search that looks at times one by one answers, for each of CONTACT_STEPS."""
+    """The answer of a search that samples times, for each of CONTACT_STEPS."""
     until = (
         report.end if report.first_contact is None else report.first_contact.upper + CONTACT_STEPS[0]
     )

@@ -25,7 +25,7 @@ from benchdragon.solve.size_family import question
 RELATIVE_STEP = 4e-4
 OFFSETS = (-3, -2, -1, 1, 2, 3)
 WEIGHTS = np.array([-1.0, 9.0, -45.0, 45.0, -9.0, 1.0]) / 60.0
-# Sizes of plans whose effect is told, where a plan says them.
+# Sizes whose sensitivity is reported, where a plan gives them.
 SIZES = (
     "route.pitch", "disc.radius", "dragon.width", "dragon.head_length", "dragon.body_length",
     "dragon.tail_length", "dragon.front_inset", "dragon.rear_inset", "turn.ratio",

@@ -42,7 +42,7 @@ def traversed_pitch(
         pitch_step: pitches tried are its multiples, m.
         time_step: s.
         first: where the traversal begins, m; None: at four fifths of the plan's pitch.
-        progress: is told what is being tried.
+        progress: is called with the share done and the value being tried.
 
     Raises:
         InputError: for steps that are not positive, or a plan without a pitch.

@@ -113,7 +113,7 @@ def _pitches(case: Case) -> Iterator[dict[str, float]]:
 
 
 def degrees(case: Case) -> Iterator[Guess]:
-    """Angles in degrees where sines and cosines want radians, and polar coordinates."""
+    """Angles in degrees where sines and cosines need radians, and polar coordinates."""
     if case.plan.route.kind != "spiral-in":
         return
     radius = np.abs(complex_of(case.ours))

@@ -1,1 +1,1 @@
-"""A dance as a file: its keys, how it is read, what is wrong with it, the built-in ones."""
+"""Plan files: their keys, how they are read and checked, and the built-in ones."""

@@ -1,4 +1,4 @@
-"""The table of a plan file about marks on the ground, by which all papers tell places."""
+"""The table of a plan file about marks on the ground, by which all papers give places."""
 
 from typing import Annotated
 

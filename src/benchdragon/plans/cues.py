@@ -25,9 +25,9 @@ from benchdragon.plans.tables import (
     Table,
 )
 
-# A dance with more cues than this is a list of something else.
+# Greatest number of cues of a dance.
 MOST_CUES = 200
-# Beats a minute: slower and faster ones are a slip of the pen. Beats of a bar.
+# Beats a minute: slower and faster ones are input errors. Beats of a bar.
 LEAST_TEMPO, MOST_TEMPO, MOST_BAR = 20.0, 400.0, 16
 # A hold is as long as this at least, s.
 LEAST_HOLD = 0.1
@@ -95,7 +95,7 @@ class CueTable(Table):
 
 
 def check_cue(cue: CueTable) -> None:
-    """Refuse keys of a cue that cannot be beside one another."""
+    """Refuse keys of a cue that exclude one another."""
     if (cue.at is None) == (cue.head is None):
         raise ValueError(_("a cue needs either at, a time, or head, a place of the head"))
     if cue.kind == "start" and cue.at is None:
@@ -107,7 +107,7 @@ def check_cue(cue: CueTable) -> None:
 
 
 def cue_name(cue: CueTable) -> str:
-    """What is said of a cue in the language in use; its kind, if nothing is."""
+    """The text of a cue in the language in use; its kind, if it has none."""
     own = (cue.text_zh or cue.text) if language() == "zh" else (cue.text or cue.text_zh)
     return own or _(NAMES[cue.kind])
 
@@ -244,7 +244,7 @@ def _refuse_idle(starts: Sequence[tuple[int, float]], used: set[float]) -> None:
 
 
 def outside(moments: Sequence[Moment], start: float, end: float, way: float) -> list[Fault]:
-    """What is wrong with cues that are not in a dance, s, in which the head walks so far, m."""
+    """The error of cues outside of a dance, s, in which the head walks so far, m."""
     by_time = _("that is not within the dance, which lasts from {start} s to {end} s")
     by_time = by_time.format(start=f"{start:g}", end=f"{end:.6g}")
     by_place = _("that is not within the dance, in which the head walks {way} m")

@@ -1,7 +1,7 @@
-"""Whether plans hold their numbers as they were written: a double is told by the shortest decimal.
+"""Whether plans hold their numbers as written: a double is named by its shortest decimal.
 
 A number with at most 15 digits is the shortest decimal of its double, and comes back as it was written.
-One with more may not: it is kept beside its double, for those who have to know (proofs).
+One with more may not: it is kept beside its double, for proofs.
 """
 
 import math
@@ -108,7 +108,7 @@ def _worth(unit: float) -> Fraction:
 
 
 def _leaves(value: Any) -> Iterator[Any]:
-    """What stands in tables and lists."""
+    """All values in tables and lists."""
     if isinstance(value, dict):
         value = list(value.values())
     if isinstance(value, list):

@@ -7,7 +7,7 @@ from pydantic import BeforeValidator, Field
 
 from benchdragon.plans.tables import Length, Metres, OneLine, Table
 
-# Entrances of one venue, and people at one event: more are a slip of the pen.
+# Entrances of one venue, and people at one event: more are an input error.
 MOST_ENTRANCES, MOST_PEOPLE = 50, 10_000_000
 
 
@@ -26,7 +26,7 @@ class EventTable(Table):
         place: where it is.
         place_zh: the same in Chinese.
         date: the day, or the days.
-        organiser: who answers for it.
+        organiser: who is responsible for it.
         contact: who is asked about it.
         spectators: how many are expected.
         marshals: how many there will be.

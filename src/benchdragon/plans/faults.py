@@ -1,4 +1,4 @@
-"""What is wrong with a plan, as sentences: where, what was wanted, and what came."""
+"""Errors of a plan as sentences: where, what was expected, and what was given."""
 
 import difflib
 import json
@@ -10,7 +10,7 @@ from pydantic_core import ErrorDetails
 from benchdragon.i18n import N_, _
 from benchdragon.plans.source import Fault
 
-# What was wanted, by pydantic's name of the error, which fills in the braces.
+# What was expected, by pydantic's name of the error, which fills in the braces.
 WANTED = {
     "greater_than": N_("more than {gt}"),
     "greater_than_equal": N_("at least {ge}"),

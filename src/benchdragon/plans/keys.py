@@ -1,4 +1,4 @@
-"""What keys of plans mean, told: JSON Schema, rows of the manual, comments of printed plans."""
+"""The meaning of a plan's keys as JSON Schema, rows of the manual, and comments of printed plans."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -13,7 +13,7 @@ from benchdragon.plans.schema import Plan
 from benchdragon.plans.sections import SECTIONS, Section
 from benchdragon.plans.tables import Key, Table
 
-# Keys that may be left out since the keys beside them tell their values.
+# Keys that may be left out since other keys determine their values.
 TOLD: Mapping[tuple[type[Table], str], str] = {(PartsRoute, "kind"): "parts"}
 
 

@@ -15,8 +15,7 @@ from benchdragon.plans.toml import parsed, read_text, read_toml
 def rewritten(plan: Plan, source: str) -> str:
     """The text of a plan file with what a plan says; of the rest, comments included, no sign changes.
 
-    Where a file rests on a base, or says a table so that it cannot be changed in place, the plan is
-    written anew.
+    A file that has a base, or a table that cannot be changed in place, is written from scratch.
 
     Args:
         plan: what the file is to say.
@@ -54,4 +53,4 @@ def _change(at: Container | Table, name: str, before: Any, after: Any) -> None:
         if held is not None:
             at.remove(name)
     else:
-        at[name] = after  # what stands behind the value stays
+        at[name] = after  # the text behind the value stays

@@ -15,7 +15,7 @@ def roster_of(plan: Plan) -> Roster:
     Notes are in the language in use. The plan itself holds no names: not in its data, nor its hash.
 
     Raises:
-        InputError: for what is no plan.
+        InputError: if `plan` is not a Plan.
         PlanError: for a list that cannot be read, and for a dragon that cannot be.
     """
     of_kind("plan", plan, Plan)

@@ -1,4 +1,4 @@
-"""The kinds of routes that a plan may have, and where on each the head stands and comes to."""
+"""The kinds of routes that a plan may have, and where on each the head starts and ends."""
 
 import math
 from functools import lru_cache, partial
@@ -45,7 +45,7 @@ from benchdragon.surveys.alignment import GAP, KINK
 from benchdragon.surveys.fitting import Fit, Smooth, fitted
 from benchdragon.surveys.lines import MOST_CURVES, DrawnLine, corners_of
 
-# A turn may reach so far out of its disc, m: rounding, and what lies between samples.
+# A turn may extend so far beyond its disc, m: rounding, and the way between samples.
 FITS = 1e-3
 # Formations of one programme; the longest has some 160 parts.
 MOST_STEPS = 50
@@ -60,7 +60,7 @@ def _at(key: str, text: str) -> KeyedError:
 
 
 class Beside(Protocol):
-    """What a route asks of the plan that it stands in."""
+    """The parts of its plan that a route needs."""
 
     @property
     def disc(self) -> DiscTable:
@@ -300,7 +300,7 @@ def _fitted(
 
 
 class DrawnRoute(RouteTable):
-    """Along a line that somebody drew or surveyed: `points` of it, or `piece`s; a `file` becomes these.
+    """Along a line that was drawn or surveyed: `points` of it, or `piece`s; a `file` becomes these.
 
     A closed line is walked once round, and the dragon stands on it behind its head, however often
     that leads round.

@@ -38,7 +38,7 @@ from benchdragon.plans.tables import (
 )
 from benchdragon.plans.toml import PlanError, read_toml, set_value, with_base
 
-# What of a plan does not count for its hash, or only where it is said; what is said of the square.
+# Tables of a plan that its hash ignores, or counts only if given; those about the square.
 ASIDE = ("meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event")
 SQUARE = ("venue", "obstacle")
 
@@ -84,7 +84,7 @@ class Plan(Table):
         return self.model_dump(mode="json", by_alias=True, exclude_none=not with_none)
 
     def _changed(self, data: dict[str, Any]) -> "Plan":
-        """A plan that says something else, and was read where this one was."""
+        """A plan with other content and the same source."""
         return checked(data, self._source)
 
     @cached_property
@@ -339,7 +339,7 @@ def read_plan(source: str, settings: Sequence[str] = ()) -> Plan:
     """The plan of a file or of a built-in name, with "KEY=VALUE" settings laid over it.
 
     Raises:
-        PlanError: saying where, what was wanted and what came.
+        PlanError: naming the place, what was expected and what was given.
     """
     return checked(*read_toml(source, settings))
 

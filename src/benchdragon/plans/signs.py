@@ -1,9 +1,9 @@
-"""Signs of a Chinese input method where a plan file wants plain ones."""
+"""Full-width characters of a Chinese input method where a plan file needs ASCII."""
 
 import re
 import unicodedata
 
-# What is typed, and what a plan file wants; full-width signs and digits are told by Unicode besides.
+# Characters typed, and those that a plan file needs; Unicode names further full-width ones.
 PLAIN = {
     "“": '"', "”": '"', "„": '"', "‘": "'", "’": "'", "「": '"', "」": '"', "，": ",", "、": ",",
     "。": ".", "【": "[", "】": "]", "—": "-", "–": "-", "−": "-", "\u3000": " ",

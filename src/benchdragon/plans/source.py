@@ -83,7 +83,7 @@ class Source:
     passed: Sequence[str] = field(default=(), compare=False)
 
     def sentences(self, faults: Sequence[Fault], others: int = 0) -> str:
-        """What is wrong, a line each, with its place; `others` are too many to be told of."""
+        """What is wrong, a line each, with its place; `others` are too many to be listed."""
         told, more = faults[:MOST_FAULTS], len(faults[MOST_FAULTS:]) + others
         lines = lines_of(self.text, {fault.key for fault in told})
         said = [f"{_place(self, fault.key, lines)}: {fault}" for fault in told]
@@ -95,7 +95,7 @@ class Source:
         """Where a file lies that the plan names.
 
         Raises:
-            InputError: where nothing lies beside the plan, and for what is no name of a file there.
+            InputError: where no file lies beside the plan, and for an invalid name of one.
         """
         if self.folder is None:
             raise InputError(_("this plan was not read from a file, so nothing lies beside it"))
@@ -118,7 +118,7 @@ def _place(source: Source, key: str, lines: dict[str, int]) -> str:
 def lines_of(text: str, wanted: Set[str] | None = None) -> dict[str, int]:
     """The line on which each dotted key of a TOML text is said, counted from 1.
 
-    Of keys that are wanted the text is read up to the last that is said.
+    With given keys the text is read up to the last of them.
     """
     found: dict[str, int] = {}
     counts: dict[str, int] = {}

@@ -1,4 +1,4 @@
-"""The tables of a plan file about the square: its edge, and what stands on it."""
+"""The tables of a plan file about the square: its edge and its obstacles."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -23,7 +23,7 @@ from benchdragon.plans.tables import (
 
 # Letters of a name that is put into sentences.
 MOST_LETTERS = 80
-# A square with more obstacles than this is a drawing of something else.
+# Greatest number of obstacles of a square.
 MOST_OBSTACLES = 1_000
 
 
@@ -58,11 +58,11 @@ class VenueTable(Table):
 
 
 class ObstacleTable(Table):
-    """Something that stands on the square.
+    """An obstacle on the square.
 
     Attributes:
         about: what it is, in words.
-        keys: what each key means, but for those that all kinds have.
+        keys: what each key means, except those that all kinds have.
     """
 
     about: ClassVar[str]
@@ -72,7 +72,7 @@ class ObstacleTable(Table):
     margin: LengthOrZero | None = None
 
     def build(self, name: str, margin: float) -> Obstacle:
-        """The obstacle under the name that it goes by, from which benches keep `margin`, m."""
+        """The obstacle with its name, from which benches keep `margin`, m."""
         raise NotImplementedError
 
 
@@ -90,7 +90,7 @@ class CircleTable(ObstacleTable):
     radius: Length
 
     def build(self, name: str, margin: float) -> Obstacle:
-        """The obstacle under the name that it goes by, from which benches keep `margin`, m."""
+        """The obstacle with its name, from which benches keep `margin`, m."""
         return Obstacle.circle(name, self.centre, self.radius, margin)
 
 
@@ -110,7 +110,7 @@ class RectangleTable(ObstacleTable):
     angle: Degrees = 0.0
 
     def build(self, name: str, margin: float) -> Obstacle:
-        """The obstacle under the name that it goes by, from which benches keep `margin`, m."""
+        """The obstacle with its name, from which benches keep `margin`, m."""
         return Obstacle.rectangle(name, self.centre, self.size, math.radians(self.angle), margin)
 
 
@@ -126,7 +126,7 @@ class PolygonTable(ObstacleTable):
     points: Corners
 
     def build(self, name: str, margin: float) -> Obstacle:
-        """The obstacle under the name that it goes by, from which benches keep `margin`, m."""
+        """The obstacle with its name, from which benches keep `margin`, m."""
         return Obstacle.polygon(name, self.points, margin)
 
 
@@ -142,7 +142,7 @@ class LineTable(ObstacleTable):
     points: Corners
 
     def build(self, name: str, margin: float) -> Obstacle:
-        """The obstacle under the name that it goes by, from which benches keep `margin`, m."""
+        """The obstacle with its name, from which benches keep `margin`, m."""
         return Obstacle.line(name, self.points, margin)
 
 
@@ -158,7 +158,7 @@ AnObstacle = Annotated[AnyObstacle, Field(discriminator="kind")]
 def built_obstacles(
     venue: VenueTable, tables: Sequence[AnyObstacle], limits: LimitsTable
 ) -> tuple[Obstacle, ...]:
-    """The edge of the venue, if there is one, then what stands on it.
+    """The edge of the venue, if there is one, then the obstacles.
 
     Raises:
         KeyedError: for all that cannot be.

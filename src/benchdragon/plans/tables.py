@@ -1,4 +1,4 @@
-"""The tables of a plan file: benches, curves, turn, walk and limits, checked once, at the door.
+"""The tables of a plan file: benches, curves, turn, walk and limits, checked once on input.
 
 Metres, seconds and degrees, or a string with a unit ("55 cm", "3 min 12 s"). Keys are English.
 """
@@ -37,7 +37,7 @@ ROOMY = 0.9
 
 
 # The least size, speed, acceleration or turning rate that is not 0, in m, s and degrees: a micrometre.
-# What is smaller is a slip of the pen, and its inverse spoils sums.
+# Smaller values are input errors, and their inverses spoil sums.
 LEAST = 1e-6
 # m; in narrower spirals rounding opens gaps.
 LEAST_PITCH = 1e-3
@@ -184,7 +184,7 @@ class CurvePart(Table):
 
     Attributes:
         about: what it is, in words.
-        keys: what each key means, but for `kind`, which means the same in all.
+        keys: what each key means, except `kind`, which means the same in all.
     """
 
     about: ClassVar[str]
@@ -360,7 +360,7 @@ class WalkTable(Table):
 
 
 class LimitsTable(Table):
-    """What a walk must keep.
+    """The limits of a walk.
 
     Greatest speed and accelerations (m/s^2) of any handle: along the route, across it and in total;
     turning rate (degrees a second) of any bench, change of the head's own speed (m/s^2), and distance

@@ -1,4 +1,4 @@
-"""The text of plan files: TOML read and overlaid with settings, before any of it is believed.
+"""The text of plan files: TOML read and overlaid with settings, before validation.
 
 Light to import, so that the command line can see how large a job is before it loads the kernels.
 """
@@ -73,7 +73,7 @@ TOML_FAULTS = (
 
 
 class PlanError(BenchDragonError):
-    """A plan that cannot be read or used: where, what was wanted, and what came."""
+    """A plan that cannot be read or used: where, what was expected, and what was given."""
 
     exit_code = 3
 

@@ -1,4 +1,4 @@
-"""What was found about a walk, shown in ball arithmetic, cell by cell, by code that no search uses."""
+"""Proofs of answers about a walk in ball arithmetic, cell by cell, by code that no search uses."""
 
 # Of ball arithmetic: some 38 digits, of which chains of 3500 handles keep more than 25.
 BITS = 128

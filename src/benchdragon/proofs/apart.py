@@ -79,7 +79,7 @@ def reach(way: FloatArray, sizes: Sizes) -> FloatArray:
 
 
 def near_pairs(boxes: FloatArray, sizes: Sizes, room: FloatArray, margin: float) -> IntArray:
-    """Pairs of benches but neighbours that could come within `margin`, (n, 2), i < j.
+    """Pairs of non-adjacent benches that could come within `margin`, (n, 2), i < j.
 
     `room` is how far each moves. All others are farther apart than that by their circles alone.
     """
@@ -124,9 +124,9 @@ class Gaps:
     line: FloatArray
 
 
-# Lines along which two benches are looked at: whose normal (0 the first, 1 the second; 2: from a corner
-# to the nearest of the other), and which (0 along the bench, 1 across). Coils lie side by side: across
-# comes first.
+# Axes along which two benches may be separated: whose normal (0 the first, 1 the second; 2: from a
+# corner to the nearest of the other), and which (0 along the bench, 1 across). Coils lie side by side:
+# across comes first.
 LINES = ((0, 1), (1, 1), (0, 0), (1, 0), (2, 0))
 
 
@@ -189,7 +189,7 @@ def _dot(a: Pair, b: Pair) -> arb:
 
 @dataclass(frozen=True)
 class Line:
-    """Along which two benches are looked at: a bench's own normal, with a sign, or a fixed vector."""
+    """A separating axis of two benches: a bench's own normal, with a sign, or a fixed vector."""
 
     normal: int
     axis: int
@@ -274,7 +274,7 @@ class Moving:
 
 @dataclass(frozen=True)
 class Side:
-    """A side of what stands still, from one point to another, m."""
+    """A side of an obstacle, from one point to another, m."""
 
     start: Pair
     end: Pair
@@ -308,7 +308,7 @@ def _least(values: Sequence[arb]) -> arb:
 
 def line_of(benches: Sequence[Bench]) -> Line:
     """The line along which two bodies are farthest apart, as doubles show it."""
-    x, y = benches[0].corners[0]  # about which doubles are fine, however far out
+    x, y = benches[0].corners[0]  # about which doubles are accurate at any distance
     boxes = [np.array([[float(a - x), float(b - y)] for a, b in bench.corners]) for bench in benches]
     ahead = np.array([[float(v) for v in bench.ahead] for bench in benches])
     return line_between(boxes[0], boxes[1], ahead)

@@ -1,7 +1,7 @@
 """How much nearer benches may come while their handles go from one place to the next.
 
 A handle goes along the route, so in directions that the route has on its way: towards a neighbouring
-coil, which it passes alongside, it goes by little. So do the corners, which its two handles carry.
+coil, which it passes alongside, it moves little. So do the corners, which its two handles carry.
 """
 
 import numpy as np

@@ -1,7 +1,7 @@
 """A route in ball arithmetic: points, tangents and lengths that enclose the exact ones.
 
 Each row begins where the one before it ends, exactly: what rounding left between them is taken out
-by moving the later row. So a route is told by its first pose, and by each row's kind, curvature and
+by moving the later row. So a route is given by its first pose, and by each row's kind, curvature and
 extent.
 """
 
@@ -115,7 +115,7 @@ class Row:
             phase = acb(self.angle) + s * (acb(self.p) + acb(self.q) * s / 2)
             return (acb(0, 1) * phase).exp()
 
-        # e^(i phase) is entire, but its real part on the axis is what is wanted: take both parts.
+        # e^(i phase) is entire, but its real part on the axis is needed: take both parts.
         middle = u.mid()
         whole = acb.integral(tangent, acb(0), acb(middle))
         off = arb(0, (u - middle).abs_upper())  # no point is farther away than the way to it

@@ -46,15 +46,15 @@ class Standing:
 
 @dataclass(frozen=True)
 class Dance:
-    """What is walked, exactly.
+    """The exact data of a walk.
 
     Attributes:
         route: of all handles.
         sizes: of the benches.
-        margin: the distance that benches keep from one another, m; None: they are not looked at.
-        standing: what stands still.
+        margin: the distance that benches keep from one another, m; None: it is not proved.
+        standing: the obstacles.
         origin: near the dance, m: doubles are taken relative to it.
-        most: how fast handles may be with the head at 1 m/s, m/s; None: that is not looked at.
+        most: how fast handles may be with the head at 1 m/s, m/s; None: it is not proved.
     """
 
     route: BallRoute
@@ -70,7 +70,7 @@ CORNER_ROUNDING, WAY_ROUNDING = 2.5e-15, 2.5e-16
 
 
 def resolved(dance: Dance, *chains: Chain) -> bool:
-    """Whether doubles hold all corners and places to SLACK: not far out, on a long lever."""
+    """Whether doubles hold all corners and places to SLACK: not far from the origin on a long lever."""
     links, front, rear, width = dance.sizes.numbers
     lever = 1.0 + float(((front + rear + width) / links).max())
     places = [np.abs(values).max() for chain in chains for values in (chain.x, chain.y)]
@@ -106,7 +106,7 @@ def _keeps_off(
     dance: Dance, standing: Standing, chains: tuple[Chain, Chain], boxes: tuple[FloatArray, FloatArray],
     way: FloatArray, room: FloatArray,
 ) -> bool:  # fmt: skip
-    """Whether all benches keep off what stands still."""
+    """Whether all benches keep their distance from the obstacles."""
     pairs = near_sides(boxes[0], standing.boxes, dance.sizes, room, float(standing.margin))
     doubtful = unsure(chains, dance.sizes, boxes, 2 * (standing.boxes,), pairs, way, standing.margin)
     bodies = [(Moving(int(i)), standing.sides[int(k)]) for i, k in doubtful]
@@ -117,7 +117,7 @@ def unsure(
     chains: tuple[Chain, Chain], sizes: Sizes, boxes: Sequence[FloatArray],
     others: Sequence[FloatArray], pairs: IntArray, way: FloatArray, margin: arb,
 ) -> IntArray:  # fmt: skip
-    """Which pairs, of benches or of a bench and what stands, are not surely farther apart."""
+    """Which pairs, of benches or of a bench and a side, are not surely farther apart."""
     approach = Approach(chains, sizes, way)
     for which in LINES:
         if not len(pairs):

@@ -27,7 +27,7 @@ MOST_STEPS = 12
 
 
 class UnprovedError(Exception):
-    """What was to be shown could not be; the text says what, in developers' words."""
+    """A step of a proof failed; the text names it for developers."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Chain:
         turned: what the heading has turned through from the route's start, either way, rad, (handles,).
         origin: near the dance, m.
         x: of places relative to `origin`, m, as doubles.
-        y: likewise.
+        y: the same.
         tangent: (handles, 2).
     """
 

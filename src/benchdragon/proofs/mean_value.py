@@ -19,7 +19,7 @@ ROUNDED_UP = 1.0 + 1e-15
 
 
 class UnboundedError(Exception):
-    """What was to be enclosed could not be; the text says what, in developers' words."""
+    """An enclosure failed; the text names it for developers."""
 
 
 class Box:

@@ -1,4 +1,4 @@
-"""Bodies that surely come nearer than they may: shown at one head position."""
+"""Bodies that surely come nearer than allowed: proved at one head position."""
 
 from collections.abc import Sequence
 from itertools import product
@@ -55,7 +55,7 @@ def _side(line: tuple[Pair, Pair], point: Pair) -> arb:
 
 
 def belongs(chain: Chain, sizes: Sizes, i: int, standing: Standing) -> bool | None:
-    """Whether bench number i is on the right side of what stands still; None where that is open."""
+    """Whether bench number i is on the right side of the obstacles; None where that is undecided."""
     if standing.inside is None:
         return True
     corners = Moving(i).place(chain, sizes).corners
@@ -66,7 +66,7 @@ def belongs(chain: Chain, sizes: Sizes, i: int, standing: Standing) -> bool | No
 
 
 def lies_inside(point: Pair, sides: Sequence[Side]) -> bool | None:
-    """Whether a point lies inside the polygon of these sides; None where rounding leaves it open.
+    """Whether a point lies inside the polygon of these sides; None where rounding leaves it undecided.
 
     By the sides that a ray to the right of it crosses.
     """

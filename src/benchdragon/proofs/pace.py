@@ -143,7 +143,7 @@ def course(route: BallRoute, one: Handle, other: Handle) -> Course:
         u = low.union(high) + arb(0, (one.error + other.error) / float(row.stretch(low).lower()))
         bend = row.bend(u)
         heading = row.heading(u.mid()) + row.way * bend * row.stretch(u) * (u - u.mid())
-        if found:  # a heading is known but for full turns
+        if found:  # a heading is known up to full turns
             full = 2 * arb.pi()
             heading -= full * round(float((heading - found[0].heading) / full))
         found.append(Course(heading, bend))

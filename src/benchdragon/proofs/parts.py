@@ -66,7 +66,7 @@ def route_of(
     parts: Sequence[Part], rows: FloatArray, start: Start = NOWHERE, turned: arb = ZERO,
     at: Pair = (ZERO, ZERO), lead: arb | None = None,
 ) -> BallRoute:  # fmt: skip
-    """The route of these parts, which stored rows have as well, but for their rounding.
+    """The route of these parts, which stored rows have as well, up to their rounding.
 
     Args:
         parts: in walking order.
@@ -164,7 +164,7 @@ def line_between(bridge: Bridge, radii: Pair, guide: Sequence[float]) -> list[Pa
 
 
 def _arc(turn: arb, bend: arb, length: float) -> Part:
-    """An arc of this curvature, 1/m, that turns by `turn`, rad, but for full turns."""
+    """An arc of this curvature, 1/m, that turns by `turn`, rad, up to full turns."""
     full = 2 * arb.pi()
     rounds = round(float((length * bend - turn) / full))
     sweep = turn + rounds * full

@@ -1,4 +1,4 @@
-"""What all turns of a box have in common: none is shorter, or lets the head walk faster, than a bound.
+"""Bounds for all turns of a box: none is shorter, or lets the head walk faster.
 
 That needs one witness for a box: a place of the head at which one handle, on each turn of the box that
 exists, is faster than so many times the head.

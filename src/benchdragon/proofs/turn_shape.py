@@ -21,7 +21,8 @@ PI: arb = arb.pi()
 FAMILIES = {"arc-arc": 1, "arc-line-arc": 2}
 # An arc nearer to none or a full turn than this, in full turns, may be either.
 FULL = 1e-11
-# Newton's steps to an angle of the spiral, and how often slopes are taken anew from what they narrow.
+# Newton's steps to an angle of the spiral, and how often slopes are computed again from what they
+# narrow.
 STEPS, PASSES = 60, 2
 # Pieces of a route: spiral, arc, line, arc, spiral.
 FIRST_ARC, LINE, LAST_ARC, OUT = 1, 2, 3, 4
@@ -77,7 +78,7 @@ def _angle_at(k: arb, length: arb) -> arb:
 
 
 def _swept(angle: Form) -> tuple[Form, bool]:
-    """What an arc turns by, rad, but for full turns; and whether that is sure."""
+    """The angle of an arc, rad, up to full turns; and whether that is sure."""
     full = 2 * PI
     count = math.floor(float(angle.middle / full))
     share = angle.over / full - count

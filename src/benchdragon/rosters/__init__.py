@@ -1,1 +1,1 @@
-"""Who carries which bench: lists of names as villages keep them."""
+"""Rosters: who carries which bench, read from villages' lists of names."""

@@ -1,4 +1,4 @@
-"""Which columns of a list hold what: by their headings, else by what stands in them."""
+"""The meaning of a list's columns, from their headings or else from their cells."""
 
 import itertools
 from collections.abc import Callable, Iterator, Sequence
@@ -19,7 +19,7 @@ from benchdragon.rosters.words import (
     without_phones,
 )
 
-# Rows that are looked at where there are no headings, and names that make a column one of people.
+# Rows that are examined without headings, and names that make a column one of people.
 MOST_LOOKED_AT, LEAST_NAMES = 50, 2
 # Signs of a heading that is repeated.
 MOST_HEADING = 40
@@ -204,7 +204,7 @@ def _column(block: Columns, kind: Kind) -> list[int]:
 
 
 def _guessed(rows: Sequence[Sequence[str]]) -> Layout | None:
-    """Columns by what stands in them: the first with numbers, then the names, phones anywhere."""
+    """Columns by their cells: the first with numbers, then the names, phones anywhere."""
     looked_at = [row for row in rows if any(row)][:MOST_LOOKED_AT]
     columns = range(_width(looked_at))
     cells = [[row[n] for row in looked_at if n < len(row) and row[n]] for n in columns]
@@ -237,7 +237,7 @@ def _is_phone(cell: str) -> bool:
 
 
 def letters(column: int) -> str:
-    """What spreadsheets call a column, counted from 0."""
+    """The letters of a spreadsheet's column, counted from 0."""
     text = ""
     column += 1
     while column:

@@ -215,6 +215,6 @@ def _open(cells: Sequence[str]) -> tuple[str, tuple[str, ...]]:
 
 
 def _phones(cell: str) -> tuple[str, ...]:
-    """The numbers of a cell of phones; all of it where none is told apart."""
+    """The numbers of a cell of phones; all of it where none is recognised."""
     rest, phones = without_phones(DECIMALS.sub("", cell))
     return phones if not rest.strip(" ,;、，；/") else ((clean(cell),) if cell else ())

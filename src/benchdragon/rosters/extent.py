@@ -1,7 +1,8 @@
 """How much a workbook holds, before its reader makes room for it.
 
-The reader takes room for every cell between the first and the last, and ends the process where there is
-none: two cells in far corners of a sheet are enough. Hence files of strangers are measured first.
+The reader allocates memory for every cell between the first and the last, and aborts the process if
+there is none: two cells in far corners of a sheet are enough. Untrusted files are therefore measured
+first.
 """
 
 import io
@@ -21,9 +22,9 @@ from benchdragon.i18n import _
 MOST_UNPACKED = 100_000_000
 MOST_PARTS = 2000
 MOST_DEPTH = 200
-# Of a list: rows and columns with anything in them, cells of all sheets, signs of a cell.
+# Of a list: rows and columns with any cell filled, cells of all sheets, characters of a cell.
 MOST_ROWS, MOST_COLUMNS, MOST_CELLS, MOST_SIGNS = 20_000, 100, 100_000, 1000
-# What a part says beforehand of how many texts, formats, merged cells follow.
+# Declared numbers of texts, formats and merged cells in a part.
 COUNTS, MOST_COUNTED, NONSENSE = ("count", "uniqueCount"), 1_000_000, 1_000_000_000
 CHUNK = 1 << 16
 # What the standard library raises for archives that are not sound.
@@ -40,8 +41,8 @@ class Limits(NamedTuple):
     """How much a workbook may hold, and what is said of one beyond that.
 
     Attributes:
-        rows: with anything in them.
-        columns: likewise.
+        rows: with any cell filled.
+        columns: with any cell filled.
         cells: of a sheet.
         signs: of a cell.
         beyond: of its name, what is said.

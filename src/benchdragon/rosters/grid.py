@@ -43,7 +43,8 @@ MARKS = "\t,;"
 # Chinese marks part names too: they part columns only below a row of headings that they part.
 CHINESE_MARKS = "，；"
 NUMBER_END = re.compile(r"(?<=\S)[\s:：，]+")
-# A cell between quotation marks, which may be left open, and such a mark alone: what stands above.
+# A cell between quotation marks, which may be unclosed, and such a mark alone, which repeats the cell
+# above.
 QUOTED = {
     mark: re.compile(
         rf'(?:^|(?<=[{mark}\r\n]))"(?:(?=[ \t]*(?:[{mark}\r\n]|\Z))|[^"]*(?:""[^"]*)*(?:"|\Z))'
@@ -205,7 +206,7 @@ def _closed(found: re.Match[str], text: str, name: str) -> str:
     """A cell between quotation marks as it is, and the sign for 同上 where one stands alone.
 
     Raises:
-        InputError: for a mark that is left open: it would swallow all rows below it.
+        InputError: for an unclosed quotation mark: it would include all rows below it.
     """
     if found[0] == '"':
         return ABOVE
@@ -239,7 +240,7 @@ def decoded(data: bytes, name: str) -> str:
     """Text in UTF-8, UTF-16 with its mark, GB18030 or Big5.
 
     Raises:
-        InputError: for what is no text in any of them.
+        InputError: for bytes that are no text in any of them.
     """
     for text in readings(data, _legacy(data, name)):
         if is_text(text, name):
@@ -255,7 +256,7 @@ def is_text(text: str, name: str) -> bool:
     """Whether it may be text.
 
     Raises:
-        InputError: for what is text but for a control sign.
+        InputError: for text with a control character.
     """
     found = NO_TEXT.search(text)
     if found is None or "\0" in text:
@@ -269,7 +270,7 @@ def _legacy(data: bytes, name: str) -> Iterator[str]:
     """Encodings of bytes that are not UTF-8: Big5 where its common signs are more, and GB18030.
 
     Raises:
-        InputError: for what is UTF-8 but for a few bytes: any other reading of it is none.
+        InputError: for UTF-8 with a few broken bytes, which no other encoding reads correctly.
     """
     whole = data.decode("utf-8", "replace")
     torn, sound = whole.count("\ufffd"), sum(sign > "\x7f" for sign in whole)

@@ -1,4 +1,4 @@
-"""Which Chinese words are people's names: family names, and what stands where a name is wanted."""
+"""Recognition of Chinese names: family names, and placeholders for a missing name."""
 
 import re
 
@@ -8,7 +8,7 @@ TWO_SIGNS_SPELT = (
     "諸葛東方公孫長孫軒轅獨孤聞人"
 )
 TWO_SIGNS = frozenset(re.findall("..", TWO_SIGNS_SPELT))
-# The usual ones of one sign, in simplified and traditional signs, but for those that begin many words.
+# The usual ones of one sign, in simplified and traditional signs, except those that begin many words.
 ONE_SIGN = frozenset(
     "赵钱孙李周吴郑王冯陈褚卫蒋沈韩杨朱秦尤许何吕施张孔曹严华金魏陶姜戚谢邹喻柏窦章苏潘葛奚范彭郎鲁韦"
     "昌马苗凤方俞任袁柳鲍史唐费廉岑薛雷贺倪汤滕殷罗毕郝邬安常于傅卞齐康伍余元卜顾孟黄穆萧尹姚邵湛汪祁"
@@ -25,7 +25,7 @@ JOINERS = re.compile(r"以及|[和与與及跟同并\-—–~]")
 LATIN = re.compile("[A-Z][a-z]+(?: [A-Z][a-z]+){1,2}")
 CHINESE = re.compile("[\u3400-\u4dbf\u4e00-\u9fff\U00020000-\U0003ffff]+")
 
-# What stands for a name that is not known or not said, as `stands_in` wants it.
+# Placeholders for a missing name, normalised as for `stands_in`.
 WORDS = """
     本人 自己 户主 户主本人 本户 本家 家人 家属 全家 同户 同户主 替补 候补 备用 后备 预备 机动 轮换 轮流
     换班 换人 待补 待通知 待安排 待确认 未知 不详 不清楚 不知道 保密 另定 另行通知 抽签 外请 请人 雇人
@@ -47,14 +47,14 @@ DAYS = re.compile(
     rf"|(?:大?年)?(?:初{NUMERAL}{{1,3}}|三十){HOUR}|[正七]月半{HOUR}|(?:空?缺)?{NUMERAL}{{1,4}}个?人"
     rf"|(?:除夕|春节|元旦|元宵节?|上元节?|清明|端午|中秋|重阳|冬至|正月|腊月|星期[一二三四五六日天]){HOUR}夜?"
 )
-# What says again what stands above, or at the left.
+# Signs that repeat the cell above, or at the left.
 DITTO = "同上 同前 上同 仝 仝上 〃 \" '' ” “ ′′ 々 ditto do. do same sameasabove"
 ABOVE = frozenset(DITTO.split())
 LEFT = frozenset(["同左"])
 
 
 def stands_in(word: str) -> bool:
-    """Whether a word (plain, in simplified signs) stands where a name should, but is none."""
+    """Whether a word (plain, in simplified signs) is a placeholder for a name."""
     return (
         word in STANDING_IN or word in ABOVE or word in LEFT
         or any(pattern.fullmatch(word) for pattern in (BLANKS, DAYS))

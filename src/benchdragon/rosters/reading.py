@@ -94,7 +94,7 @@ def roster_of(rows: Sequence[Sequence[str]], name: str, numbering: Numbering) ->
     found_benches: dict[int, tuple[Person, ...]] = {}
     for seat in sorted(kept, key=lambda seat: seat.bench):
         found_benches[seat.bench] = (*found_benches.get(seat.bench, ()), seat.person)
-    # First what decides who is printed where; last, which are told in any case, benches of nobody.
+    # First the notes that decide who is printed where; last, always listed, benches without people.
     notes = [*_who(found), *first_notes(_unread(unread, sums=False)), *first_notes(taken)]
     notes += [*first_notes(odd), *first_notes(twice), *first_notes(_at_two(kept, numbering))]
     notes += [*first_notes(_apart(said, numbering)), *_columns(found)]
@@ -103,7 +103,7 @@ def roster_of(rows: Sequence[Sequence[str]], name: str, numbering: Numbering) ->
 
 
 def _who(found: Layout) -> Iterator[str]:
-    """What of a list's columns decides who carries."""
+    """Notes on the columns that decide who carries."""
     if found.guessed:
         block = found.blocks[0]
         number = letters(block.number)
@@ -166,7 +166,7 @@ def _householders(entry: Entry) -> Iterator[str]:
 
 
 def _of_entry(entry: Entry, numbering: Numbering) -> Iterator[str]:
-    """What of a row was read otherwise than it may have been meant."""
+    """Notes on a row that may have been misread."""
     ends = (place for pair in entry.benches for place in pair)
     if not numbering.count_head and any(not place.number and not place.end for place in ends):
         yield _("row {row}: bench 0 is taken for the head").format(row=entry.row)

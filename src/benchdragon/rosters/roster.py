@@ -59,14 +59,14 @@ class Roster:
         return sum(map(_namesakes, named.values()))
 
     def people(self, bench: int) -> tuple[Person, ...]:
-        """Who carries a bench (number, from 1); empty where the list names nobody."""
+        """Who carries a bench (number, from 1); empty where the list has no name."""
         return self.benches.get(bench, ())
 
 
 def _namesakes(people: Sequence[Person]) -> int:
     """How many people those of one name are: of other households or phones they are others.
 
-    All of them are one if the list knows neither of somebody.
+    All of them are one person if one of them has neither.
     """
     if any(not one.household and not one.phone for one in people):
         return 1

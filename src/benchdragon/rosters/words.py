@@ -1,4 +1,4 @@
-"""What people write into the cells of a list: numbers of benches, names, phones, headings."""
+"""Parsing of a list's cells: numbers of benches, names, phones, headings."""
 
 import re
 import unicodedata
@@ -42,7 +42,7 @@ OTHER_HEADINGS = """
     age sex gender village address group team role shift date time size wechat signature
 """
 OTHERS = frozenset(OTHER_HEADINGS.split())
-# Who carries, and who takes turns with them, in the words of each village.
+# Words for bearers and their substitutes in each village.
 CARRY = "[抬扛掌舞迎擎举执挑背驮托拿提撑]"
 THINGS = "(?:板凳龙|板凳|龙灯|灯笼|花灯|龙|灯|桥|凳|板|节|杠)"
 TURNS = (
@@ -66,7 +66,7 @@ SUMS = re.compile(
     r"(合计|总计|共计|小计|总数|总人数|合共|(total|sum|subtotal)(?![a-z])|共.{0,4}[0-9]+.{0,3}$)"
 )
 NO_NAMES = "无 空 空缺 缺 暂缺 暂无 待定 未定 没有 tbd n/a na none nobody ? ?? - -- — —— /"
-# What spreadsheets write into cells whose formula failed.
+# Cells whose formula failed.
 ERRORS = "#n/a #ref! #name? #value! #div/0! #num! #null! #getting_data #spill! #calc! err:502 err:508"
 NOBODY = frozenset([*NO_NAMES.split(), *ERRORS.split()])
 HEADS, TAILS = ("龙头", "龙首", "头", "head", "thehead"), ("龙尾", "尾", "尾巴", "tail", "thetail")
@@ -75,7 +75,7 @@ DIGITS = {sign: n for n, sign in enumerate("零一二三四五六七八九")} | 
 } | {"两": 2}  # fmt: skip
 TENS = {"十": 10, "百": 100, "千": 1000, "拾": 10, "佰": 100, "仟": 1000}
 NUMERALS = "".join([*DIGITS, *TENS, "廿卅"])
-# Where somebody stands at a bench, which the number of it may say too.
+# Positions of people at a bench, which its number may include.
 SIDES = "(?:[左右前后中上下甲乙丙丁]|[abcd](?![a-z]))[边面侧手杠端]?"
 ITEM = re.compile(
     r"[左右前后]?(?:第|bench|benches|qiao|jie|section|number|no[.:]?|nr[.:]?|#|板凳|桥|节|凳|板|灯|编?号)*"
@@ -102,7 +102,7 @@ MADE_A_DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}|[0-9]{1,2}月[0-9]{1,2}日"
 ROUNDED = re.compile(r"[0-9.]+e\+[0-9]+", re.IGNORECASE)
 # What tables of text add to a phone that was a number.
 DECIMALS = re.compile(r"(?<=[0-9])\.0+$")
-# What Unicode calls "CJK ...": signs, radicals and strokes; and what stands between and around them.
+# Unicode's "CJK ..." characters, radicals and strokes, and punctuation between and around them.
 CHINESE = re.compile(
     "[\u2e80-\u2e99\u2e9b-\u2ef3\u31c0-\u31e3\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufa6d\ufa70-\ufad9"
     "\U00020000-\U0003ffff·（）()]+"
@@ -155,7 +155,7 @@ def heading(text: str) -> tuple[Kind, int] | None:
 
 
 def is_other(text: str) -> bool:
-    """Whether a heading is known to be of something else than people and their benches."""
+    """Whether a heading is known to be of neither people nor benches."""
     return re.sub(r"\(.*?\)|[:：]", "", simple(text)) in OTHERS
 
 
@@ -269,7 +269,7 @@ def names_of(text: str) -> tuple[str, ...]:
 
 
 def is_name(text: str) -> bool:
-    """Whether it may be what somebody is called."""
+    """Whether it may be a person's name."""
     return (
         len(text) <= MOST_NAME and any(sign.isalpha() for sign in text) and not stands_in(simple(text))
     )

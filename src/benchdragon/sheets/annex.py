@@ -65,7 +65,7 @@ def write_annex(folder: Path, briefing: Briefing, progress: Progress = silent) -
     """Write the annex in both languages, each file whole or not at all.
 
     Raises:
-        InputError, UnsureError: for ground that cannot be told, or is too large to be drawn.
+        InputError, UnsureError: for ground that cannot be computed, or is too large to be drawn.
         MachineError: if a file could not be written.
     """
     facts = annex_facts(briefing, part(progress, 0.0, 0.7))

@@ -17,7 +17,7 @@ from benchdragon.solve.tolerance import CASES, Deviations, Draw, chance, touches
 # The spectators' line where the plan says none, and the error of the ground covered, m.
 DISTANCE, ERROR = 2.0, 0.05
 # Random dances, and the seed of their numbers; the risk that the upper end of their chance must be
-# below, or no number is told: 110 dances of which one hits give 0.0496, two give 0.064.
+# below, or no number is given: 110 dances of which one hits give 0.0496, two give 0.064.
 DRAWS, SEED, RISK = 110, 1, 0.05
 
 
@@ -48,7 +48,7 @@ class Chance:
 
 @dataclass(frozen=True)
 class AnnexFacts:
-    """What is told beside the plan and its check.
+    """The facts of the annex beside the plan and its check.
 
     Attributes:
         briefing: of the dance.

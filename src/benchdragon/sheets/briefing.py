@@ -47,7 +47,7 @@ class Briefing:
 
     @cached_property
     def foot(self) -> str:
-        """What stands at the foot of every page: that it is this plan, and when it was checked."""
+        """The foot of every page: the plan, and when it was checked."""
         return f"{self.sha256[:12]} · {self.checked_on}"
 
     @cached_property
@@ -61,7 +61,7 @@ class Briefing:
         return self._of_names(printed_warnings)
 
     def _of_names(self, told: Callable[[Iterable[str]], Sequence[str]]) -> tuple[str, ...]:
-        """What is told of the names at each bench."""
+        """The notes on the names at each bench."""
         odd = (
             _("{bench}: {what}").format(bench=self.called(bench), what=warning)
             for bench, people in sorted(self.roster.benches.items())
@@ -147,7 +147,7 @@ def briefing_of(report: Report, roster: Roster, record: Record) -> Briefing:
     """What papers are made from: a check that found nothing, the people, the check's record.
 
     Raises:
-        InputError: for marks that the plan wants too many of, and for a peg that no tape reaches.
+        InputError: for a plan with too many marks, and for a peg that no tape reaches.
     """
     benches = bench_walks(report.plan, report.walk, (report.start, report.end))
     briefing = Briefing(report, roster, benches, record.date.isoformat(), record.sha256)

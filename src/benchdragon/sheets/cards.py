@@ -32,7 +32,7 @@ FOOT = 4.0
 CUT = 6.0
 # Benches of a household on one sheet, where sheets are large and the type is not.
 MOST_BENCHES = 2
-# Their map is lower, by this share, so that all that is told of them finds room.
+# Their map is lower, by this share, so that all their text finds room.
 MAP_OF_SEVERAL = 0.75
 # People of a bench who have a line each where that leaves too little room; who are named at all then.
 MOST_LINES, MOST_NAMES = 2, 24
@@ -111,7 +111,7 @@ class Block:
 
 @dataclass(frozen=True)
 class _Laid:
-    """How a sheet finds room: what stands above and below its map, the share of the type, mm left."""
+    """The layout of a sheet: the text above and below its map, the share of the type, mm left."""
 
     head: list[Block]
     facts: list[Block]
@@ -313,7 +313,7 @@ class Cards(Typeset):
 
 
 def _heads(sheet: Sheet) -> list[list[Block]]:
-    """What stands above the map: a line for each of the people; then all of many in one, then fewer."""
+    """The text above the map: a line for each of the people; then all of many in one, then fewer."""
     most = max(len(entry.people) for entry in sheet.entries)
     return [
         _head(sheet, None),

@@ -1,4 +1,4 @@
-"""How papers are wanted."""
+"""Options of papers."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -8,7 +8,7 @@ Format = Literal["a4", "quarter", "lanyard"]
 
 @dataclass(frozen=True)
 class ChalkOptions:
-    """How the chalk plan is wanted.
+    """Options of the chalk plan.
 
     Attributes:
         paper: of the whole drawing, A4 to A0; None for one that suits.
@@ -23,14 +23,14 @@ class ChalkOptions:
 
 @dataclass(frozen=True)
 class Options:
-    """How papers are wanted; each reads what it knows of.
+    """Options of papers; each paper reads its own.
 
     Attributes:
         paper: of the benches' sheets: A4, quarters of it, or cards to hang round the neck.
         by: whether there is a sheet for each bench or for each household.
         night: whether the type is large.
         phones: whether phone numbers are printed.
-        chalk: how the chalk plan is wanted.
+        chalk: of the chalk plan.
     """
 
     paper: Format = "a4"

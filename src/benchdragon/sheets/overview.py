@@ -36,7 +36,7 @@ from benchdragon.sheets.timetable import mark_name
 MOST_SIGNS = 500
 # Tightest moments that are listed, of different benches, and how far apart they are at least, m.
 MOST_TIGHT, TIGHT_APART = 3, 3.0
-# The columns of what a bench does and of who comes nearest, and what stands there for nobody.
+# The columns of a bench's walk and of the nearest bench, and the sign for none.
 WHAT, TIGHTEST, NONE = 4, 5, "-"
 # How far ahead one looks where there is no venue, m.
 FAR = 20.0
@@ -145,7 +145,7 @@ def _way_in(briefing: Briefing) -> Iterator[Block]:
 
 
 def _behind_the_first(briefing: Briefing, first: Point) -> Iterator[Block]:
-    """From where one comes to the first mark along the line of the route, and what stands there."""
+    """The approach to the first mark along the line of the route, and obstacles there."""
     blocked = _(
         "Back along the line from mark 1, {name} is in the way after {far} m: come to the line from "
         "the side."
@@ -187,7 +187,7 @@ def _straight_on(
 def _in_the_way(
     briefing: Briefing, place: Point, way: FloatArray, far: float
 ) -> tuple[float, str] | None:
-    """What stands in the way of a bench that goes so far straight on from a place, m.
+    """The obstacle in the way of a bench that goes so far straight on from a place, m.
 
     How far ahead, m, and its name; with its margin and the room that people ask for.
     """

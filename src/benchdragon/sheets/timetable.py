@@ -29,7 +29,7 @@ def passings_of(briefing: Briefing) -> tuple[Passing, ...]:
 
 
 def columns() -> tuple[str, ...]:
-    """What stands above the columns."""
+    """The headings of the columns."""
     return (
         _("place"), _("way (m)"), _("mark"), _("x, y from the peg (m)"), _("head"), _("tail"),
     )  # fmt: skip

@@ -1,1 +1,1 @@
-"""Lines that somebody drew or surveyed: read from files, brought near the dance, made into routes."""
+"""Drawn or surveyed lines: read from files, moved near the dance, made into routes."""

@@ -16,7 +16,7 @@ from benchdragon.surveys.lines import MOST_CURVES, most_bend
 
 BoolArray = npt.NDArray[np.bool_]
 
-# What joints may be off where nothing else is asked for, m and rad.
+# Default tolerances of joints, m and rad.
 GAP = 5e-3
 KINK = 1e-3
 # Half of what a route accepts: the rest is for rounding.

@@ -112,7 +112,7 @@ def system_of(crs: str) -> System:
     """The system of that name.
 
     Raises:
-        InputError: if there is none such.
+        InputError: for an unknown name.
         MissingExtraError: for one that needs pyproj, where it is not installed.
     """
     plain = re.sub(r"[\s_-]", "", crs.lower())

@@ -16,7 +16,7 @@ from benchdragon.surveys.flattening import Fineness, Tally, bezier_points, ellip
 from benchdragon.surveys.raw import RawFile, RawLine, passed_over, place_text
 from benchdragon.surveys.text_formats import text_of
 
-# $INSUNITS of DXF, as coordinates.UNITS calls them; nobody dances in others.
+# $INSUNITS of DXF, as coordinates.UNITS calls them; others are refused.
 DXF_UNITS = {
     1: "in", 2: "ft", 3: "mi", 4: "mm", 5: "cm", 6: "m", 7: "km", 9: "mil", 10: "yd", 13: "um",
     14: "dm", 15: "dam", 16: "hm", 21: "us-ft", 22: "us-in", 23: "us-yd", 24: "us-mi",
@@ -40,11 +40,11 @@ def dxf_file(data: bytes, name: str, fineness: Fineness) -> RawFile:
     LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE and SPLINE are read, blocks are not.
 
     Raises:
-        InputError: for what is no DXF, for curves that cannot be read, and for too many points.
+        InputError: for invalid DXF, for curves that cannot be read, and for too many points.
         MissingExtraError: without ezdxf.
     """
     document, says_unit = _document(data, name)
-    # Of a file that does not say it, ezdxf tells a unit of its own choice.
+    # For a file without a unit, ezdxf chooses one.
     unit = DXF_UNITS.get(document.header.get("$INSUNITS", 0)) if says_unit else None
     lines, passed, tally = [], list[str](), Tally(name, fineness(unit))
     for number, entity in enumerate(document.modelspace(), start=1):
@@ -102,7 +102,7 @@ def _not_read(entity: Any) -> str:
 
 
 def _deep(entity: Any) -> bool:
-    """Whether something was left out of a line as it was read flat."""
+    """Whether heights of a line were lost when it was projected."""
     if entity.dxftype() == "LINE":
         return bool(entity.dxf.start.z != entity.dxf.end.z)
     return entity.dxftype() == "POLYLINE" and bool(entity.is_3d_polyline)

@@ -138,7 +138,7 @@ def _fit(curves: tuple[AnyCurve, ...], deviation: float, absorbed: Absorbed) -> 
 
 
 def checked_fit(fit: Fit, deviation: float, least_radius: float) -> Fit:
-    """A fit, if it is as near and as gentle as is wanted."""
+    """A fit, if its deviation and its tightest bend are within the limits."""
     if fit.deviation > deviation:
         text = _(
             "the route keeps within {bound} m of the drawing, not within the deviation of "

@@ -12,7 +12,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
 
-# Files that strangers send: bytes of one file, corners of one line, lines of one file.
+# Limits of untrusted files: bytes of one file, corners of one line, lines of one file.
 MOST_BYTES = 50_000_000
 MOST_CORNERS = 100_000
 MOST_LINES = 10_000
@@ -169,7 +169,7 @@ def _from_least(ring: FloatArray) -> FloatArray:
 def chained(lines: Sequence[DrawnLine], gap: float) -> list[DrawnLine]:
     """Lines whose ends meet within `gap`, m, joined end to end, turned round where they must be.
 
-    An end at which more than two lines meet joins none, as nobody can say which goes on.
+    Ends at which more than two lines meet are not joined, as the continuation is ambiguous.
     """
     left = [line for line in lines if not line.closed and not line.curves]
     found = [line for line in lines if line.closed or line.curves]

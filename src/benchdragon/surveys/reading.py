@@ -43,11 +43,11 @@ READERS: dict[str, Reader] = {
     ".landxml": landxml_file,
 }
 ENDINGS = (*READERS, ".dxf", ".svg")
-# What is told of a file while it is read, a sentence at a time.
+# A listener for notes on a file while it is read, a sentence at a time.
 Tell = Callable[[str], object]
 # A degree of latitude or longitude is at most so long, m, where it is shown in GCJ-02 too.
 METRES_A_DEGREE = 112_000.0
-# What is bent more tightly is a slip of the pen, m.
+# Tighter bends, m, are input errors.
 LEAST_RADIUS = 1e-6
 # Ends of an arc that is no whole circle lie farther apart than rounding alone would have them, m.
 LEAST_CHORD = 1e-3
@@ -60,7 +60,7 @@ MOST_NAMES = 10
 
 
 def _untold(_sentence: str) -> None:
-    """For who does not ask what was passed over."""
+    """A listener that ignores all notes."""
 
 
 def read_lines(path: Path, survey: Survey, tell: Tell = _untold) -> tuple[list[DrawnLine], Survey]:

@@ -19,10 +19,10 @@ from benchdragon.surveys.xml_formats import xml_tree
 # Elements of SVG that are drawn; links to others, which may multiply, are left out.
 SVG_DRAWN = {"path", "polyline", "polygon", "line", "rect", "circle", "ellipse"}
 SVG_GROUPS = {"svg", "g", "a", "switch"}
-# Elements of SVG that show something, and are not read.
+# Visible elements of SVG that are not read.
 SVG_SHOWN = {"use", "text", "image", "foreignObject"}
 SVG_HIDDEN = re.compile(r"(?:^|;)\s*(?:display\s*:\s*none|visibility\s*:\s*(?:hidden|collapse))\b")
-# How many numbers each command of a path wants; a number; what an arc wants, whose flags may be glued.
+# How many numbers each command of a path takes; a number; those of an arc, whose flags may be joined.
 SVG_COMMANDS = {"M": 2, "L": 2, "T": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "A": 7, "Z": 0}
 SVG_NUMBER = r"[-+]?(?:\d++\.?\d*+|\.\d++)(?:[eE][-+]?\d++)?+"
 SVG_ARC = re.compile(
@@ -51,7 +51,7 @@ def svg_file(data: bytes, name: str, fineness: Fineness, physical: bool) -> RawF
         physical: whether its width in mm or the like and its viewBox tell the unit.
 
     Raises:
-        InputError: for what is no SVG, and for too many points.
+        InputError: for invalid SVG, and for too many points.
         MissingExtraError: without svgelements.
     """
     try:
@@ -86,7 +86,7 @@ def svg_file(data: bytes, name: str, fineness: Fineness, physical: bool) -> RawF
 def _keep_drawn(element: Element, name: str, passed: list[str], sized: bool) -> None:
     """Leave in an element what is drawn alone, checked; what else shows, or is hidden, is passed over.
 
-    Of a <switch> the first that is for everybody is drawn. `sized`: percentages mean something.
+    Of a <switch> the first element without conditions is drawn. `sized`: percentages have a meaning.
     """
     drawn = False
     for inner in list(element):

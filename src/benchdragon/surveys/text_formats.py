@@ -50,7 +50,7 @@ def csv_file(data: bytes, name: str) -> RawFile:
     A column `layer` or `name`, if there is one, tells lines apart.
 
     Raises:
-        InputError: for other columns, and for what is no number.
+        InputError: for other columns, and for invalid numbers.
     """
     text = text_of(data, name)
     mark = _mark(text)
@@ -123,7 +123,7 @@ def _closed(points: list[tuple[float, ...]]) -> bool:
 
 
 def text_of(data: bytes, name: str, told: str = "gb18030") -> str:
-    """The text of a file in UTF-8, in UTF-16 with its mark, or in the encoding that it is told to have.
+    """The text of a file in UTF-8, in UTF-16 with its mark, or in the given encoding.
 
     Raises:
         InputError: for what is none of these.

@@ -40,7 +40,7 @@ def xml_tree(data: bytes, name: str) -> Element:
     No entity is read, and nothing is fetched.
 
     Raises:
-        InputError: for what is no XML, uses entities, or is nested too deeply.
+        InputError: for invalid XML, for entities, and for nesting that is too deep.
     """
     builder = TreeBuilder()
     parser = expat.ParserCreate(namespace_separator="}")
@@ -89,7 +89,7 @@ def kmz_file(data: bytes, name: str) -> RawFile:
     """The lines of the first KML file in a KMZ archive.
 
     Raises:
-        InputError: for what is no such archive, and for a file in it that is too large.
+        InputError: for an invalid archive, and for a file in it that is too large.
     """
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
@@ -109,7 +109,7 @@ def kml_file(data: bytes, name: str) -> RawFile:
     """The lines, tracks and outer edges of polygons of a KML file: longitudes and latitudes.
 
     Raises:
-        InputError: for what is no KML.
+        InputError: for invalid KML.
     """
     root = xml_tree(data, name)
     if root.tag != "kml":
@@ -135,7 +135,7 @@ def gpx_file(data: bytes, name: str) -> RawFile:
     """The tracks and routes of a GPX file, each segment by itself: longitudes and latitudes.
 
     Raises:
-        InputError: for what is no GPX, and for a point without a place.
+        InputError: for invalid GPX, and for a point without a place.
     """
     root = xml_tree(data, name)
     if root.tag != "gpx":
@@ -183,7 +183,7 @@ def landxml_file(data: bytes, name: str) -> RawFile:
     """The alignments of a LandXML file: lines, arcs and clothoids by their points.
 
     Raises:
-        InputError: for what is no LandXML, and for curves other than these.
+        InputError: for invalid LandXML, and for other curves.
     """
     root = xml_tree(data, name)
     if root.tag != "LandXML":

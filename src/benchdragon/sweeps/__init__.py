@@ -1,1 +1,1 @@
-"""Many questions about one plan: at which points, what comes out, and where to look closer."""
+"""Sweeps: questions about one plan at many points, their answers, and refinement."""

@@ -1,4 +1,4 @@
-"""The command line that makes a sweep anew, told from what it is."""
+"""The command line that makes a sweep again, derived from its record."""
 
 import shlex
 from collections.abc import Mapping, Sequence
@@ -15,9 +15,9 @@ from benchdragon.solve.tolerance import CASES
 from benchdragon.sweeps.points import Value, parse_vary
 from benchdragon.sweeps.sweep import Sweep
 
-# What a plan file is called where nobody said.
+# The default name of a plan file.
 PLAN_FILE, POINTS_FILE = "plan.dragon.toml", "points.parquet"
-# A plan is told as a built-in one with at most so many other values.
+# A plan is written as a built-in one with at most so many other values.
 MOST_SETTINGS = 8
 # The largest seed that --seed takes.
 MOST_SEED = 2**31

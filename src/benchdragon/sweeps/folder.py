@@ -46,7 +46,7 @@ def name_of(about: Mapping[str, Any]) -> bytes:
 
 
 def read_about(folder: Path) -> dict[str, Any]:
-    """What the sweep in a folder is.
+    """The record of the sweep in a folder.
 
     Raises:
         InputError: if there is none.
@@ -192,10 +192,10 @@ def lost_rows(table: Any, asked: list[str]) -> npt.NDArray[np.bool_]:
 
 @contextmanager
 def opened(folder: Path, about: Mapping[str, Any]) -> Iterator[None]:
-    """A folder for a sweep, made or gone on with; nobody else writes into it meanwhile.
+    """A folder for a sweep, new or continued, locked against other processes.
 
     Raises:
-        FileRefusedError: if it holds another sweep, or files of another kind, or somebody writes there.
+        FileRefusedError: if it holds another sweep or other files, or another process writes there.
         MachineError: if it cannot be made or written.
     """
     with ExitStack() as stack:
@@ -235,7 +235,7 @@ def _prepare(folder: Path, about: Mapping[str, Any]) -> None:
 
 
 def write_about(folder: Path, about: Mapping[str, Any]) -> None:
-    """Say what the sweep in a folder is."""
+    """Write the record of the sweep in a folder."""
     write_whole(folder / ABOUT, json.dumps(about))
 
 

@@ -1,4 +1,4 @@
-"""What a sweep may ask of each of its plans, and what may come of it."""
+"""The questions that a sweep may ask of each of its plans, and their outcomes."""
 
 import math
 import time as clock
@@ -31,7 +31,7 @@ from benchdragon.solve.turn import best_turn
 # Beside the status of an answer: no benches touch; the dragon cannot walk; such a plan cannot be; the
 # worker was lost, or its memory ran out, each time.
 CLEAR, UNWALKABLE, REFUSED, LOST = "clear", "unwalkable", "refused", "lost"
-# What readers are told.
+# Texts for readers.
 STATES = {
     "found": N_("found"),
     "proved": N_("proved"),
@@ -66,7 +66,7 @@ class RandomDances:
 
 @dataclass(frozen=True)
 class Question:
-    """Something that may be asked of a plan.
+    """A question about a plan.
 
     Attributes:
         name: what the command line and the columns call it.
@@ -83,7 +83,7 @@ class Question:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a question of one plan came to: an answer, or why there is none."""
+    """The outcome of a question about one plan: an answer, or why there is none."""
 
     status: str
     answer: Answer | None = None
@@ -110,7 +110,7 @@ def _greatest_speed(plan: Plan, _dances: RandomDances) -> Answer:
 
 def _tolerance(plan: Plan, dances: RandomDances) -> Answer:
     """The share of random dances in which benches touch, with its bounds at 95 %."""
-    plan.build()  # what cannot be is told, not counted
+    plan.build()  # invalid plans raise an error and are not counted
     hits = sum(
         touches(plan, Draw(dances.deviations, dances.seed, number)) for number in range(dances.draws)
     )
@@ -160,7 +160,7 @@ def questions(names: Sequence[str]) -> list[Question]:
 
 
 def outcome(question: Question, plan: Plan, dances: RandomDances) -> Outcome:
-    """What a question of a plan comes to."""
+    """The outcome of a question about a plan."""
     began = clock.perf_counter()
     status, answer, message, until = CLEAR, None, None, math.nan
     try:

@@ -107,7 +107,7 @@ class Refiner:
             )
 
     def ask(self, count: int) -> list[tuple[float, ...]]:
-        """The next points, at most so many; none where all is as fine as wanted."""
+        """The next points, at most so many; none where all is as fine as required."""
         if self._learner.loss(real=False) == 0.0:
             return []
         found, _gains = self._learner.ask(count, tell_pending=True)

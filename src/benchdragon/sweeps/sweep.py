@@ -252,9 +252,9 @@ def sweep(
         dances: that the question "tolerance" walks.
         refinement: further points where answers change most, for one key or two.
         executor: that runs the work, or a place of `parallel`; processes of this machine, one a core,
-            if there is none. Those are started anew, so that a script must keep to
-            `if __name__ == "__main__"`.
-        progress: is told the share of points that are done.
+            if there is none. Those are new interpreters, so that a script needs `if __name__ ==
+            "__main__"`.
+        progress: is called with the share of points done.
 
     Raises:
         InputError: for questions that are unknown, or points that cannot be.
