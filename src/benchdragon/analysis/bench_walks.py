@@ -93,7 +93,7 @@ class BenchWalk:
         heading: of the bench then, rad.
         box: its rectangle then, a row of kernels/box.py.
         stretches: one after another, from the start of the dance to its end.
-        tightest: None where no bench of another coil comes within the distance looked for.
+        tightest: None where no bench of another coil comes within the distance searched.
         before: number of the bench before it; None for the head.
         behind: number of the bench behind it; None for the tail.
         left: number of the bench on its left at the end; None where none is near.

@@ -49,7 +49,7 @@ class Window:
     """A span of time through which some pair of benches touches (or is nearer than the margin).
 
     Attributes:
-        opens: when it begins; status "undecided" for a graze that rounding leaves open.
+        opens: when it begins; status "undecided" for a graze within rounding.
         closes: when it ends; None if it lasts to the end of what was searched.
     """
 
@@ -186,8 +186,8 @@ def least_clearance(
 
     0 where benches overlap; infinite for a dragon of one or two benches. The bracket is as wide as the
     first of `tolerances`, m, or where benches keep one distance for a while as one of the others, or
-    wider yet where that takes too much work. Nothing beyond `within` metres is looked for: if none is
-    nearer the upper end is infinite, and the lower one that less the tolerance.
+    wider yet where that takes too much work. Nothing beyond `within` metres is searched: if no pair is
+    nearer, the upper end is infinite, and the lower one `within` less the tolerance.
 
     Raises:
         InputError: for an end before the start.

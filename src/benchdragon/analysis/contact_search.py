@@ -132,7 +132,7 @@ class ContactSearch(EngineQuestion):
         return ending
 
     def stopped(self, sound: float, until: float) -> Exception:
-        """Why the walk could not be followed past head position `sound`, looked for up to `until`."""
+        """Why the walk could not be followed past head position `sound`, sought up to `until`."""
         # A bench may stand square to the route for a tenth of a millimetre only, and then leap.
         reach, at, ahead = max(min(until, self.end) - sound, UNKNOWN), [sound], UNKNOWN
         while ahead < reach:

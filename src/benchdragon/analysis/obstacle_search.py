@@ -103,8 +103,8 @@ class ObstacleSearch(EngineQuestion):
     def touches(self) -> list[Answer]:
         """When a bench first comes nearer to the obstacle than it may: empty if none does.
 
-        The last is sure; those before it are grazes that rounding leaves open, "undecided". All is
-        clear up to the lower end of the first.
+        The last is sure; those before it are grazes within rounding, "undecided". All is clear up to
+        the lower end of the first.
 
         Raises:
             WalkError: if the dragon cannot walk on to the end.

@@ -80,9 +80,10 @@ def prove_contact(
 ) -> Answer | None:  # fmt: skip
     """`first_contact`, proved: clear up to `lower`, and a pair nearer than the margin by `upper`.
 
-    None is proved as well: no pair comes nearer than the margin from start to end. A graze that stays
-    open is "undecided". What was shown is added to `claims`. With the `plan` of which the walk is built
-    all numbers, times and margin too, count as they are written, else as the doubles that they are.
+    None is proved as well: no pair comes nearer than the margin from start to end. A graze that cannot
+    be decided is "undecided". What was shown is added to `claims`. With the `plan` of which the walk is
+    built all numbers, times and margin too, count as they are written, else as the doubles that they
+    are.
 
     Raises:
         InputError: for a number that the plan holds rounded, or a route that cannot be enclosed.

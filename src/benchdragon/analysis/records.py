@@ -38,7 +38,7 @@ class Record(BaseModel):
 
 
 class Witness(Record):
-    """Where and when an answer comes about: see `answer.Witness`."""
+    """Where and when the value of an answer occurs: see `answer.Witness`."""
 
     time: Number
     s: Number

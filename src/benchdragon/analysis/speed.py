@@ -96,7 +96,7 @@ def greatest_speed(
 
     Raises:
         InputError: for an end before the start, or a tolerance that is not between 1e-12 and 1.
-        WalkError: if the dragon cannot stand at some time that was looked at.
+        WalkError: if the dragon cannot stand at some time that was sampled.
     """
     return greatest(walk, QUANTITIES["speed"], start, end, tolerance=tolerance, progress=progress)
 
@@ -117,7 +117,7 @@ def greatest(
 
     Raises:
         InputError: for an end before the start, or a tolerance that is not between 1e-12 and 1.
-        WalkError: if the dragon cannot stand at some time that was looked at.
+        WalkError: if the dragon cannot stand at some time that was sampled.
     """
     began = clock.perf_counter()
     of_kind("walk", walk, Walk)
@@ -142,7 +142,7 @@ def greatest_of(
 
     Raises:
         InputError: for a tolerance that is not between 1e-12 and 1.
-        WalkError: if the dragon cannot stand at some position that was looked at.
+        WalkError: if the dragon cannot stand at some position that was sampled.
     """
     stretches = SpeedProfile.constant(1.0).stretches(first, last)
     return sought(walk, stretches, [(quantity, tolerance, limit)], progress).peak
@@ -205,7 +205,7 @@ def sought(
 
     Raises:
         InputError: for a tolerance that is not between 1e-12 and 1.
-        WalkError: if the dragon cannot stand at some position that was looked at.
+        WalkError: if the dragon cannot stand at some position that was sampled.
     """
     quantities, ending = list(QUANTITIES.values()), MORE
     drives, kept = _new(walk, stretches)
@@ -247,7 +247,7 @@ def _new(walk: Walk, stretches: Stretches) -> tuple[Stretches, list[int]]:
 
 
 def witness_of(walk: Walk, quantity: Quantity, found: Peak) -> Witness:
-    """Where a peak comes about: handle or bench, and when a head at the walk's own speed is there."""
+    """Where a peak occurs: handle or bench, and when a head at the walk's own speed is there."""
     time, row = walk.time_at(found.s), found.row
     return Witness(
         time if math.isfinite(time) else None, found.s, (min(row + 1, len(walk.dragon)),), found.point,

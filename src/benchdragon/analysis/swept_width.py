@@ -1,7 +1,7 @@
 """Where the band that a dance covers along its route is widest, across the route.
 
-At a place of the route, the band is what is covered of the line square to the route there, as far out
-as a bench can be from its own route, by benches that stand there: the place lies between their ends.
+At a place of the route, the band is what is covered of the line square to the route there, as far as a
+bench can reach from its own route, by benches that stand there: the place lies between their ends.
 """
 
 from dataclasses import dataclass

@@ -1,8 +1,8 @@
 """A plan's numbers as written, in balls: those that a proof is about.
 
 A plan file's numbers are decimals, and pi is pi. From these sizes, curves and places are computed in
-ball arithmetic; no double stands between. Where a route comes about by a search (a formation, a
-drawing, a turn with clothoids), the curves that were found are taken for exact as they are stored.
+ball arithmetic; no double stands between. Where a route is found by a search (a formation, a drawing, a
+turn with clothoids), the curves that were found are taken for exact as they are stored.
 """
 
 from collections.abc import Sequence
@@ -109,7 +109,7 @@ def _moved(plan: Plan) -> tuple[arb, Pair]:
 
 
 def _told(plan: Plan, walk: Walk) -> Told | None:
-    """The parts of a plan's route; None where they come about by a search."""
+    """The parts of a plan's route; None where they are found by a search."""
     route = plan.route
     if isinstance(route, SpiralInRoute):
         pitch, disc = number(route.pitch), plan.disc.radius

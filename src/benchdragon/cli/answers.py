@@ -1,4 +1,4 @@
-"""Answers for readers: value, how it was established, where and when it comes about."""
+"""Answers for readers: value, how it was established, where and when it occurs."""
 
 import math
 import warnings
@@ -92,7 +92,7 @@ def print_distance(answers: "ObstacleAnswers", *, brackets: bool) -> None:
 
 
 def _print_witness(near: Witness | None, brackets: bool) -> None:
-    """Where and when an answer comes about; with `brackets` in more digits."""
+    """Print where and when the value occurs; with `brackets` in more digits."""
     count = 6 if brackets else 2
     time = math.inf if near is None or near.time is None else near.time
     when = decimals(time, count) if brackets and math.isfinite(time) else seconds(time)

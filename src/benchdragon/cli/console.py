@@ -80,7 +80,7 @@ def print_first(contact: "Answer", pitch: "Answer", report: Path) -> None:
 
 
 def print_explanation(lines: Sequence[str]) -> None:
-    """How an answer came about, numbered; nothing without lines."""
+    """Print the derivation of an answer, numbered; nothing without lines."""
     if not lines:
         return
     click.echo("\n" + _("Step by step (metres, seconds, radians):"))

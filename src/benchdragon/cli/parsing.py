@@ -173,7 +173,7 @@ def _item_times(item: str, room: int) -> Sequence[float]:
 
 
 def _time(text: str) -> float | None:
-    """A time, s; None for what is none."""
+    """A time, s; None for other text."""
     if found := CLOCK.fullmatch(text):
         sign, hours, minutes, seconds = found.groups()
         total = 3600.0 * int(hours or 0) + 60.0 * int(minutes) + float(seconds)

@@ -126,7 +126,7 @@ def _write_pictures(
 
 
 def _lines(plan: "Plan", found: dict[str, "Tolerance"], texts: dict[str, str]) -> list[str]:
-    """How the last case came about, which is all deviations together if none was given."""
+    """The derivation of the last case: all deviations together if none was given."""
     from benchdragon.explain.tolerance import margin_lines
 
     name, one = list(found.items())[-1]

@@ -1,4 +1,4 @@
-"""How answers of solve and reproduce came about, in plain words (see `text`)."""
+"""How answers of solve and reproduce are derived, in plain words (see `text`)."""
 
 import math
 from collections.abc import Sequence

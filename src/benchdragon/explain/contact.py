@@ -1,4 +1,4 @@
-"""How a check came about, in plain words: what meets, why nothing is missed (see `text`)."""
+"""How a check is derived, in plain words: the contact, and why none is missed (see `text`)."""
 
 from typing import NamedTuple
 
@@ -255,7 +255,7 @@ def _greatest_speed_lines(walk: Walk, answer: Answer, limit: float | None) -> li
 
 
 def ratio_lines(walk: Walk, near: Witness) -> tuple[float, list[str]]:
-    """The greatest speed ratio with the head where a witness says, and how it comes about."""
+    """The greatest speed ratio with the head where a witness says, and its derivation."""
     s = near.s
     ratios = walk.placement([s]).speed_ratio[0]
     row = fastest_handle(ratios)

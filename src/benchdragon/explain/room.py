@@ -1,4 +1,4 @@
-"""How room for people was looked for: level upon level, with what each asks for."""
+"""How room for people was checked: each level with its requirements."""
 
 from collections.abc import Callable
 
@@ -63,7 +63,7 @@ def plain_asked(level: RoomLevel) -> str:
 
 
 def room_lines(report: Report) -> list[str]:
-    """How the levels of room came about; none where the plan asks for none."""
+    """The derivation of the levels of room; no lines where the plan asks for none."""
     if not report.room:
         return []
     people, margin = report.plan.people, report.plan.limits.margin

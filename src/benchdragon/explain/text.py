@@ -1,4 +1,4 @@
-"""How a motion came about, in plain words: each formula with the case's own numbers in it.
+"""How a motion is derived, in plain words: each formula with the case's own numbers in it.
 
 A list of lines, one step a line. The text between two equals signs can be typed into a pocket
 calculator: A marks the start of a part of the route, a digit the number of a handle.

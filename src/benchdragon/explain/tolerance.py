@@ -1,4 +1,4 @@
-"""How the room that imprecise people need came about, in plain words with the case's own numbers."""
+"""How the tolerance is derived, in plain words with the case's own numbers."""
 
 import math
 from dataclasses import fields

@@ -36,7 +36,7 @@ class Reel:
         count: how many there are.
         frames: pixels of each, red, green, blue, opacity; each is read before the next is made.
         title: kept in the file.
-        about: likewise.
+        about: kept in the file.
     """
 
     size: tuple[int, int]

@@ -14,7 +14,7 @@ Status = Literal["proved", "found", "infeasible", "undecided", "unlimited"]
 
 @dataclass(frozen=True)
 class Witness:
-    """Where and when an answer comes about.
+    """Where and when the value of an answer occurs.
 
     Attributes:
         time: s; None where time has no part in it.

@@ -20,7 +20,7 @@ Mistake = Literal[
 
 # Positions and speeds, as parts of the arrays.
 SHEETS = (slice(0, 2), slice(2, 3))
-# Decimals that the contest asks for, and the fewest that are looked for; half a unit of the last one,
+# Decimals that the contest asks for, and the fewest that are recognised; half a unit of the last one,
 # with some room, is what rounding does.
 DECIMALS, FEWEST_DECIMALS, HALF = 6, 0, 0.501
 # Cells agree within this many times what rounding does.

@@ -154,7 +154,7 @@ def compare(path: str | Path, *, result: Result | None = None, tolerance: float 
 
 
 def _compared(case: Case, kind: Result, told: Sequence[str], swaps: list[str]) -> Comparison:
-    """What a workbook shows beside the exact values, and what was told of it before."""
+    """The comparison of a workbook with the exact values, after the remarks on reading it."""
     off = np.abs(case.theirs - case.ours)
     departs = bool((off > case.tolerance).any())
     fits, shown = _fits(case) if departs else ([], _Shown(case, exact_fit(case)))

@@ -1,4 +1,4 @@
-"""How the paper's answers come about, in plain words (see `explain.text`)."""
+"""How the paper's answers are derived, in plain words (see `explain.text`)."""
 
 import math
 from collections.abc import Sequence

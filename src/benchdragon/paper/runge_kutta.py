@@ -1,7 +1,7 @@
 """The paper's way to the head's place: Runge-Kutta for d theta / dt = -v / (k sqrt(1 + theta^2)).
 
 The closed form needs no differential equation (see `profile.SpeedProfile.distance`); the two check each
-other, and what is integrated shows how errors come about.
+other, and what is integrated shows how errors arise.
 """
 
 import itertools

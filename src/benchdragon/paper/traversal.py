@@ -33,9 +33,9 @@ def traversed_pitch(
 ) -> Answer:  # fmt: skip
     """The smallest pitch as the paper finds it: pitches in steps, a flag at times in steps.
 
-    The flag rises when the gap of any two non-adjacent benches is negative at a time that is looked
-    at, the last always among them; contact between two times, or a pitch between two steps, is not
-    seen. So the answer is "undecided" and depends on both steps (m and s): compare `smallest_pitch`.
+    The flag rises when the gap of any two non-adjacent benches is negative at a time that is sampled,
+    the last always among them; contact between two times, or a pitch between two steps, is not seen. So
+    the answer is "undecided" and depends on both steps (m and s): compare `smallest_pitch`.
 
     Args:
         plan: the rest of the walk.

@@ -26,7 +26,7 @@ QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
 HANDLES = 224
 # What is read: bytes of the file, and times.
 MOST_BYTES, MOST_TIMES = 32 * 2**20, 1001
-# Numbers beyond are slips of the pen, s and m.
+# Larger numbers are input errors, s and m.
 MOST_SECONDS, MOST_METRES = 1e4, 1e6
 # Columns in which labels are sought: an index may stand before them.
 LABEL_COLUMNS = 3

@@ -66,7 +66,7 @@ class FirstLook:
 
 
 def first_look(plan: Plan) -> FirstLook | None:
-    """The first look at a plan's dance; None where it cannot be walked or judged."""
+    """The picture of a plan's dance; None where it cannot be walked or checked."""
     try:
         report = check(plan)
         return _look(report)

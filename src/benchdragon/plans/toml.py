@@ -25,13 +25,13 @@ CONTEST = ("spiral-in", "turn", "question-3")
 SUFFIX = ".dragon.toml"
 # Bytes: anything larger is not a plan.
 MOST_BYTES = 20_000_000
-# Keys and tables of a text, by the signs that begin them, and entries of lists: who reads them holds a
+# Keys and tables of a text, by the signs that begin them, and entries of lists: reading them takes a
 # kilobyte of each. 80,000 benches fit, each of four sizes of its own.
 MOST_KEYS, MOST_ENTRIES = 500_000, 1_000_000
 
-# Tables within tables by dotted keys, and digits of a number to another base than 10: of more the
-# parser makes what takes minutes, or cannot be shown. They are looked for from where words begin alone,
-# so that a text of any signs is read through once.
+# Tables within tables by dotted keys, and digits of a number to another base than 10: with more the
+# parser takes minutes, or its result cannot be shown. They are matched only from where words begin, so
+# that any text is scanned once.
 MOST_DEPTH, MOST_DIGITS = 30, 200
 WORD = r"""(?:[A-Za-z0-9_-]++|"(?:\\.|[^"\\\n])*+"|'[^'\n]*+')[ \t]*+"""
 DEEP = re.compile(rf"(?<![\\A-Za-z0-9_-])(?:{WORD}\.[ \t]*+){{{MOST_DEPTH}}}")

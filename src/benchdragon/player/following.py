@@ -1,9 +1,9 @@
 """A long dance as its head's frames, and how the handle behind follows a handle: two small tables.
 
-Handle i + 1 stands one link behind handle i, hence where it stands depends on where handle i stands
-alone, and not on the time. Frames of every handle grow with benches times seconds; this does not grow
-with the benches at all, and with the route hardly. A page follows from handle to handle; errors of
-3,000 steps add up, so that the tables are exact to a few nanometres (design/frames.py).
+Handle i + 1 stands one link behind handle i, so that its place depends on that of handle i alone, not
+on the time. The size of frames of every handle grows with benches times seconds; that of these tables
+does not grow with the benches, and little with the route. A page follows from handle to handle; errors
+of 3,000 steps add up, so that the tables are exact to a few nanometres (design/frames.py).
 """
 
 import math
@@ -23,7 +23,7 @@ from benchdragon.player.frames import STEPS, Frames, Shares, check_farthest, eve
 SHARE = 1e-4
 # The most nodes of all tables; different links.
 MOST_ALL, MOST_KINDS = 100_000, 8
-# Seconds between looks for the greatest speeds; handles times looks at most (5 s).
+# Seconds between samples for the greatest speeds; handles times samples at most (5 s).
 LOOK, MOST_LOOKS = 0.25, 60_000_000
 # Handles times times at which all is compared with the exact places (3 s).
 MOST_COMPARED = 1_500_000
@@ -31,7 +31,7 @@ MOST_COMPARED = 1_500_000
 
 @dataclass(frozen=True)
 class Following:
-    """How all handles follow the head, and what came out on the way.
+    """How all handles follow the head, and figures computed on the way.
 
     Attributes:
         head: frames of the head's handle alone; their error is that of all handles.
@@ -40,7 +40,7 @@ class Following:
         when: and when, s, (benches,).
         speeds: least and greatest speed of all handles, m/s.
         change: greatest change of any handle's speed, m/s^2.
-        times: looked at for that, s.
+        times: of the samples, s.
         ends: route positions of the first and the last handle at these, m, (2, times).
     """
 
@@ -128,7 +128,7 @@ def _compared(walk: Walk, head: Frames, tables: kernel.Tables, most: int) -> flo
 
 
 def _looked(walk: Walk, head: Frames, tables: kernel.Tables, error: float) -> Following:
-    """What comes out of a look at all handles, evenly spread over the dance."""
+    """Figures from samples of all handles, evenly spread over the dance."""
     benches = len(walk.dragon)
     count = min((head.end - head.start) / LOOK, MOST_LOOKS / (benches + 1))
     times = np.linspace(head.start, head.end, max(math.ceil(count), 2) + 1)

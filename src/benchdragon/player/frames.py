@@ -30,12 +30,12 @@ Shares = tuple[float, ...]
 
 # Seconds between frames that are tried, largest first.
 STEPS = tuple(2.0**n for n in range(2, -7, -1))
-# Looks between two frames, as shares of the step: where cubics are off most is looked at first.
+# Samples between two frames, as shares of the step: first where cubics are off most.
 SHARES = (0.5, 0.125, 0.25, 0.375, 0.625, 0.75, 0.875)
 # A handle so far from its cubic, m, leaps if it also is with frames so near to one another, s, and then
 # the dance ends so long before, s.
 LEAP, CLOSE, BEFORE = 0.125, 2.0**-6, 0.125
-# Frames that a sketch looks at.
+# Frames of a sketch that are tested.
 TRIED = 40
 # Handles times frames: 8 bytes each in a page's memory.
 MOST_PLACES = 12_000_000
@@ -137,7 +137,7 @@ def shot(
 ) -> tuple[Frames, FloatArray]:
     """Frames of handles so linked at times, s; how far off each is, m, until the next.
 
-    No more is looked at once one is off by more than `most`, m.
+    Sampling ends once one is off by more than `most`, m.
     """
     step, handles = float(times[-1] - times[0]) / (len(times) - 1), len(links) + 1
     table, errors = np.zeros((handles, len(times)), dtype=np.int64), np.zeros(len(times))
@@ -200,7 +200,7 @@ class Course:
         stretches: of evenly spaced nodes, as in kernels/following.py.
         nodes: x, y (m, from `origin`) and heading (rad) of all nodes, float32, (3, nodes).
         origin: m.
-        error: the largest distance of a cubic from the route, m, as looked at.
+        error: the largest distance of a cubic from the route, m, in samples.
     """
 
     stretches: FloatArray

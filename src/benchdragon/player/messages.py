@@ -44,8 +44,8 @@ class Frames(Record):
     """Route positions and speeds of handles at evenly spaced times, packed.
 
     Of all handles, or of the head's alone where the dance says how the others follow. Handle by handle;
-    see `frames.packed_frames`. Between them positions go along cubics, speeds along lines; where that
-    was looked at, no handle was farther than `largest_error` (m) from its place.
+    see `frames.packed_frames`. Between them positions go along cubics, speeds along lines; in all
+    samples no handle was farther than `largest_error` (m) from its place.
     """
 
     start: float
@@ -108,7 +108,7 @@ class Occasion(Record):
 
 
 class DrawnObstacle(Record):
-    """What stands on the square, or the venue's edge: see `obstacle.Obstacle`.
+    """An obstacle, or the venue's edge: see `obstacle.Obstacle`.
 
     Attributes:
         name: in both languages.
@@ -126,7 +126,7 @@ class DrawnObstacle(Record):
 
 
 class Nearest(Record):
-    """When each bench comes nearest to one that is not its neighbour, as far as looked at.
+    """When each bench comes nearest to a non-adjacent one, in samples.
 
     Distance, m (minus the depth of an overlap), time, s, and number of the other bench; 0 where it
     never comes within `reach`.

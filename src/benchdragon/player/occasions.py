@@ -34,8 +34,8 @@ def joints_passed(
 ) -> list[Occasion]:
     """When head and tail pass joints of a route, m; none where there are too many.
 
-    They are at `ends`, m, at increasing times, s. Whoever stands at a joint when the dance begins or
-    ends does not pass it.
+    They are at `ends`, m, at increasing times, s. Standing at a joint when the dance begins or ends is
+    no passing.
     """
     found: list[Occasion] = []
     tail = N_("the tail passes joint {n} of the route")

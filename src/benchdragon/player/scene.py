@@ -41,7 +41,7 @@ from benchdragon.version import __version__
 
 # What a page may show off its place, m.
 MOST_ERROR = 1e-3
-# How far benches are looked at for their nearest, m; at how many times at most, and places.
+# Reach of the search for nearest benches, m; greatest numbers of its times, and of places.
 REACH = 1.0
 MOST_TIMES, MOST_DISTANCES = 1500, 3_000_000
 # Route drawn before the tail and past the head, m.
@@ -60,8 +60,8 @@ class Span:
         start: s.
         end: s.
         most_error: how far a place may be off between frames, m.
-        shares: where between two frames that is looked at, as shares of a step.
-        times: at how many times at most it is looked who is near whom.
+        shares: of the samples between two frames, as shares of a step.
+        times: greatest number of times at which nearest benches are sought.
     """
 
     start: float
@@ -80,7 +80,7 @@ class Span:
 
 
 def is_long(walk: Walk, span: Span) -> bool:
-    """Whether a dance is long: its page is told how handles follow."""
+    """Whether a dance is long: its page gets tables of how handles follow."""
     return len(walk.dragon) * (span.end - span.start) > LONG
 
 
@@ -235,7 +235,7 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
 
 
 def _shot(walk: Walk, span: Span) -> tuple[Frames, Following | None]:
-    """Frames of all handles; of a long dance, if it can be told so, the head's, and how all follow."""
+    """Frames of all handles; of a long dance, if possible, the head's, and how all follow."""
     most = 0.9 * span.most_error
     if is_long(walk, span):
         found = following(walk, span.start, span.end, most, span.shares)
@@ -303,7 +303,7 @@ def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[messages.Nearest, me
     """Each bench's tightest moment, and the tightest pair over time, at evenly spread times."""
     benches = len(walk.dragon)
     walked = QUANTUM * float(shot.places[0, -1] - shot.places[0, 0])
-    wanted = 4.0 * max(walked, shot.end - shot.start, 0.5)  # a look each 0.25 m, and each 0.25 s
+    wanted = 4.0 * max(walked, shot.end - shot.start, 0.5)  # a sample each 0.25 m, and each 0.25 s
     count = int(min(most, max(2, MOST_DISTANCES // benches), wanted))
     times = np.linspace(shot.start, shot.end, count)
     table, over_time = np.tile([np.inf, 0.0, 0.0], (benches, 1)), []

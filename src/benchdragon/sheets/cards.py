@@ -204,7 +204,7 @@ class Cards(Typeset):
         self._foot(frame)
 
     def _back(self, frame: Frame, facts: list[Block]) -> None:
-        """What is seen after, likewise."""
+        """The back, as `_front`."""
         _none, facts, share = self._fitting(frame, [[]], facts, 0.0)
         self._blocks(frame.x, frame.y, frame.width, facts, share)
         self._foot(frame)

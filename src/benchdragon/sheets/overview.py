@@ -73,7 +73,7 @@ def overview(briefing: Briefing, phones: bool) -> Document:
 
 
 def _tightest(briefing: Briefing) -> list[Block]:
-    """The tightest moments, each told of one bench, and where on the ground to look at it."""
+    """The tightest moments, one bench each, and where on the ground to watch it."""
     found = [(one.tightest.upper, one.bench, one.tightest) for one in briefing.benches if one.tightest]
     lines: list[Block] = []
     told, places = set[int](), list[tuple[float, float]]()

@@ -240,7 +240,7 @@ def tolerance(
         seed: of the random numbers.
         own: whether each dance is walked at the plan's own pitch, too.
         executor: that walks the dances, or a place of `parallel`; one thread, if there is none.
-        progress: is told after each dance.
+        progress: is called after each dance.
 
     Raises:
         InputError: for a number of draws out of range, a plan without a pitch, or one of whose

@@ -78,7 +78,7 @@ class TurnQuestion(EngineQuestion):
     """A question about the best turn of a family, open until it is closed, as by `with`.
 
     Attributes:
-        factors: what is seen is corrected by: rates are so many times that, distances so many m less.
+        factors: corrections of the sampled figures: factors of rates, and m subtracted from distances.
     """
 
     def __init__(self, family: TurnFamily) -> None:

@@ -126,7 +126,7 @@ def text_of(data: bytes, name: str, told: str = "gb18030") -> str:
     """The text of a file in UTF-8, in UTF-16 with its mark, or in the given encoding.
 
     Raises:
-        InputError: for what is none of these.
+        InputError: for any other encoding.
     """
     data = data.rstrip(b"\x1a")  # with which DOS ends a text
     texts = readings(data, (told,))

@@ -140,7 +140,7 @@ def _columns(
     """Keys, and the values of each.
 
     Raises:
-        InputError: for what are none.
+        InputError: for invalid keys or values.
     """
     _check_mapping(columns)
     for key, values in columns.items():
@@ -194,7 +194,7 @@ def _ends(key: str, ends: Iterable[float]) -> tuple[float, float]:
     """Both ends of a range, as plain numbers.
 
     Raises:
-        InputError: for what is none.
+        InputError: for an invalid value.
     """
     plain = [_value(key, end) for end in ends]
     numbers = [end for end in plain if not isinstance(end, str)]
@@ -304,7 +304,7 @@ def _value(key: str, value: object) -> Value:
     """A value as plain data.
 
     Raises:
-        InputError: for what is none.
+        InputError: for an invalid value.
     """
     if isinstance(value, np.generic):
         value = value.item()
