@@ -56,8 +56,8 @@ class _Seat:
 def read_roster(path: Path, numbering: Numbering, sheet: str = "") -> Roster:
     """Who carries which bench, as a list of names (XLSX, ODS, CSV) says it.
 
-    Columns are found by their headings (桥号, 姓名, 户主, 电话, 备注, or English ones), else by their cells. What
-    was not understood is in the notes of the roster, by its row.
+    Columns are found by their headings (桥号, 姓名, 户主, 电话, 备注, or English ones), else by their
+    cells. What was not understood is in the notes of the roster, by its row.
 
     Raises:
         InputError: for a file that cannot be read as a list, and beyond the limits.

@@ -123,7 +123,7 @@ class Refiner:
         return points
 
     def _loss(self, xs: Sequence[float], ys: Sequence[Any]) -> float:
-        """How much an interval's ends leave open: its length, where it is neither narrow nor level."""
+        """The loss of an interval: its length, unless it is narrow or level."""
         width, change = xs[1] - xs[0], float(np.abs(ys[1] - ys[0]).max())
         return 0.0 if min(width, change) < self._to else math.hypot(width, change)
 

@@ -171,7 +171,7 @@ export interface DragonTable {
 }
 
 /**
- * What stands on the square, or the venue's edge: see `obstacle.Obstacle`.
+ * An obstacle, or the venue's edge: see `obstacle.Obstacle`.
  *
  * Attributes:
  *     name: in both languages.
@@ -189,7 +189,7 @@ export interface DrawnObstacle {
 }
 
 /**
- * Along a line that somebody drew or surveyed: `points` of it, or `piece`s; a `file` becomes these.
+ * Along a line that was drawn or surveyed: `points` of it, or `piece`s; a `file` becomes these.
  *
  * A closed line is walked once round, and the dragon stands on it behind its head, however often
  * that leads round.
@@ -218,7 +218,7 @@ export interface DrawnRoute {
  *     place: where it is.
  *     place_zh: the same in Chinese.
  *     date: the day, or the days.
- *     organiser: who answers for it.
+ *     organiser: who is responsible for it.
  *     contact: who is asked about it.
  *     spectators: how many are expected.
  *     marshals: how many there will be.
@@ -244,11 +244,11 @@ export interface Figure {
 }
 
 /**
- * Something that a walk must not do, or that could not be decided: see `findings.Finding`.
+ * A violation of the plan, or an undecided question: see `findings.Finding`.
  *
  * Attributes:
  *     code: BD101 and so on: those never change.
- *     obstacle: the name of what stands in the way, null where nothing does.
+ *     obstacle: the name of the obstacle, null without one.
  */
 export interface Finding {
   code: string;
@@ -319,8 +319,8 @@ export interface FormationRoute {
  * Route positions and speeds of handles at evenly spaced times, packed.
  *
  * Of all handles, or of the head's alone where the dance says how the others follow. Handle by handle;
- * see `frames.packed_frames`. Between them positions go along cubics, speeds along lines; where that
- * was looked at, no handle was farther than `largest_error` (m) from its place.
+ * see `frames.packed_frames`. Between them positions go along cubics, speeds along lines; in all
+ * samples no handle was farther than `largest_error` (m) from its place.
  */
 export interface Frames {
   start: number;
@@ -339,10 +339,10 @@ export interface HeadStop {
 }
 
 /**
- * How a long question stands.
+ * The state of a long question.
  *
  * Attributes:
- *     share: of the work, 0 to 1, as far as can be told.
+ *     share: of the work done, 0 to 1, estimated.
  *     text: what is being done.
  *     result: once it is done.
  *     error: why there is none, if it failed.
@@ -356,7 +356,7 @@ export interface JobState {
   error?: string | null;
 }
 
-/** The greatest of a quantity that the plan limits, and what that is in words. */
+/** The greatest value of a quantity that the plan limits, and its name in words. */
 export interface LimitedPeak {
   name: string;
   text: Words;
@@ -364,7 +364,7 @@ export interface LimitedPeak {
 }
 
 /**
- * What a walk must keep.
+ * The limits of a walk.
  *
  * Greatest speed and accelerations (m/s^2) of any handle: along the route, across it and in total;
  * turning rate (degrees a second) of any bench, change of the head's own speed (m/s^2), and distance
@@ -423,7 +423,7 @@ export interface MetaTable {
 }
 
 /**
- * When each bench comes nearest to one that is not its neighbour, as far as looked at.
+ * When each bench comes nearest to a non-adjacent one, in samples.
  *
  * Distance, m (minus the depth of an overlap), time, s, and number of the other bench; 0 where it
  * never comes within `reach`.
@@ -435,19 +435,19 @@ export interface Nearest {
   other: Array<number>;
 }
 
-/** Something that was not looked at: see `not_looked_at.NotLookedAt`. */
+/** A subject that the check did not consider: see `not_looked_at.NotLookedAt`. */
 export interface NotLookedAt {
   kind: string;
   text: Words;
 }
 
 /**
- * What was found about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`.
+ * The answers about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`.
  *
  * Attributes:
  *     name: what the plan calls it.
- *     shown: what readers read: one without a name goes by its number.
- *     kind: what it is.
+ *     shown: the name for readers; without a name, the number.
+ *     kind: of the obstacle.
  *     margin: m.
  *     contact: when a bench first comes nearer than the margin; null if none does.
  *     distance: the least that benches keep from it, m.
@@ -480,7 +480,7 @@ export interface Occasion {
   obstacle?: number | null;
 }
 
-/** The plan walked at its own head speed, slowed down only where a limit wants it. */
+/** The plan walked at its own head speed, slowed down only where a limit requires it. */
 export interface PaceFound {
   plan: Record<string, unknown>;
   steady: Answer;
@@ -615,7 +615,7 @@ export interface RectangleTable {
 }
 
 /**
- * What a level of room asks for beyond the one before it: see `room.Asked`.
+ * A requirement that a level of room adds to the one before it: see `room.Asked`.
  *
  * Attributes:
  *     source: null for an assumption.
@@ -630,9 +630,9 @@ export interface RoomAsked {
  * Whether a walk keeps a level of room: see `room.RoomLevel`.
  *
  * Attributes:
- *     kept: null where rounding leaves that open.
+ *     kept: null where rounding leaves that undecided.
  *     first: when it is first broken, and by which benches; null where it is kept.
- *     obstacle: the name of what stands in the way then, null where nothing does.
+ *     obstacle: the name of the obstacle then, null without one.
  */
 export interface RoomRecord {
   name: "benches" | "sway" | "imprecision" | "people";
@@ -780,7 +780,7 @@ export interface TurnTable {
   ease?: number;
 }
 
-/** Something that was to be proved and could not be: see `left_open.Unproved`. */
+/** An answer whose proof failed: see `left_open.Unproved`. */
 export interface Unproved {
   kind: string;
   text: Words;
@@ -806,14 +806,14 @@ export interface VenueTable {
  *
  * Attributes:
  *     safe: whether nothing was found.
- *     decided: whether no open question could change `safe`.
- *     proved: whether what is said of contact was proved.
- *     unproved: what was to be proved and could not be, and why; it stands as it was found.
+ *     decided: whether no undecided question could change `safe`.
+ *     proved: whether the answers about contact were proved.
+ *     unproved: the answers whose proof failed, and why; they stay as found.
  *     sentence: the verdict for readers.
  *     start: of the walk, s.
  *     end: of the walk, s.
  *     clearance: null where the dragon cannot walk, like the following.
- *     not_looked_at: what the plan does not say, so that nobody looked at it.
+ *     not_looked_at: what the check did not consider because the plan does not give it.
  *     room: level upon level, benches alone first; empty where the plan asks for no room for people.
  *     stops: of the head; null for a plan without cues.
  *     seconds: how long it took; null in files, which are the same each time.
@@ -866,7 +866,7 @@ export interface WalkTable {
   position?: number | null;
 }
 
-/** Where and when an answer comes about: see `answer.Witness`. */
+/** Where and when the value of an answer occurs: see `answer.Witness`. */
 export interface Witness {
   time: number | null;
   s: number | null;
