@@ -16,7 +16,7 @@ MAKEFLAGS += --jobs=2
 # Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench picture truth wasm wasm-test carried carried-test mutants hostile generate \
+.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench queries picture truth wasm wasm-test carried carried-test mutants hostile generate \
   lock fonts clean
 
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps
@@ -124,6 +124,11 @@ atlas: .venv/engine
 # `make bench BEFORE=FOLDER` times another checkout beside this one.
 bench: .venv/engine
 	$(BIN)/python benchmarks/run.py $(if $(BEFORE),--before $(BEFORE))
+
+# The open set of 100,000 collision queries, asked of this package and of rivals that are installed in RIVALS:
+# a virtual environment with python-fcl and coal, and node_modules with planck beside it.
+queries: .venv/engine
+	$(BIN)/python benchmarks/queries.py run --write $(if $(RIVALS),--python $(RIVALS)/bin/python --node-folder $(RIVALS))
 
 # The moving picture of README and manual, and the manual's pictures of contact, to be committed.
 DANCE := animate turn --set dragon.benches=50 --start -10 --end 80 --speed-up 15 --fps 5 --size 400x340 -o dance.gif

@@ -31,6 +31,8 @@ from benchdragon.kernels.binomial import tails
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.every_pair import search_all_pairs
 from benchdragon.kernels.motion_bounds import place_chain
+from benchdragon.kernels.pair_queries import ANSWER_COLUMNS, NUMBERS, search_pairs
+from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.model.connections import Step, connections, programme
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.formations import CoilIn, FigureEight, TailSwing
@@ -134,6 +136,7 @@ def questions() -> None:
     dance = laid(coiled, draw)
     assert brute(dance, 0.5) > 0.0
     every_pair(dance)
+    single_pair(dance)
 
 
 def every_pair(dance: Laid) -> None:
@@ -144,4 +147,16 @@ def every_pair(dance: Laid) -> None:
         time_of_impact.empty_search(benches + 1, benches, first.size), time_of_impact.FIRST_TOUCH,
         dance.rows, links, dance.aside, dance.dragon.sizes, np.linspace(dance.start, dance.end, 50),
         first, second, 0.0, 1e-7, 1e-8, 2000, np.zeros(time_of_impact.NOTES),
+    )  # fmt: skip
+
+
+def single_pair(dance: Laid) -> None:
+    """A query about one pair."""
+    room, sizes = time_of_impact.empty_search(len(dance.dragon) + 1, 2, 1), dance.dragon.sizes.copy()
+    first, second = np.array([[0], [9]])
+    rows, links, seams = dance.rows, dance.dragon.links, np.empty((0, SEAM_COLUMNS))
+    spans, numbers = np.array([[dance.start, dance.end]]), np.empty(NUMBERS, dtype=np.int64)
+    search_pairs(
+        room, time_of_impact.FIRST_TOUCH, rows, links, sizes, seams, first, second, np.array([0.3]),
+        spans, 1e-9, 1e-9, 200, numbers, np.empty(time_of_impact.NOTES), np.empty((1, ANSWER_COLUMNS)),
     )  # fmt: skip

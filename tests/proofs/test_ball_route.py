@@ -65,6 +65,25 @@ def test_a_spiral_is_known_with_thirty_digits() -> None:
             assert off < mpmath.mpf(10) ** -30 + mpmath.mpf(float(ball.rad()))
 
 
+@pytest.mark.parametrize(("bend", "change"), [(0.9, -0.2), (-0.4, 0.5), (0.0, 3.0), (7.0, -9.0)])
+def test_a_clothoid_is_known_with_thirty_digits(bend: float, change: float) -> None:
+    zero, length = arb(0), arb(2.5)
+    row = Row(
+        kernel.CLOTHOID, zero, zero, arb(0.3), arb(bend), arb(change), zero, length, 1, 0.0, zero, 0.0
+    )
+    with mpmath.workdps(45):
+        for u in (0.0, 0.625, 2.5, 2.75):  # the last lies beyond the end
+            parts = [u * n / 8.0 for n in range(9)]
+            phase = [mpmath.mpf(v) for v in (0.3, bend, change)]
+            exact = mpmath.quad(
+                lambda t, p=phase: mpmath.expj(p[0] + p[1] * t + p[2] * t * t / 2), parts
+            )
+            for ball, wanted in zip(row.pose(arb(u)), (exact.real, exact.imag), strict=False):
+                off = abs(ball - arb(mpmath.nstr(wanted, 42)))
+                assert off < 1e-33
+                assert not off > ball.rad() + arb(1e-38)
+
+
 @pytest.mark.parametrize("route", ROUTES)
 def test_what_a_heading_turns_through_is_the_integral_of_the_bend(route: Route) -> None:
     turned = 0.0

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
-from flint import acb, arb, ctx
+from flint import acb, arb, arb_poly, ctx
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
@@ -19,6 +19,8 @@ from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.proofs import BITS
 
+# Clothoids that turn by more, rad, are integrated: in their series large terms would cancel.
+SERIES_TURN = 6.0
 # Headings that jump by more at a joint, rad, are kinks; by less, they are rounding, and are joined.
 KINK = 1e-9
 ctx.prec = BITS
@@ -111,15 +113,47 @@ class Row:
         return self._integral(u)
 
     def _integral(self, u: arb) -> Pair:
+        middle = u.mid()
+        off = arb(0, (u - middle).abs_upper())  # no point is farther away than the way to it
+        if abs(middle) <= abs(self.end) and self._most_turn <= SERIES_TURN:
+            along, across, rest = self._series
+            sine, cosine = self.angle.sin_cos()
+            x, y = along(middle) + rest, across(middle) + rest
+            return cosine * x - sine * y + off, sine * x + cosine * y + off
+
         def tangent(s: acb, _analytic: bool) -> acb:
             phase = acb(self.angle) + s * (acb(self.p) + acb(self.q) * s / 2)
             return (acb(0, 1) * phase).exp()
 
         # e^(i phase) is entire, but its real part on the axis is needed: take both parts.
-        middle = u.mid()
         whole = acb.integral(tangent, acb(0), acb(middle))
-        off = arb(0, (u - middle).abs_upper())  # no point is farther away than the way to it
         return whole.real + off, whole.imag + off
+
+    @cached_property
+    def _most_turn(self) -> float:
+        """At least what the heading turns through to the row's end, rad, were all bends to one side."""
+        return float((abs(self.p * self.end) + abs(self.q * self.end * self.end) / 2).upper())
+
+    @cached_property
+    def _series(self) -> tuple[arb_poly, arb_poly, arb]:
+        """Series of the chord (x, y) in u, were the heading 0 at the start, and what they leave out, m.
+
+        E = e^(i (p u + q u^2 / 2)) has the derivative i (p + q u) E, which gives one coefficient after
+        another. They are no larger than those of M(u) = e^(|p| u + |q| u^2 / 2): M(4 end) / (4 end)^n.
+        """
+        end = arb(abs(self.end).upper())
+        grown = 4 * abs(self.p) * end + 8 * abs(self.q) * end * end
+        count = int((float(grown.upper()) / math.log(2.0) + BITS) / 2) + 8
+        cosines, sines = [arb(1), arb(0)], [arb(0), arb(self.p)]
+        for n in range(1, count):
+            c = -(self.p * sines[n] + self.q * sines[n - 1]) / (n + 1)
+            s = (self.p * cosines[n] + self.q * cosines[n - 1]) / (n + 1)
+            cosines.append(c)
+            sines.append(s)
+        x, y = (
+            arb_poly([arb(0), *(c / (n + 1) for n, c in enumerate(one))]) for one in (cosines, sines)
+        )
+        return x, y, arb(0, (end * grown.exp() / (3 * arb(4) ** count)).upper())
 
     def bend(self, u: arb) -> arb:
         """Curvature at parameter u, 1/m, left positive."""
