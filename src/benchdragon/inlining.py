@@ -103,11 +103,7 @@ def _pair(key: str, name: str) -> str:
 
 
 def _resolved(importer: str, path: str) -> str:
-    """The name of a module, below the folder of all, from how another calls it.
-
-    Raises:
-        ScriptError: if it is not in there.
-    """
+    """The path of an imported module below the folder of all, or ScriptError."""
     name = posixpath.normpath(posixpath.join(posixpath.dirname(importer), path))
     if name.startswith(".."):
         raise ScriptError(f"{importer}: {path}")

@@ -210,11 +210,7 @@ def in_blocks(
 
 
 def _see_that_one_starts(executor: Executor) -> None:
-    """Test that a worker starts at all, before any item is blamed.
-
-    Raises:
-        MachineError: if none can.
-    """
+    """Raise MachineError if no worker starts at all, before any item is blamed."""
     try:
         executor.submit(os.getpid).result()
     except BrokenExecutor as error:

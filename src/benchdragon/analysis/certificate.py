@@ -177,11 +177,7 @@ def read_certificate(path: Path, kind: type[BaseModel] = Certificate) -> BaseMod
 
 
 def _refuse_odd(text: bytes) -> None:
-    """Refuse ambiguous content: duplicate keys, and numbers that are not the decimal of their double.
-
-    Raises:
-        InputError: naming it.
-    """
+    """Raise InputError for duplicate keys, and for numbers that are not the decimal of their double."""
 
     def held(written: str) -> float:
         value = number(written)
@@ -277,11 +273,7 @@ def _with(plan: Plan, values: Sequence[tuple[str, float]]) -> Plan:
 
 
 def _obstacle(plan: Plan, claim: Claim) -> Obstacle | None:
-    """The obstacle of a claim; None for a claim about the benches alone.
-
-    Raises:
-        InputError: if no obstacle has that name.
-    """
+    """The obstacle of a claim, or InputError; None for a claim about the benches alone."""
     if not claim.about:
         return None
     for obstacle in plan.obstacles():
@@ -295,11 +287,7 @@ def _margin(plan: Plan, claim: Claim) -> float:
 
 
 def _refuse_unused(plan: Plan, claim: Claim) -> None:
-    """Refuse a margin, or a value, on which what a claim shows does not rest.
-
-    Raises:
-        InputError: naming it.
-    """
+    """Raise InputError for a margin, or a value, that the claim's proof does not use."""
     unused = ["margin"] if claim.about and claim.margin is not None else []
     wanted = _rests_on(_with(plan, claim.values), claim)
     for key, _value in claim.values:
@@ -318,11 +306,7 @@ def _rests_on(plan: Plan, claim: Claim) -> tuple[Any, ...]:
 
 
 def _check_times(plan: Plan, walk: Walk, times: Sequence[float]) -> None:
-    """Refuse times outside of the walk.
-
-    Raises:
-        UnsureError: naming the times of the walk.
-    """
+    """Raise UnsureError for times outside of the walk."""
     start, end = plan.span(walk)
     if not all(start <= time <= end for time in times):
         text = _("it speaks of other times than those of the walk, {start} s to {end} s")
@@ -373,10 +357,7 @@ def _all_left_out(plan: Plan, shown: Sequence[Apart]) -> list[str]:
 
 
 def _left_out(plan: Plan, walk: Walk, shown: Sequence[Apart]) -> list[str]:
-    """What no claim covers: benches, obstacles, or a part of the dance.
-
-    A dance is over where something is proved to come too near.
-    """
+    """What no claim covers before a proved contact: benches, obstacles, or a part of the dance."""
     about = {one.obstacle for one in shown}
     text = _("not in the certificate: {about}")
     known = (None, *plan.obstacles())

@@ -246,10 +246,7 @@ def _greatest_speed(plan: Plan, walk: Walk, span: tuple[float, float], progress:
 def _limited_peaks(
     plan: Plan, walk: Walk, span: tuple[float, float], left: list[Finding], progress: Progress,
 ) -> dict[str, Answer]:  # fmt: skip
-    """The greatest of each quantity but speed that the plan limits, over a span of the walk, s.
-
-    Brackets are only as narrow as comparison with the limits requires (see `speed.greatest`).
-    """
+    """The greatest of each limited quantity but speed, bracketed as closely as its limit requires."""
     limits = {name: limit for name, limit in given_limits(plan).items() if name != "speed"}
     peaks, (start, end) = {}, span
     for n, (name, limit) in enumerate(limits.items()):
@@ -360,11 +357,7 @@ def _kept(report: Report, told: Clock | None) -> str:
 
 
 def _tightest(report: Report, time: float, benches: tuple[int, ...], told: Clock | None) -> str:
-    """The tightest moment of a safe walk.
-
-    Adjacent coils only: within one coil the distance is set by the bends, at any time and for any
-    bench.
-    """
+    """The tightest moment of a safe walk; within one coil the bends alone set the distance."""
     (a, b), gap, hidden = benches, clearance_text(report), report.clearance.vanishing
     if in_one_coil(benches) and not hidden:
         text = _("none come nearer than two with one between them, which keep {gap} m in the bends")
@@ -402,10 +395,7 @@ def peak_shown(report: Report, name: str) -> str:
 
 
 def _kept_from(report: Report) -> list[str]:
-    """The least distance from the venue's edge, and from the obstacle that leaves the least room.
-
-    Room is what is left of a distance beyond its margin.
-    """
+    """The least distances from the venue's edge, and from the obstacle with the least room."""
     venue = [one for one in report.obstacles if one.obstacle.kind == "venue"]
     stands = [one for one in report.obstacles if one.obstacle.kind != "venue"]
     near = sorted(stands, key=lambda one: one.distance.sure(up=False) - one.obstacle.margin)[:1]

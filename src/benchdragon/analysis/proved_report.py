@@ -63,11 +63,7 @@ def _clearance(report: Report, claims: list[Claim], progress: Progress) -> Answe
 
 
 def _speed(report: Report, speeds: list[SpeedClaim], progress: Progress) -> Answer:
-    """The greatest speed of a handle, proved, where the head keeps one speed.
-
-    Raises:
-        UnsureError: where it does not; as `prove_speed`.
-    """
+    """The greatest speed of a handle, proved; UnsureError unless the head keeps one speed."""
     plan, found = report.plan, report.greatest_speed
     if plan.walk.profile or plan.cues.cue or plan.cues.acceleration is not None:
         raise UnsureError(N_("it is proved only where the head keeps one speed"))

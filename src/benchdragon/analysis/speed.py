@@ -230,10 +230,7 @@ def sought(
 
 
 def _new(walk: Walk, stretches: Stretches) -> tuple[Stretches, list[int]]:
-    """The parts of stretches with new motion, and the number of each one's stretch.
-
-    A head of constant speed repeats the round before.
-    """
+    """The parts of stretches with new motion, and the number of each one's stretch."""
     times, ways, speeds, rates = (table.tolist() for table in stretches)
     rounds = Rounds(walk, repeats(walk.route.rows))
     parts: list[Span] = []

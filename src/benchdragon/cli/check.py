@@ -124,11 +124,7 @@ def _shown(plan: "Plan", progress: "Progress") -> "Report":
 
 
 def _roster(plan: "Plan", needed: bool) -> "Roster":
-    """Who carries the benches; an unreadable list is reported, and refused only if it is needed.
-
-    Raises:
-        PlanError: for a list that is needed and cannot be read.
-    """
+    """Who carries the benches; an unreadable list is reported, or PlanError if it is needed."""
     from benchdragon.plans.roster import roster_of
     from benchdragon.plans.toml import PlanError
     from benchdragon.rosters.roster import Roster

@@ -103,11 +103,7 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
 
 
 def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:
-    """What options and answers say, and the names of what was said rather than taken as usual.
-
-    Raises:
-        InputError: for unreadable answers, and for missing ones without a terminal.
-    """
+    """The answers from options and prompts, or InputError; and the names of those not by default."""
     if options["square"] is not None and options["radius"] is not None:
         sentence = _("{option} does not go with {what}")
         raise InputError(sentence.format(option="--radius", what="--square"))
@@ -143,10 +139,7 @@ def _wishes(said: Mapping[str, Any], kind: Any, roster: str, given: set[str]) ->
 
 
 def _asked_again(said: dict[str, Any], found: "TooSmall") -> set[str]:
-    """Ask which answer is to change, what makes the dance fit first, and that question again.
-
-    The other answers stay; the names of what was changed.
-    """
+    """Ask which answer is to change, and its question again; the names of what was changed."""
     usual = {"carry": "2" if found.under else "", "benches": str(found.benches or "")}
     first = [name for name, text in usual.items() if text] + ["square"]
     named = {one.name: one for one in QUESTIONS}

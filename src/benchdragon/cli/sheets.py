@@ -124,11 +124,7 @@ def _made_at(path: Path) -> int:
 
 
 def _chalk_options(options: dict[str, Any]) -> "ChalkOptions":
-    """The options of the chalk plan.
-
-    Raises:
-        InputError: for a scale that cannot be.
-    """
+    """The options of the chalk plan; InputError for an impossible scale."""
     from benchdragon.figures.chalk import MOST_CHALK_SCALE
     from benchdragon.figures.scale import check_scale
     from benchdragon.sheets.options import ChalkOptions

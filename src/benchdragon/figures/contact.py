@@ -143,10 +143,7 @@ def clearance_picture(curve: ClearanceCurve, margin: float = 0.0, title: str = "
 
 
 def _valleys(curve: ClearanceCurve) -> FloatArray:
-    """Times, s, and clearances, m, of the local minima well below the peaks beside them, (V, 2).
-
-    A minimum between two pairs that take turns on a peak is none.
-    """
+    """Times, s, and clearances, m, of local minima well below the peaks beside them, (V, 2)."""
     at = _minima(curve)
     depth = VALLEY * float(np.ptp(curve.clearance))
     kept = [min(_rises(curve, t, low)) > depth for t, low in at]

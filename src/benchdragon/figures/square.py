@@ -94,10 +94,7 @@ def _edges(obstacles: Sequence[Obstacle], ink: str, mark: float) -> Iterator[Col
 
 
 def _write_names(panel: Axes, obstacles: Sequence[Obstacle], ink: str, paper: str, size: float) -> None:
-    """The name of each obstacle, above it; of the venue, inside its upper left corner.
-
-    A name runs towards the middle of all of them, where it has room.
-    """
+    """The names of obstacles above them, and of the venue inside its upper left corner."""
     middle = np.mean(square_corners(obstacles), axis=0)
     for one in obstacles:
         ring, venue = drawn_outline(one), one.kind == "venue"

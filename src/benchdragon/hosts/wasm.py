@@ -230,11 +230,7 @@ class Instance:
         return self._kept
 
     def _room(self, size: int) -> int:
-        """The address of newly allocated bytes.
-
-        Raises:
-            MemoryError: if there are none.
-        """
+        """The address of newly allocated bytes; MemoryError if there are none."""
         at = self._run("malloc", max(size, 1)) & (REACH - 1) if size < REACH // 2 else 0
         if not at:
             raise MemoryError(f"engine.wasm has no room for {size} bytes more")

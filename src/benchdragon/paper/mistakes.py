@@ -264,10 +264,7 @@ def _shifted(case: Case, shift: float, size: str) -> Guess:
 
 
 def _line(x: FloatArray, y: FloatArray) -> tuple[float, float]:
-    """Slope and start of the line through nearly all points.
-
-    The median slope of far pairs, then least squares of the points near it.
-    """
+    """Slope and start of a robust line: median slope of far pairs, then least squares."""
     half = x.size // 2
     slope = np.median((y[half:] - y[: x.size - half]) / (x[half:] - x[: x.size - half]))
     off = np.abs(y - slope * x - np.median(y - slope * x))

@@ -323,11 +323,7 @@ def _known(answer: Answer) -> Witness:
 
 
 def _level(slope: Callable[[float], float], time: float) -> float:
-    """The time near `time` at which a slope is 0, s.
-
-    Raises:
-        InputError: if there is none.
-    """
+    """The time near `time` at which a slope is 0, s, or InputError."""
     try:
         return float(brentq(slope, time - NEAR, time + NEAR, xtol=1e-15, rtol=1e-15))
     except (ValueError, WalkError):

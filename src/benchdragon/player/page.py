@@ -90,12 +90,7 @@ def show(motion: Motion) -> Shown:
 
 
 def _dance(motion: Motion) -> messages.Dance:
-    """A motion as a dance.
-
-    Raises:
-        InputError: if it is too large for a notebook.
-        WalkError: if the dragon stands at no time.
-    """
+    """A motion as a dance; InputError if too large for a notebook, WalkError if it never stands."""
     too_large = InputError(
         _("this dance is too large for a notebook: take a shorter time or fewer benches")
     )

@@ -91,11 +91,7 @@ def layout(rows: Sequence[Sequence[str]], name: str) -> Layout:
 
 
 def _refuse_half(rows: Sequence[Sequence[str]], name: str) -> None:
-    """Refuse headings that do not say which column holds the numbers, or which those who carry.
-
-    Raises:
-        InputError: for the first row of such.
-    """
+    """Raise InputError for headings that do not name the column of numbers, or of bearers."""
     for number, row in enumerate(rows[:MOST_TITLES], start=1):
         filled = [cell for cell in row if cell]
         kinds = {kind[0] for cell in filled if (kind := heading(cell))}

@@ -203,11 +203,7 @@ def _cells(text: str, mark: str, name: str) -> Iterator[list[str]]:
 
 
 def _closed(found: re.Match[str], text: str, name: str) -> str:
-    """A cell between quotation marks as it is, and the sign for 同上 where one stands alone.
-
-    Raises:
-        InputError: for an unclosed quotation mark: it would include all rows below it.
-    """
+    """A cell without its quotation marks, or the sign for 同上; InputError for an unclosed mark."""
     if found[0] == '"':
         return ABOVE
     if len(found[0]) == 1 or not found[0].endswith('"') or found[0].count('"') % 2:

@@ -64,10 +64,7 @@ class Roster:
 
 
 def _namesakes(people: Sequence[Person]) -> int:
-    """How many people those of one name are: of other households or phones they are others.
-
-    All of them are one person if one of them has neither.
-    """
+    """The number of people of one name, by households or phones; one if an entry has neither."""
     if any(not one.household and not one.phone for one in people):
         return 1
     above: dict[tuple[str, str], tuple[str, str]] = {}

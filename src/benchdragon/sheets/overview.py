@@ -187,10 +187,7 @@ def _straight_on(
 def _in_the_way(
     briefing: Briefing, place: Point, way: FloatArray, far: float
 ) -> tuple[float, str] | None:
-    """The obstacle in the way of a bench that goes so far straight on from a place, m.
-
-    How far ahead, m, and its name; with its margin and the room that people ask for.
-    """
+    """Distance to and name of the obstacle straight ahead of a bench within so many m."""
     people, start = briefing.plan.people, np.array(place)
     line = LineString([start, start + far * way])
     aside = 0.5 * float(briefing.report.walk.dragon.width.max())

@@ -356,10 +356,7 @@ def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> Plan:
 
 
 def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float) -> float:
-    """The smallest pitch beside a disc, sought from a first one, rounded up, m; inf if none.
-
-    It is 0 where so few benches walk that every pitch serves.
-    """
+    """The smallest pitch beside a disc, rounded up, m; inf if none, 0 if every pitch serves."""
     try:
         found = limit(_trial(wishes, kind, first, disc), "pitch", tolerance=0.1 * SIZE_STEP)
     except (PlanError, WalkError, UnsureError):

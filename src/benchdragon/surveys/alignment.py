@@ -173,11 +173,7 @@ def _check(ends: FloatArray, off: FloatArray, turn: FloatArray, gap: float, kink
 
 
 def _pieces(curves: Sequence[AnyCurve], moved: BoolArray) -> list[AnyCurve]:
-    """Curves of which an end was moved cut into pieces that one clothoid can replace, the others whole.
-
-    Raises:
-        InputError: for more than MOST_CURVES, before any is cut.
-    """
+    """Curves with a moved end cut for clothoids, others whole; InputError beyond MOST_CURVES."""
     turns = np.array([most_bend(curve) * curve.length for curve in curves])
     counts = np.where(moved, np.maximum(1.0, np.ceil(turns / MOST_TURN)), 1.0)
     if not counts.sum() <= MOST_CURVES:

@@ -105,11 +105,7 @@ def read_lines(path: Path, survey: Survey, tell: Tell = _untold) -> tuple[list[D
 
 
 def _check_told(raw: RawFile, survey: Survey, name: str, tell: Tell) -> None:
-    """Hold what a file says of its coordinates against what the plan says of them.
-
-    Raises:
-        InputError: for another system.
-    """
+    """Raise InputError if the coordinate system of a file is not that of the plan."""
     if raw.crs is not None and (survey.crs is None or code_of(survey.crs) != code_of(raw.crs)):
         text = _('{file} says that its coordinates are those of {said}: set survey.crs to "{said}"')
         raise InputError(text.format(file=name, said=raw.crs))
@@ -223,10 +219,7 @@ def _check_curve(curve: RawCurve, made: AnyCurve, end: FloatArray, scale: float,
 
 
 def _curve(curve: RawCurve, places: FloatArray, scale: float) -> AnyCurve | None:
-    """A surveyed curve from where it starts, at the heading that its other points say.
-
-    None for one without a length.
-    """
+    """A surveyed curve from its start and other points; None for one without a length."""
     start, end, third = places
     at = float(start[0]), float(start[1])
     side = 1.0 if curve.left else -1.0

@@ -170,11 +170,7 @@ def _undo_scale(root: Element) -> None:
 
 
 def _millimetres(root: Element, name: str) -> float | None:
-    """What one unit of the drawing is worth, mm, where its size and its viewBox say it.
-
-    Raises:
-        InputError: where one to the right is worth more than one up.
-    """
+    """One unit of the drawing, mm, from size and viewBox; InputError if x and y differ."""
     box = _box(root)
     wide, high = (_physical(root.get(key, "")) for key in ("width", "height"))
     if box is None or wide is None:

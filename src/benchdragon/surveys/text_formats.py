@@ -161,10 +161,7 @@ def geojson_file(data: bytes, name: str) -> RawFile:
 
 
 def _lines(node: Any, name: str, depth: int, passed: list[str]) -> Iterator[RawLine]:
-    """The lines of a GeoJSON object, each with the name of the feature that it belongs to.
-
-    What is none, and the inner edges of polygons, go to `passed`.
-    """
+    """The lines of a GeoJSON object with their features' names; others go to `passed`."""
     if depth > MOST_DEPTH:
         raise ValueError
     kind = node["type"]

@@ -235,10 +235,7 @@ def _curve(element: Element, points: dict[str, str], name: str) -> RawCurve:
 
 
 def _length(element: Element, name: str) -> float | None:
-    """The length that a part says; None for a line or an arc that says none.
-
-    A part whose length is said to be 0 has none.
-    """
+    """The length of a part; None for a line or an arc without one, or with 0."""
     text = element.get("length", "")
     if not text and element.tag != "Spiral":
         return None

@@ -137,11 +137,7 @@ def listed_points(columns: Mapping[str, Sequence[Value]]) -> Points:
 def _columns(
     columns: Mapping[str, Iterable[Value]],
 ) -> tuple[tuple[str, ...], tuple[tuple[Value, ...], ...]]:
-    """Keys, and the values of each.
-
-    Raises:
-        InputError: for invalid keys or values.
-    """
+    """Keys, and the values of each; InputError for invalid ones."""
     _check_mapping(columns)
     for key, values in columns.items():
         if isinstance(values, str) or not isinstance(values, Iterable):
@@ -191,11 +187,7 @@ def sampled_points(
 
 
 def _ends(key: str, ends: Iterable[float]) -> tuple[float, float]:
-    """Both ends of a range, as plain numbers.
-
-    Raises:
-        InputError: for an invalid value.
-    """
+    """Both ends of a range, as plain numbers, or InputError."""
     plain = [_value(key, end) for end in ends]
     numbers = [end for end in plain if not isinstance(end, str)]
     if len(plain) != 2 or len(numbers) != 2:
@@ -301,11 +293,7 @@ def _steps(text: str, first: str, last: str, step: str) -> list[Value]:
 
 
 def _value(key: str, value: object) -> Value:
-    """A value as plain data.
-
-    Raises:
-        InputError: for an invalid value.
-    """
+    """A value as plain data, or InputError."""
     if isinstance(value, np.generic):
         value = value.item()
     sound = isinstance(value, str | float | int) and not isinstance(value, bool)
