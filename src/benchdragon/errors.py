@@ -148,14 +148,14 @@ ENGINE_ADVICE = {
         "processor: build it by `python -m benchdragon.engine`, or unset the variable"
     ),
     Trouble.OTHER_SOURCES: N_(
-        "the kernels here were changed after engine.wasm was built from them: build it anew by `make "
+        "the kernels here were changed after engine.wasm was built from them: rebuild it by `make "
         "wasm`, or the library by `make engine`, or set BENCHDRAGON_ENGINE=plain to run them as Python"
     ),
     Trouble.NO_WASMTIME: N_(
         "Wasmtime does not run here ({detail}): install the package wasmtime again, or build the "
         "library by `python -m benchdragon.engine`, or set BENCHDRAGON_ENGINE=plain, which is very slow"
     ),
-    Trouble.BROKEN_OFF: N_("the engine broke off, which is a fault of its own: {detail}"),
+    Trouble.BROKEN_OFF: N_("the engine failed, which is a bug: {detail}"),
 }
 
 

@@ -324,7 +324,7 @@ def test_what_holds_up_to_a_contact_alone_is_said_to(capsys: pytest.CaptureFixtu
     _code, out, _err = spoken(capsys, *words, "--set", "limits.margin=0.05")
     lines = [line for line in out.splitlines() if not line.startswith(" ")]
     assert [line.partition(":")[0] for line in lines[2:]] == [
-        "not looked at", "first nearer than 0.05 m", "until then", "least clearance",
+        "not checked", "first nearer than 0.05 m", "until then", "least clearance",
         "greatest speed of a handle",
     ]  # fmt: skip
     _code, out, _err = spoken(capsys, *words, "--set", "disc.radius=6")

@@ -103,7 +103,7 @@ def test_another_limit_stays_open(error: Exception, monkeypatch: pytest.MonkeyPa
         else "rounding hides it"
     )
     assert found.findings[0].text == (
-        f"whether the turning rate of a bench keeps to 1.5708 rad/s is open: {why}"
+        f"whether the turning rate of a bench keeps to 1.5708 rad/s is undecided: {why}"
     )
     assert found.peaks == {}
     verdict = verdict_of(found)
@@ -125,7 +125,9 @@ def test_an_obstacle_stays_open_and_the_others_are_told(
     found = check(plan)
     assert kinds(found) == [("obstacle", False)]
     assert found.findings[0].obstacle == "well"
-    assert found.findings[0].text.startswith("whether benches keep their distance from well is open: ")
+    assert found.findings[0].text.startswith(
+        "whether benches keep their distance from well is undecided: "
+    )
     assert [one.obstacle.kind for one in found.obstacles] == ["venue"]
 
 
@@ -148,7 +150,7 @@ def test_levels_of_room_that_were_found_are_told(
     found = check(asked(ROOM))
     assert [level.name for level in found.room] == ["benches", "sway"]
     assert kinds(found) == [("people", False)]
-    assert found.findings[0].text.startswith("whether there is room for people is open: ")
+    assert found.findings[0].text.startswith("whether there is room for people is undecided: ")
 
 
 def test_contact_that_stays_open_has_no_report(monkeypatch: pytest.MonkeyPatch) -> None:

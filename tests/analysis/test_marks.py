@@ -142,7 +142,7 @@ def test_marks_a_hand_apart_are_one_but_start_and_ends_stay() -> None:
     short = placed_marks(Trail(route, 0.0, 0.1, 0.25), 1.0, (0.0, 0.0))
     assert short.s.tolist() == [0.0, 0.1, 0.25]
     fine = placed_marks(Trail(route, 0.0, 0.0, 1.0), 0.1, (0.0, 0.0))
-    assert len(fine) == 11, "marks that are wanted so near stay"
+    assert len(fine) == 11, "marks that are expected so near stay"
 
 
 def test_rounds_of_a_formation_are_marked_once_though_their_ends_differ_by_rounding() -> None:

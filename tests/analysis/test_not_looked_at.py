@@ -58,7 +58,7 @@ def test_a_drawing_of_millimetres_is_shorter_than_its_dragon() -> None:
 def test_a_plan_that_says_all_leaves_nothing_out(tmp_path: Path) -> None:
     dragon = "[dragon]\nbenches = 5\n[walk]\nposition = 30\n"
     assert kinds(line(tmp_path, 50.0, dragon + SQUARE)) == []
-    assert "not looked at" not in sentence(line(tmp_path, 50.0, dragon + SQUARE))
+    assert "not checked" not in sentence(line(tmp_path, 50.0, dragon + SQUARE))
 
 
 @pytest.mark.parametrize(("short", "found"), [(-0.01, ["BD104"]), (0.01, [])])

@@ -180,7 +180,7 @@ def test_a_plan_file_is_dropped_on_the_page(opened: Opened) -> None:
         ("schema = 1\n[route]\nkind = 'turn'\npich = 1\n", "route.pich"),
         (
             "schema = 1\n[route]\nkind = 'turn'\n[dragon]\nbenches = 0\n",
-            "dragon.benches: wanted at least 1",
+            "dragon.benches: expected at least 1",
         ),
     ],
 )

@@ -62,11 +62,11 @@ def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -
 def test_a_wrong_plan_is_told_in_one_sentence_and_loses_nothing(opened: Opened) -> None:
     page = opened()
     change(page, "width of a bench", "-1")
-    settle(page, r"No verdict: plan: dragon\.width: wanted more than 0")
+    settle(page, r"No verdict: plan: dragon\.width: expected more than 0")
     expect(verdict(page)).to_have_class("verdict none")
     expect(page.locator("canvas")).to_be_visible()
     expect(page.get_by_text("the picture is of an earlier plan")).to_be_visible()
-    assert page.get_by_text("wanted more than").filter(visible=True).count() == 1
+    assert page.get_by_text("expected more than").filter(visible=True).count() == 1
     page.locator("h1").click()
     page.keyboard.press("Control+z")
     settle(page, "Safe")

@@ -65,7 +65,7 @@ def test_times_are_read_the_way_people_write_them(text: str, times: list[float])
     ],
 )  # fmt: skip
 def test_times_that_make_no_sense_are_refused(text: str) -> None:
-    with pytest.raises(InputError, match=r"^--at: wanted seconds .* a range start\.\.stop\.\.step"):
+    with pytest.raises(InputError, match=r"^--at: expected seconds .* a range start\.\.stop\.\.step"):
         parse_times(text)
 
 
@@ -84,7 +84,7 @@ def test_too_many_times_are_refused_before_they_fill_the_memory(text: str) -> No
 @pytest.mark.parametrize("text", ["0..9", "1,2", "x", "0:300", ""])
 def test_one_time_is_one_time(text: str) -> None:
     assert parse_time("--start", "1:02:03") == parse_time("--start", " 3723 s ") == 3723.0
-    with pytest.raises(InputError, match=r"^--start: wanted seconds"):
+    with pytest.raises(InputError, match=r"^--start: expected seconds"):
         parse_time("--start", text)
 
 
@@ -92,7 +92,7 @@ def test_a_range_of_sizes_takes_units() -> None:
     assert parse_lengths("--range", "0.4..0.6") == (0.4, 0.6)
     assert parse_lengths("--range", "40 cm..0.6 m") == pytest.approx((0.4, 0.6))
     for text in ("0.4", "0.4:0.6", "a..b", "1..2..3", "..", "0.4..inf", "1 s..2 s"):
-        with pytest.raises(InputError, match=r"^--range: wanted two sizes in metres, LOW\.\.HIGH"):
+        with pytest.raises(InputError, match=r"^--range: expected two sizes in metres, LOW\.\.HIGH"):
             parse_lengths("--range", text)
 
 
@@ -125,7 +125,7 @@ def test_handles_are_checked_against_the_dragon() -> None:
     assert parse_handles("0,5,223", 223) == [0, 5, 223]
     assert parse_handles(None, 223) is None
     for text in ("224", "-1", "x", "1;2", ""):
-        with pytest.raises(InputError, match="wanted handle numbers from 0 to 223"):
+        with pytest.raises(InputError, match="expected handle numbers from 0 to 223"):
             parse_handles(text, 223)
 
 
@@ -189,9 +189,9 @@ def test_files_are_written_once_and_again_only_when_forced(
             "3101 rows are too many for a screen (at most 400): choose times",
         ),
         (["motion", "turn", "--set", "walk.speed=0"], 3, "never comes to the end of its walk: set"),
-        (["motion", "spiral-in", "--at", "x"], 2, "wanted seconds (12.5), a clock time"),
-        (["motion", "spiral-in", "--at", "3", "--only", "500"], 2, "wanted handle numbers"),
-        (["motion", "spiral-in", "--at", "3", "--set", "x"], 3, "wanted KEY=VALUE"),
+        (["motion", "spiral-in", "--at", "x"], 2, "expected seconds (12.5), a clock time"),
+        (["motion", "spiral-in", "--at", "3", "--only", "500"], 2, "expected handle numbers"),
+        (["motion", "spiral-in", "--at", "3", "--set", "x"], 3, "expected KEY=VALUE"),
         (["motion", "spiral-in", "--at", "3", "--set", "route.pitch=-1"], 3, "more than 0.0"),
         (["motion", "nowhere", "--at", "3"], 3, "there is no plan nowhere"),
         (["motion", "spiral-in", "--at", "500"], 4, "past the end of the route"),
@@ -203,7 +203,7 @@ def test_files_are_written_once_and_again_only_when_forced(
         (["dance"], 2, "No such command 'dance'"),
         (["motion", "turn", "--att", "3"], 2, "No such option"),
         (["motion", "turn", "--at", "3", "-o", "/proc/x"], 2, "/proc/x"),
-        (["motion", "turn", "--at", "3", "-o", "x", "--format", "docx"], 2, "wanted some of xlsx"),
+        (["motion", "turn", "--at", "3", "-o", "x", "--format", "docx"], 2, "expected some of xlsx"),
     ],
 )
 def test_wrong_input_gets_one_sentence_and_its_exit_code(
@@ -406,7 +406,7 @@ def test_names_that_promise_another_kind_of_file_are_refused(
     monkeypatch.chdir(tmp_path)
     code, out, err = answered(capsys, *words.split())
     assert (code, out) == (2, "")
-    assert f": wanted a name that ends in {ending}, not {words.split()[-1]}" in err
+    assert f": expected a name that ends in {ending}, not {words.split()[-1]}" in err
     assert list(tmp_path.iterdir()) == []
 
 

@@ -68,7 +68,7 @@ def test_questions_are_asked_until_they_are_answered_and_the_plan_is_written(tmp
     assert "people.sway 0.03 m (measured by the troupe)" in shown
     assert "people.imprecision 0.1 m (assumption)" in shown
     assert shown.index("Proposed:") < shown.index("SAFE")
-    assert "Length of a bench: wanted a length from 1 cm to 20 m, such as 1.5" in shown
+    assert "Length of a bench: expected a length from 1 cm to 20 m, such as 1.5" in shown
 
 
 @pytest.mark.parametrize("typed", [END_OF_INPUT, "4\n" + END_OF_INPUT])
@@ -155,8 +155,8 @@ def test_what_does_not_fit_is_asked_again_alone_and_the_other_answers_stay(tmp_p
         code, shown = asked(folder, "".join(f"{answer}\n" for answer in first) + again + END_OF_INPUT)
         assert code == 0, shown
         assert "do not fit" in shown
-        assert shown.count("wanted 1 to 12, not ") == (2 if n == 1 else 0)
-        assert shown.count("wanted a whole number such as 1, not 'x'") == (1 if n == 1 else 0)
+        assert shown.count("expected 1 to 12, not ") == (2 if n == 1 else 0)
+        assert shown.count("expected a whole number such as 1, not 'x'") == (1 if n == 1 else 0)
         assert shown.count("How long is a bench") == 1
         menu = shown[shown.index("Which one do you change?") :]
         assert re.search(r"\d  The square: 12 m by 12 m", menu)
@@ -188,7 +188,7 @@ def test_a_radius_may_be_told_as_the_question_shows_it_and_names_are_quoted(
     out = capsys.readouterr().out
     assert "benchdragon view 'n $m.dragon.toml' -o 'n $m.html'" in out
     assert run(["new", "-o", "o.dragon.toml", *line[:-1], "wide", "--quiet"]) == 2
-    assert "--radius: wanted a length" in capsys.readouterr().err
+    assert "--radius: expected a length" in capsys.readouterr().err
 
 
 def test_what_was_written_into_a_plan_by_hand_is_named_when_it_is_proposed_anew(

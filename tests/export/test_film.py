@@ -411,8 +411,8 @@ def test_a_sheet_has_a_panel_and_a_clock_for_each_instant() -> None:
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        ("a.avi", "-o: wanted a name that ends in .mp4, .gif, .png, .svg, .pdf, not a.avi"),
-        ("a.mp4 --size 33", "--size: wanted two whole numbers with an x between, not '33'"),
+        ("a.avi", "-o: expected a name that ends in .mp4, .gif, .png, .svg, .pdf, not a.avi"),
+        ("a.mp4 --size 33", "--size: expected two whole numbers with an x between, not '33'"),
         ("a.mp4 --size 1921x1080", "a size is two even numbers from 64 to 4096, not 1921x1080"),
         ("a.mp4 --size 99999x2", "a size is two even numbers from 64 to 4096, not 99999x2"),
         ("a.mp4 --at 3", "--at does not go with .mp4"),
@@ -424,7 +424,7 @@ def test_a_sheet_has_a_panel_and_a_clock_for_each_instant() -> None:
         ("a.mp4 --span 3", "--span goes with --follow"),
         ("a.mp4 --follow 224", "benches have numbers from 1 to 223, not 224"),
         ("a.png --at 0 --follow 224", "benches have numbers from 1 to 223, not 224"),
-        ("a.mp4 --start x", "--start: wanted seconds (12.5), a clock time"),
+        ("a.mp4 --start x", "--start: expected seconds (12.5), a clock time"),
         ("a.mp4 --start 5 --end 4", "the end (4 s) must not come before the start (5 s)"),
         ("a.mp4 --speed-up 0.001", "a film has at most 36000 frames, not 14498621"),
         ("a.mp4 --end 1e300", "a film has at most 36000 frames, not 3e+301"),

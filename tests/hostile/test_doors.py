@@ -87,7 +87,7 @@ def test_as_many_keys_as_are_read_are_not_too_many(sign: str, most: int) -> None
     many = "#" + sign * (most - (sign == "="))
     less = many if sign in "=," else many[:-1]
     assert parsed(f"{less}\na = 1", "plan") == {"a": 1}
-    with pytest.raises(PlanError, match=r"^plan says too much for a plan: at most 500000 keys and 1"):
+    with pytest.raises(PlanError, match=r"^plan is too long for a plan: at most 500000 keys and 1"):
         parsed(f"{many}{sign}\na = 1", "plan")
 
 

@@ -124,7 +124,7 @@ LIMITS = ("acceleration", "lateral_acceleration", "total_acceleration", "turning
 @pytest.mark.parametrize("limit", [*LIMITS, "head_acceleration", "speed"])
 @pytest.mark.parametrize("value", [1e-300, 9e-7])
 def test_a_limit_too_small_to_be_meant_is_refused(limit: str, value: float) -> None:
-    with pytest.raises(BenchDragonError, match=f"limits.{limit}: wanted at least 1e-06, not {value}"):
+    with pytest.raises(BenchDragonError, match=f"limits.{limit}: expected at least 1e-06, not {value}"):
         checked(
             {"schema": 1, "route": {"kind": "turn", "pitch": 1.7}, "limits": {limit: value}}, "plan"
         )

@@ -96,7 +96,7 @@ NO_WASMTIME = NO_LIBRARY + "import sys; sys.modules['wasmtime'] = None\n"
         (
             CHANGED,
             "",
-            "were changed after engine.wasm was built from them: build it anew by `make wasm`",
+            "were changed after engine.wasm was built from them: rebuild it by `make wasm`",
         ),
         (NO_WASMTIME, "", "install the package wasmtime again"),
     ],
@@ -124,9 +124,7 @@ from benchdragon.cli.main import run; raise SystemExit(run(['check', 'spiral-in'
 def test_an_engine_that_breaks_off_ends_with_a_sentence() -> None:
     done = python(BROKEN, BENCHDRAGON_ENGINE="wasm", BENCHDRAGON_LANG="en")
     assert (done.returncode, done.stdout) == (6, "")
-    assert done.stderr == (
-        "Error: the engine broke off, which is a fault of its own: march: wasm trap\n"
-    )
+    assert done.stderr == ("Error: the engine failed, which is a bug: march: wasm trap\n")
 
 
 ANSWERS = """

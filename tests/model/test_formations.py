@@ -203,7 +203,7 @@ def test_sizes_that_cannot_be_are_refused_by_name(
 
 
 def test_names_and_sizes_that_there_are_not_are_refused_with_those_there_are() -> None:
-    with pytest.raises(InputError, match="wanted one of coil-in, coil-out, figure-eight"):
+    with pytest.raises(InputError, match="expected one of coil-in, coil-out, figure-eight"):
         formation("phoenix")
     with pytest.raises(InputError, match="coil-in has no size radius; it has pitch, outer_radius"):
         formation("coil-in", radius=3.0)

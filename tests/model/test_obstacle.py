@@ -21,14 +21,14 @@ COORDINATES = st.integers(-20_000, 20_000).map(lambda millimetres: 1e-3 * millim
     [
         (lambda: Obstacle.circle("well", (0, 0), 0.0), "radius must be positive"),
         (lambda: Obstacle.circle("well", (0, math.nan), 1.0), "within 1e8 m"),
-        (lambda: Obstacle.circle("well", (0,), 1.0), "wanted a list of points"),  # type: ignore[arg-type]
+        (lambda: Obstacle.circle("well", (0,), 1.0), "expected a list of points"),  # type: ignore[arg-type]
         (lambda: Obstacle.rectangle("car", (0, 0), (1, 0)), "car: size must be positive"),
         (lambda: Obstacle.rectangle("car", (0, 0), (1, math.nan)), "car: size"),
         (lambda: Obstacle.rectangle("car", (0, 0), (1, 1, 1)), "car: size"),  # type: ignore[arg-type]
         (lambda: Obstacle.rectangle("car", (0, 0), (1, 1), math.nan), "car: angle must be finite"),
         (lambda: Obstacle.rectangle("car", (0, 0), (1, 1), math.inf), "car: angle must be finite"),
         (lambda: Obstacle.rectangle("car", (1e7, 0), (1e-9, 1)), "car: points 1 and 2 are the same"),
-        (lambda: Obstacle.polygon("house", SQUARE[:2]), "wanted 3 to"),
+        (lambda: Obstacle.polygon("house", SQUARE[:2]), "expected 3 to"),
         (
             lambda: Obstacle.polygon("house", [(0, 0), (1, 1), (2, 2)]),
             "sides 1 and 2|no area|meet itself",
@@ -46,7 +46,7 @@ COORDINATES = st.integers(-20_000, 20_000).map(lambda millimetres: 1e-3 * millim
             lambda: Obstacle.venue("venue", [(0, 0), (0, 0), (4, 0), (4, 4)]),
             "points 1 and 2 are the same",
         ),
-        (lambda: Obstacle.line("rope", [(0, 0)]), "wanted 2 to"),
+        (lambda: Obstacle.line("rope", [(0, 0)]), "expected 2 to"),
         (lambda: Obstacle.line("rope", [(0, 0), (1, 1), (1, 1)]), "points 2 and 3 are the same"),
         (lambda: Obstacle.line("rope", "abc"), "must be numbers"),
         (lambda: Obstacle.line("rope", [(0, 0), (1e9, 0)]), "within 1e8 m"),

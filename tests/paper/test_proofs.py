@@ -27,7 +27,7 @@ def test_the_contests_smallest_pitch_is_proved() -> None:
 
 
 class AskedError(Exception):
-    """What a test wanted to see was asked for."""
+    """What a test expected to see was asked for."""
 
 
 @pytest.mark.parametrize("there", [True, False])

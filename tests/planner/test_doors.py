@@ -33,8 +33,7 @@ def test_a_table_that_is_there_twice_is_refused_in_pythons_words() -> None:
     text = f'{BASE}[people]\nunit = "qiao"\n[people]\nroster = "names.csv"\n'
     found, _last = asked("doors.mjs", [text])
     assert found["error"].endswith(
-        "[people] is there twice: delete this line, and move what stands under it below the first "
-        "[people]"
+        "[people] is defined twice: delete this line, and move its keys below the first [people]"
     )
 
 
@@ -58,5 +57,5 @@ def test_as_many_keys_as_python_reads_are_not_too_many(signs: str, most: int) ->
     many = f"{BASE}#" + signs * ((most - BASE.count("=")) // len(signs))
     found, refused, _last = asked("doors.mjs", [many, many + 3 * signs])
     assert found["plan"]["schema"] == 1
-    wanted = "plan says too much for a plan: at most 500000 keys and 1000000 entries are read"
+    wanted = "plan is too long for a plan: at most 500000 keys and 1000000 entries are read"
     assert refused["error"] == wanted

@@ -143,7 +143,7 @@ def test_without_a_file_the_browser_opens_the_page(
     ("options", "said", "code"),
     [
         (["nosuch", "-o", "x.html"], "there is no plan nosuch", 3),
-        (["turn", "--set", "dragon.benches=0", "-o", "x.html"], "wanted at least 1", 3),
+        (["turn", "--set", "dragon.benches=0", "-o", "x.html"], "expected at least 1", 3),
         (["--set", "dragon.benches=9", "-o", "x.html"], "--set goes with PLAN alone", 2),
         (["--force"], "--force goes with -o alone", 2),
         (["-o", "x.txt"], ".html", 2),

@@ -178,7 +178,7 @@ HOLD = {"kind": "hold", "hold": 5.0}
         ([{"kind": "hold", "at": 1.0}], "cues.cue.0: a cue needs hold if its kind is hold"),
         ([{"kind": "beat", "at": 1.0, "hold": 2.0}], "cues.cue.0: a cue needs hold if its kind"),
         ([{"kind": "beat", "at": 1.0, "tempo": 90}], "cues.cue.0: a cue needs tempo if its kind"),
-        ([{"kind": "beat", "at": 1.0}] * 201, "cues.cue: wanted at most 200 entries"),
+        ([{"kind": "beat", "at": 1.0}] * 201, "cues.cue: expected at most 200 entries"),
     ],
 )
 def test_a_cue_that_cannot_be_is_refused_in_one_sentence(cues: list[Any], sentence: str) -> None:
@@ -196,12 +196,12 @@ def test_a_cue_that_cannot_be_is_refused_in_one_sentence(cues: list[Any], senten
     ("others", "sentence"),
     [
         ({"acceleration": 0.6}, "cues.acceleration: at most limits.head_acceleration, 0.5 m/s^2"),
-        ({"clock": "25:00"}, "cues.clock: wanted a time of day such as 18:30, not '25:00'"),
-        ({"tempo": 10}, "cues.tempo: wanted at least 20"),
+        ({"clock": "25:00"}, "cues.clock: expected a time of day such as 18:30, not '25:00'"),
+        ({"tempo": 10}, "cues.tempo: expected at least 20"),
         *(
             (
                 {"cue": [{"kind": "note", "at": 2.0, key: text}]},
-                f"cues.cue.0.{key}: wanted text that can",
+                f"cues.cue.0.{key}: expected text that can",
             )
             for key in ("text", "text_zh")
             for text in ("a\nb", "bell \u0007", "\u202eleft", " ")

@@ -98,14 +98,14 @@ def test_a_square_from_dxf_and_from_geojson_gives_the_same_verdict(tmp_path: Pat
 @pytest.mark.parametrize(
     ("lines", "sentence"),
     [
-        ('file = "../walk.csv"', "route.file: wanted the name of a file beside the plan, not '../wal"),
-        ('file = "/etc/hosts.csv"', "wanted the name of a file beside the plan"),
-        ('file = "a\\\\b.csv"', "wanted the name of a file beside the plan"),
+        ('file = "../walk.csv"', "route.file: expected the name of a file beside the plan, not"),
+        ('file = "/etc/hosts.csv"', "expected the name of a file beside the plan"),
+        ('file = "a\\\\b.csv"', "expected the name of a file beside the plan"),
         ('file = "none.csv"', "there is no file none.csv beside the plan"),
         ('file = "walk.txt"', "drawings are read from .csv, .geojson, .json, .kml, "),
         ('file = "walk.csv"\npoints = [[0, 0], [1, 1]]', "route.file has no effect beside route.po"),
         ('points = [[0, 0], [1, 1]]\nlayer = "a"', "route.layer has no effect beside route.points"),
-        ('points = [[0, 0], [9, 9]]\n[survey]\ncrs = 3', "survey.crs: wanted text, not 3"),
+        ('points = [[0, 0], [9, 9]]\n[survey]\ncrs = 3', "survey.crs: expected text, not 3"),
         ('file = "walk.csv"\n[survey]\nunit = "ell"', "survey.unit must be one of m, cm, mm"),
         ('file = "walk.csv"\n[survey]\ncrs = "mars"', "survey.crs must be wgs84, gcj02, bd09 or a"),
         ('layer = "a"', "a drawn route needs points, or a file beside the plan"),
@@ -143,7 +143,9 @@ def test_one_origin_serves_all_files_of_a_plan(tmp_path: Path) -> None:
 def test_a_bend_that_no_bench_can_follow_is_named() -> None:
     plan = drawn(points=[[0, 0], [9, 0], [9, 9]], deviation=0.2)
     # The head's link is 2.86 m long; an arc that leaves 0.2 m of a right angle has a radius of 0.48 m.
-    with pytest.raises(PlanError, match=r"bends with a radius of 0\.4828 m, and 1\.43143 m is wanted"):
+    with pytest.raises(
+        PlanError, match=r"bends with a radius of 0\.4828 m, and 1\.43143 m is required"
+    ):
         plan.build()
 
 

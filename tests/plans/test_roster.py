@@ -101,7 +101,7 @@ def addressed(address: str) -> dict[str, object]:
 
 @pytest.mark.parametrize("address", NO_ADDRESSES)
 def test_what_papers_would_have_a_phone_open_is_a_web_address_or_a_relative_file(address: str) -> None:
-    with pytest.raises(PlanError, match=r"people\.address: wanted ") as told:
+    with pytest.raises(PlanError, match=r"people\.address: expected ") as told:
         checked(addressed(address), "plan")
     assert repr(address)[:80] in str(told.value)
     assert "\n" not in str(told.value)

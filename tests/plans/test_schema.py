@@ -61,7 +61,7 @@ def test_a_quantity_may_carry_a_unit(text: str, units: dict[str, float], value: 
 
 @pytest.mark.parametrize("text", ["55", "55 kg", "cm", "", "5 cm 3", "1..2 m"])
 def test_a_quantity_without_a_known_unit_is_refused(text: str) -> None:
-    with pytest.raises(ValueError, match="wanted a number, or text with a unit of m, cm"):
+    with pytest.raises(ValueError, match="expected a number, or text with a unit of m, cm"):
         quantity(text, METRES)
 
 
@@ -71,35 +71,35 @@ def test_a_quantity_without_a_known_unit_is_refused(text: str) -> None:
         ("dragon.bences=3", "dragon.bences is not a known key; did you mean dragon.benches?"),
         ("route.pitc=3", "route.pitc is not a known key; did you mean route.pitch?"),
         ("wak.speed=3", "wak is not a known key; did you mean walk?"),
-        ("route.pitch=-1", "route.pitch: wanted more than 0.0, not -1"),
-        ("route.pitch=nan", "route.pitch: wanted a finite number, not NaN"),
-        ("route.pitch=inf", "route.pitch: wanted a finite number, not Infinity"),
-        ("route.pitch=60 kg", "route.pitch: wanted a number, or text with a unit of m, cm"),
-        ("dragon.benches=2.5", "dragon.benches: wanted a whole number, not 2.5"),
-        ("dragon.benches=0", "dragon.benches: wanted at least 1, not 0"),
-        ("dragon.benches=1000001", "dragon.benches: wanted at most 1000000, not 1000001"),
-        ("dragon=3", "dragon: wanted a table, not 3"),
+        ("route.pitch=-1", "route.pitch: expected more than 0.0, not -1"),
+        ("route.pitch=nan", "route.pitch: expected a finite number, not NaN"),
+        ("route.pitch=inf", "route.pitch: expected a finite number, not Infinity"),
+        ("route.pitch=60 kg", "route.pitch: expected a number, or text with a unit of m, cm"),
+        ("dragon.benches=2.5", "dragon.benches: expected a whole number, not 2.5"),
+        ("dragon.benches=0", "dragon.benches: expected at least 1, not 0"),
+        ("dragon.benches=1000001", "dragon.benches: expected at most 1000000, not 1000001"),
+        ("dragon=3", "dragon: expected a table, not 3"),
         (
             'route.kind="circle"',
-            "route.kind: wanted 'spiral-in', 'turn', 'parts', 'formation', 'programme', 'drawn', not "
+            "route.kind: expected 'spiral-in', 'turn', 'parts', 'formation', 'programme', 'drawn', not "
             '"circle"',
         ),
-        ("walk.profile=3", "walk.profile: wanted a list, not 3"),
-        ("walk.speed=-1", "walk.speed: wanted at least 0.0, not -1"),
-        ("schema=2", "schema: wanted 1, not 2"),
-        ("nonsense", "wanted KEY=VALUE, not 'nonsense'"),
+        ("walk.profile=3", "walk.profile: expected a list, not 3"),
+        ("walk.speed=-1", "walk.speed: expected at least 0.0, not -1"),
+        ("schema=2", "schema: expected 1, not 2"),
+        ("nonsense", "expected KEY=VALUE, not 'nonsense'"),
         ("dragon.benches.x=1", "there is no dragon.benches.x to set"),
     ],
 )
 def test_a_bad_value_is_named_with_what_was_wanted(setting: str, sentence: str) -> None:
-    with pytest.raises(PlanError, match=r":|wanted|there is no") as caught:
+    with pytest.raises(PlanError, match=r":|expected|there is no") as caught:
         read_plan("spiral-in", [setting])
     assert sentence in str(caught.value)
 
 
 def test_a_bad_value_in_a_list_is_named_by_its_number() -> None:
     route = {"part": [{"kind": "line", "length": 5}, {"kind": "arc", "radius": -1, "angle": 9}]}
-    with pytest.raises(PlanError, match=r"x: route\.part\.1\.radius: wanted more than 0\.0, not -1"):
+    with pytest.raises(PlanError, match=r"x: route\.part\.1\.radius: expected more than 0\.0, not -1"):
         checked({"schema": 1, "route": route}, "x")
 
 
@@ -109,7 +109,9 @@ def test_limits_take_the_units_of_what_they_limit() -> None:
     found = (limits.acceleration, limits.turning_rate, limits.head_acceleration)
     assert found == pytest.approx((0.5, 180.0 / math.pi, 0.2))
     for setting in ("acceleration='1 m/s'", "turning_rate='20 deg'", "head_acceleration='2 m/s^3'"):
-        with pytest.raises(PlanError, match=r"wanted a number, or text with a unit of (m/s\^2|deg/s)"):
+        with pytest.raises(
+            PlanError, match=r"expected a number, or text with a unit of (m/s\^2|deg/s)"
+        ):
             read_plan("turn", [f"limits.{setting}"])
 
 
@@ -204,10 +206,10 @@ def test_a_title_falls_back_to_the_other_language() -> None:
 @pytest.mark.parametrize(
     ("content", "sentence"),
     [
-        (b"schema = 1\nroute = [", "is not TOML: at its end: a value is wanted here"),
+        (b"schema = 1\nroute = [", "is not TOML: at its end: a value is expected here"),
         (b"\xff\xfe\x00", "is not UTF-8 text: save it again with the encoding UTF-8"),
         (b"schema = 1", "route is missing"),
-        (b"schema = 1\n[route]\npitch = 1", "route: wanted a table with the key kind"),
+        (b"schema = 1\n[route]\npitch = 1", "route: expected a table with the key kind"),
     ],
 )
 def test_a_file_that_is_no_plan_is_told_why(tmp_path: Path, content: bytes, sentence: str) -> None:
@@ -255,5 +257,5 @@ def test_a_plan_is_named_by_all_that_the_square_does_to_it() -> None:
 def test_a_name_must_be_seen_on_one_line(name: str) -> None:
     well = {"kind": "circle", "centre": [3, 1], "radius": 0.5, "name": name}
     data = {"schema": 1, "route": {"kind": "turn"}, "obstacle": [well]}
-    with pytest.raises(PlanError, match="wanted text that can be printed on one line"):
+    with pytest.raises(PlanError, match="expected text that can be printed on one line"):
         checked(data, "plan")

@@ -109,9 +109,9 @@ radius = 3
 """
     units = "m, cm, mm, km, 米, 公尺, 厘米, 公分, 毫米"
     assert refused(tmp_path / "x.toml", text) == [
-        f"x.toml:5: dragon.width: wanted a number, or text with a unit of {units}, not 'x'",
+        f"x.toml:5: dragon.width: expected a number, or text with a unit of {units}, not 'x'",
         "x.toml:4: dragon.benchs is not a known key; did you mean dragon.benches?",
-        "x.toml:9: route.part.0.radius: wanted more than 0.0, not -1",
+        "x.toml:9: route.part.0.radius: expected more than 0.0, not -1",
         "x.toml:7: route.part.0.angle is missing",
         'x.toml:12: disc.radius has no effect beside route.kind = "parts": take it out',
     ]
@@ -173,14 +173,14 @@ length = 0.4
 @pytest.mark.parametrize(
     ("setting", "line"),
     [
-        ("route.pitch=-1", "--set: route.pitch: wanted more than 0.0, not -1"),
+        ("route.pitch=-1", "--set: route.pitch: expected more than 0.0, not -1"),
         ("route.pich=1", "--set: route.pich is not a known key; did you mean route.pitch?"),
         (
             "disc.radius=90",
             "--set: disc.radius (90 m) must be smaller than the radius of start_turn (8.8 m)",
         ),
         ("walk.speed=200", "--set: walk.speed: speed must be at most 100 m/s, not 200 m/s"),
-        ("walk.position=1e9", "--set: walk.position: wanted at most 100000000.0, not 1000000000.0"),
+        ("walk.position=1e9", "--set: walk.position: expected at most 100000000.0, not 1000000000.0"),
         ("dragon.body_length=0.1", "--set: dragon.body_length: bench 2: its insets"),
         ("dragon.width=20000", "--set: dragon.width: bench 1: width must be at most 10000 m"),
     ],
@@ -193,7 +193,7 @@ def test_a_setting_is_named_as_the_place(setting: str, line: str) -> None:
 
 def test_a_plan_made_from_a_file_still_knows_where_it_was_read() -> None:
     plan = read_plan("turn")
-    with pytest.raises(PlanError, match=r"^turn:22: disc\.radius: wanted more than 0\.0, not -1"):
+    with pytest.raises(PlanError, match=r"^turn:22: disc\.radius: expected more than 0\.0, not -1"):
         plan.with_value("disc.radius", -1.0)
     assert plan == checked(read_toml("turn")[0], "elsewhere")
 

@@ -91,7 +91,7 @@ def test_a_table_that_is_there_twice_says_what_to_do_about_it() -> None:
     for name in ("people", "people.source"):
         with pytest.raises(PlanError) as caught:
             parsed(f'[{name}]\nunit = "qiao"\n[dragon]\nbenches = 3\n[{name}]\n', "x.toml")
-        assert f"line 5, column {len(name) + 2}: [{name}] is there twice: delete this line" in str(
+        assert f"line 5, column {len(name) + 2}: [{name}] is defined twice: delete this line" in str(
             caught.value
         )
         assert f"below the first [{name}]" in str(caught.value)

@@ -160,7 +160,7 @@ def test_view_writes_the_same_page_each_time(
         (["--start", "soon"], "(3:12 or 1:02:03) or units (3 min 12 s), not 'soon'", 2),
         (["--start", "-1e9"], "this walk goes to 1e+09 m", 2),
         (["--start", "2000", "--end", "2001"], "past the end of the route", 4),
-        (["--set", "dragon.benches=0"], "dragon.benches: wanted at least 1", 3),
+        (["--set", "dragon.benches=0"], "dragon.benches: expected at least 1", 3),
         (["--set", "nonsense"], "nonsense", 3),
     ],
 )

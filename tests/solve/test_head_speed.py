@@ -223,7 +223,7 @@ def test_a_slow_walk_is_left_alone() -> None:
     ("settings", "text"),
     [
         (["walk.profile=[[0, 1], [10, 2]]"], "walk.profile"),
-        (["limits.lateral_acceleration=5e-324"], "wanted at least 1e-06, not 5e-324"),
+        (["limits.lateral_acceleration=5e-324"], "expected at least 1e-06, not 5e-324"),
     ],
 )
 def test_what_a_pace_cannot_do_is_refused(settings: list[str], text: str) -> None:

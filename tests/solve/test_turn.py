@@ -269,7 +269,7 @@ def test_the_smallest_disc_is_put_into_the_plan() -> None:
 def test_only_turns_have_a_best_turn() -> None:
     with pytest.raises(BenchDragonError, match="route is a turn"):
         sought(read_plan("spiral-in"))
-    with pytest.raises(InputError, match="wanted one of"):
+    with pytest.raises(InputError, match="expected one of"):
         TurnGoal("beauty")
 
 

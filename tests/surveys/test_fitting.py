@@ -201,7 +201,7 @@ def test_the_tightest_place_is_named() -> None:
     with pytest.raises(InputError) as caught:
         fitted(line, "G1", 0.3, least_radius=3.0)
     text = str(caught.value)
-    assert "with a radius of 0.7243 m, and 3 m is wanted" in text
+    assert "with a radius of 0.7243 m, and 3 m is required" in text
     fit = fitted(line, "G1", 0.3)
     x, y = fit.route.point(fit.s)
     assert f"at ({x:.4f}, {y:.4f}) m, s = {fit.s:.4f} m" in text

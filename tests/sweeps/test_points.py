@@ -20,8 +20,8 @@ from benchdragon.sweeps.points import (
     sampled_points,
 )
 
-KEYS = "wanted keys of a plan such as route.pitch, each once, not "
-UNREADABLE = "wanted KEY=FIRST:LAST:STEP or KEY=VALUE,VALUE,... (route.pitch=0.45:0.6:0.01), not "
+KEYS = "expected keys of a plan such as route.pitch, each once, not "
+UNREADABLE = "expected KEY=FIRST:LAST:STEP or KEY=VALUE,VALUE,... (route.pitch=0.45:0.6:0.01), not "
 
 
 def each(points: Points) -> list[Any]:
@@ -91,7 +91,7 @@ def test_a_key_stands_once() -> None:
 def test_there_are_neither_no_points_nor_too_many(vary: dict[str, Any], count: int, keys: int) -> None:
     with pytest.raises(InputError) as refused:
         grid_points(vary)
-    said = f"wanted 1 to 10000000 points of 1 to 20 keys, not {count} of {keys}"
+    said = f"expected 1 to 10000000 points of 1 to 20 keys, not {count} of {keys}"
     assert str(refused.value) == said
 
 
@@ -100,13 +100,13 @@ def test_there_are_neither_no_points_nor_too_many(vary: dict[str, Any], count: i
 )
 def test_values_that_are_none_are_refused(value: object) -> None:
     for make in (grid_points, listed_points):
-        with pytest.raises(InputError, match=r"^a\.b: wanted finite numbers or texts, not "):
+        with pytest.raises(InputError, match=r"^a\.b: expected finite numbers or texts, not "):
             make({"a.b": [1, value]})  # type: ignore[list-item]
 
 
 @pytest.mark.parametrize("values", ["left", 0.5, None])
 def test_what_is_no_list_of_values_is_refused(values: Any) -> None:
-    with pytest.raises(InputError, match=rf"^a\.b: wanted a list of values, not {values}$"):
+    with pytest.raises(InputError, match=rf"^a\.b: expected a list of values, not {values}$"):
         grid_points({"a.b": values})
 
 
@@ -147,12 +147,12 @@ def test_samples_between_whole_numbers_are_whole_and_as_frequent() -> None:
 @pytest.mark.parametrize(
     ("ranges", "said"),
     [
-        ({"a.b": (1.0, 1.0)}, "a.b: wanted a range from a smaller value to a larger one, not 1:1"),
-        ({"a.b": (2, 1)}, "a.b: wanted a range from a smaller value to a larger one, not 2:1"),
+        ({"a.b": (1.0, 1.0)}, "a.b: expected a range from a smaller value to a larger one, not 1:1"),
+        ({"a.b": (2, 1)}, "a.b: expected a range from a smaller value to a larger one, not 2:1"),
         ({"a.b": (1, 2, 3)}, "a.b: a sample needs a range LOW:HIGH"),
         ({"a.b": ("x", 2)}, "a.b: a sample needs a range LOW:HIGH"),
-        ({"a.b": (1, float("nan"))}, "a.b: wanted finite numbers or texts, not nan"),
-        ({}, "wanted 1 to 1000000 points of 1 to 20 keys, not 0 of 0"),
+        ({"a.b": (1, float("nan"))}, "a.b: expected finite numbers or texts, not nan"),
+        ({}, "expected 1 to 1000000 points of 1 to 20 keys, not 0 of 0"),
     ],
 )
 @pytest.mark.parametrize("method", ["latin-hypercube", "sobol"])
@@ -168,7 +168,7 @@ def test_samples_need_a_number_a_seed_and_a_method_that_can_be() -> None:
             sampled_points({"a.b": (0, 1)}, count)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"^seed must be a whole number from 0 to"):
         sampled_points({"a.b": (0, 1)}, 2, seed=-1)
-    with pytest.raises(InputError, match=r"wanted one of .*sobol.*, not halton"):
+    with pytest.raises(InputError, match=r"expected one of .*sobol.*, not halton"):
         sampled_points({"a.b": (0, 1)}, 2, method="halton")  # type: ignore[arg-type]
 
 
@@ -206,9 +206,9 @@ def test_points_are_read_from_tables(tmp_path: Path, name: str) -> None:
             KEYS + "a.b",
         ),
         ("key.csv", "pitch\n1\n", KEYS + "pitch"),
-        ("gap.csv", "a.b,a.c\n1,2\n,3\n", "a.b: wanted finite numbers or texts, not None"),
-        ("head.csv", "a.b\n", "wanted 1 to 1000000 points of 1 to 20 keys, not 0 of 1"),
-        ("truth.csv", "a.b\ntrue\n", "a.b: wanted finite numbers or texts, not True"),
+        ("gap.csv", "a.b,a.c\n1,2\n,3\n", "a.b: expected finite numbers or texts, not None"),
+        ("head.csv", "a.b\n", "expected 1 to 1000000 points of 1 to 20 keys, not 0 of 1"),
+        ("truth.csv", "a.b\ntrue\n", "a.b: expected finite numbers or texts, not True"),
     ],
 )
 def test_tables_that_are_none_are_refused(
@@ -287,7 +287,7 @@ def test_a_list_is_shorter_than_a_grid_may_be_and_ends() -> None:
 def test_steps_that_do_not_lead_there_are_told(text: str) -> None:
     with pytest.raises(InputError) as refused:
         parse_vary([text])
-    assert str(refused.value) == f"{text}: wanted 1 to 1000000 steps from the first value to the last"
+    assert str(refused.value) == f"{text}: expected 1 to 1000000 steps from the first value to the last"
 
 
 def test_too_many_combinations_are_told_before_they_are_made() -> None:

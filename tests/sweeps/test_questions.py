@@ -168,7 +168,7 @@ def test_questions_are_found_by_name() -> None:
     ):
         with pytest.raises(InputError) as refused:
             questions(names)  # type: ignore[arg-type]
-        assert str(refused.value) == f"ask: wanted some of {known}, each once, not {said}"
+        assert str(refused.value) == f"ask: expected some of {known}, each once, not {said}"
         assert issubclass(refused.type, BenchDragonError)
 
 

@@ -208,7 +208,7 @@ def test_an_answer_is_told_where_it_was_asked_for() -> None:
     ],
 )
 def test_only_one_or_two_keys_with_numbers_are_refined(points: Any) -> None:
-    with pytest.raises(InputError, match=r"^refine: wanted one key or two, with numbers for values$"):
+    with pytest.raises(InputError, match=r"^refine: expected one key or two, with numbers for values$"):
         Refiner(points, Refinement(5))
 
 
@@ -222,7 +222,7 @@ def test_refinements_that_cannot_be_are_refused() -> None:
         with pytest.raises(InputError, match=r"^refine must be a whole number from 0 to 1000000, not"):
             Refinement(most)  # type: ignore[arg-type]
     for to in (0.0, 1.1, 1e-10):
-        with pytest.raises(InputError, match=r"^to: wanted a share from 1e-9 to 1, not"):
+        with pytest.raises(InputError, match=r"^to: expected a share from 1e-9 to 1, not"):
             Refinement(5, to)
     with pytest.raises(InputError, match=r"^to must be finite, not nan$"):
         Refinement(5, math.nan)

@@ -347,9 +347,9 @@ def test_a_plan_that_is_right_at_some_points_is_asked_wherever_they_stand() -> N
 
 
 def test_what_cannot_be_asked_is_refused() -> None:
-    with pytest.raises(InputError, match="ask: wanted some of"):
+    with pytest.raises(InputError, match="ask: expected some of"):
         short(ask=["wide"])
-    with pytest.raises(InputError, match="wanted 1 to 10000000 points"):
+    with pytest.raises(InputError, match="expected 1 to 10000000 points"):
         short(vary={})
     with pytest.raises(InputError, match="plan must be a Plan"):
         sweep("spiral-in", {"route.pitch": [1]})  # type: ignore[arg-type]

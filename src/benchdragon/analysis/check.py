@@ -352,7 +352,7 @@ def _kept(report: Report, told: Clock | None) -> str:
         said.append(_("not proved: {what}").format(what=what))
     if report.not_looked_at:
         what = _(", ").join(one.brief for one in report.not_looked_at)
-        said.append(_("not looked at: {what}").format(what=what))
+        said.append(_("not checked: {what}").format(what=what))
     return _("; ").join(said)
 
 

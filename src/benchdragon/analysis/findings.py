@@ -133,12 +133,10 @@ def _route_findings(plan: Plan, walk: Walk, start: float) -> list[Finding]:
     dragon = extent(walk)
     if not runs_on(walk) or dragon <= length:
         return []
-    sentence = N_(
-        "the route is {route} m long, the dragon {dragon} m: at no time is all of it on the route"
-    )
+    sentence = N_("the route is {route} m long, the dragon {dragon} m: it is never wholly on the route")
     if plan.route.kind == "drawn":
         sentence = N_(
-            "the drawn route is {route} m long, the dragon {dragon} m: at no time is all of it on the "
+            "the drawn route is {route} m long, the dragon {dragon} m: it is never wholly on the "
             "route; where the drawing is in another unit, say so by survey.unit"
         )
     words = {
@@ -348,7 +346,7 @@ def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
     kept = peak.keeps(limit)
     if kept or near is None:
         return []
-    sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen")
+    sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was reached")
     if kept is False:
         sentence = N_(
             "{what} at bench {bench} is {value} {unit} at t = {t} s, the limit being {limit} {unit}"

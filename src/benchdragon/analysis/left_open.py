@@ -71,15 +71,15 @@ def told_if_open(
 def open_finding(asked: Asked, limit: float, why: str) -> Finding:
     """The finding of an undecided question; of a limited quantity with its limit."""
     if isinstance(asked, Obstacle):
-        sentence = N_("whether benches keep their distance from {name} is open: {why}")
+        sentence = N_("whether benches keep their distance from {name} is undecided: {why}")
         kind, words = "venue" if asked.kind == "venue" else "obstacle", name_words(asked)
         limit, name = asked.margin, asked.name
     elif asked in QUANTITIES:
-        sentence = N_("whether the {what} keeps to {limit} {unit} is open: {why}")
+        sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {why}")
         quantity, kind, name = QUANTITIES[asked], asked, ""
         words = {"what": quantity.text, "unit": quantity.unit, "limit": f"{limit:.6g}"}
     else:
-        sentence = N_("whether there is room for people is open: {why}")
+        sentence = N_("whether there is room for people is undecided: {why}")
         kind, words, name = asked, {}, ""
     words |= {"why": why}
     return Finding(kind, None, (), 0.0, limit, sentence, words, decided=False, obstacle=name)

@@ -18,18 +18,18 @@ DUST = 1e-6
 TEXTS: Mapping[str, str] = {
     "street": N_(
         "the plan gives no edge, wall or house along the drawn route (venue, obstacle): whether the "
-        "dance keeps off them was not looked at"
+        "dance avoids them was not checked"
     ),
     "square": N_(
         "the plan gives neither an edge of the square nor anything that stands on it (venue, "
-        "obstacle): whether the dance keeps off them was not looked at"
+        "obstacle): whether the dance avoids them was not checked"
     ),
     "venue": N_(
-        "the plan gives no edge of the square (venue): whether the dance stays inside was not looked at"
+        "the plan gives no edge of the square (venue): whether the dance stays inside was not checked"
     ),
     "people": N_(
         "the plan asks for no room for people (people.beside, people.ahead, people.sway, "
-        "people.imprecision): only the benches themselves were looked at"
+        "people.imprecision): only the benches themselves were checked"
     ),
     "speed": N_(
         "the plan gives no greatest speed (limits.speed, people.most_speed): speeds were computed, and "
@@ -38,7 +38,7 @@ TEXTS: Mapping[str, str] = {
     "behind": N_(
         "at the start {way} m of the dragon, benches {first} to {last}, stand on a straight line "
         "behind the start of the route, which the plan does not draw: whether there is such a way was "
-        "not looked at"
+        "not checked"
     ),
     "still behind": N_(
         "when the walk ends, {way} m of the dragon, benches {first} to {last}, have not yet come to "

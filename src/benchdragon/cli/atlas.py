@@ -27,7 +27,7 @@ def atlas(folders: tuple[str, ...], output: Path, force: bool, quiet: bool) -> i
 
     check_ending("-o", output, [".html"])
     if len({Path(folder).resolve() for folder in folders}) < len(folders):
-        raise InputError(_("wanted each folder once"))
+        raise InputError(_("expected each folder once"))
     sweeps = {folder: read_sweep(folder) for folder in folders}
     for folder, found in sweeps.items():
         if not len(found.table):

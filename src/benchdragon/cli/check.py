@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 @click.option(
     "--record",
     is_flag=True,
-    help=N_("Record beside the plan file that it was checked and is safe, as `sheets` wants it."),
+    help=N_("Record beside the plan file that it was checked and is safe, as `sheets` requires."),
 )
 @take("json", "brackets", "explain", "shared")
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
@@ -200,7 +200,7 @@ def _print_left_open(report: "Report") -> None:
     for proof in report.unproved:
         click.echo(proof.text)
     if report.not_looked_at:
-        click.echo(_("not looked at:"))
+        click.echo(_("not checked:"))
     for one in report.not_looked_at:
         click.echo(f"  {one.text}")
 

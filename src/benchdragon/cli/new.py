@@ -163,7 +163,7 @@ def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
     """Add the usual answers to those given, without a terminal."""
     missing = [one.option for one in questions if one.usual is None]
     if missing:
-        text = _("nobody is there to be asked: add {options}")
+        text = _("there is no terminal to ask in: add {options}")
         raise InputError(text.format(options=", ".join(missing)))
     for one in questions:
         if one.usual is not None:
@@ -327,7 +327,7 @@ def _text(plan: "Plan", wishes: "Wishes", given: set[str]) -> str:
     if wishes.carry == "under":
         carried = _("People who carry one bench: {count}; they walk under it.")
     lines = [
-        _("Proposed by benchdragon new. What is marked as assumed was measured by nobody: measure it"),
+        _("Proposed by benchdragon new. What is marked as assumed has not been measured: measure it"),
         _("with your own people, write it in, say where it comes from in [people.source], and check."),
         carried.format(count=wishes.bearers),
     ]

@@ -114,7 +114,7 @@ def read_count(called: str, text: str, example: str) -> int:
     """A whole number of benches or bearers: "120", "120条", "一百二十"."""
     found = COUNTED.sub("", plainly(text))
     if not re.fullmatch(r"[0-9]+", found):
-        wanted = _("{option}: wanted a whole number such as {example}, not {text}")
+        wanted = _("{option}: expected a whole number such as {example}, not {text}")
         raise unreadable(wanted, called, text, example=example)
     return min(int(found[:9]), 10**9)
 
@@ -141,7 +141,7 @@ def read_place(called: str, text: str, count: int) -> int:
 def _counted(called: str, text: str, example: str, least: int, most: int) -> int:
     number = read_count(called, text, example)
     if not least <= number <= most:
-        wanted = _("{option}: wanted {least} to {most}, not {text}")
+        wanted = _("{option}: expected {least} to {most}, not {text}")
         raise unreadable(wanted, called, text, least=least, most=most)
     return number
 
@@ -166,7 +166,7 @@ def length_to(most: float, least: float = 0.01) -> Length:
                 )
                 raise InputError(hint.format(option=called, text=plain, most=f"{most:g}"))
             wanted = _(
-                "{option}: wanted a length from {least} cm to {most} m, such as {example}, not {text}"
+                "{option}: expected a length from {least} cm to {most} m, such as {example}, not {text}"
             )
             ends = {"least": f"{100.0 * least:g}", "most": f"{most:g}"}
             raise unreadable(wanted, called, text, example=example, **ends)
@@ -183,7 +183,7 @@ def read_speed(called: str, text: str, example: str) -> float:
     except ValueError:
         found = -1.0
     if not 0.05 <= found <= MOST_SPEED:
-        wanted = _("{option}: wanted a speed of 0.05 to {most} m/s, such as {example}, not {text}")
+        wanted = _("{option}: expected a speed of 0.05 to {most} m/s, such as {example}, not {text}")
         raise unreadable(wanted, called, text, most=f"{MOST_SPEED:g}", example=example)
     return found
 
@@ -200,7 +200,7 @@ def read_square(called: str, text: str, example: str) -> tuple[float, float] | f
     sides = re.sub(r"[×*乘,，]", "x", sides)
     parts = [part for part in sides.split("x") if part]
     if len(parts) != 2:
-        wanted = _("{option}: wanted length and width with an x between ({example}), not {text}")
+        wanted = _("{option}: expected length and width with an x between ({example}), not {text}")
         raise unreadable(wanted, called, text, example=example)
     return read(called, parts[0], "30"), read(called, parts[1], "20")
 
@@ -214,7 +214,7 @@ def read_carry(called: str, text: str, example: str) -> str:
     found = {name for sign, name in CARRY_SIGNS.items() if sign in said}
     if len(found) == 1:
         return found.pop()
-    wanted = _("{option}: wanted beside (1) or under (2), for example {example}, not {text}")
+    wanted = _("{option}: expected beside (1) or under (2), for example {example}, not {text}")
     raise unreadable(wanted, called, text, example=example)
 
 
@@ -285,13 +285,13 @@ QUESTIONS = (
     Question(
         "--sway", N_("Sway"),
         N_("How far does a bench sway to a side when it is carried ten steps, in metres?"),
-        N_("if nobody measured it, it is assumed"), _always("5cm"), length_to(MOST_STRAY, 0.0), "5cm",
+        N_("it is assumed unless you measured it"), _always("5cm"), length_to(MOST_STRAY, 0.0), "5cm",
         ("people.sway",),
     ),
     Question(
         "--imprecision", N_("Imprecision"),
         N_("How far do bearers stray from a line that they follow, in metres?"),
-        N_("if nobody measured it, it is assumed"), _always("10cm"), length_to(MOST_STRAY, 0.0), "10cm",
+        N_("it is assumed unless you measured it"), _always("10cm"), length_to(MOST_STRAY, 0.0), "10cm",
         ("people.imprecision",),
     ),
 )  # fmt: skip

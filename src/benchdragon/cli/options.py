@@ -32,7 +32,7 @@ class NamedPath(click.Path):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """The path."""
         if value == "":
-            self.fail(_("a name is wanted, not nothing"), param, ctx)
+            self.fail(_("a name is required"), param, ctx)
         return super().convert(value, param, ctx)
 
 

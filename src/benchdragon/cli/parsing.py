@@ -72,7 +72,7 @@ def parse_time(option: str, text: str) -> float:
     found = _time(text.strip())
     if found is None:
         wanted = _(
-            "{option}: wanted seconds (12.5), a clock time (3:12 or 1:02:03) or units "
+            "{option}: expected seconds (12.5), a clock time (3:12 or 1:02:03) or units "
             "(3 min 12 s), not {text}"
         )
         raise unreadable(wanted, option, text)
@@ -87,7 +87,7 @@ def parse_length(option: str, text: str) -> float:
     """
     found = _quantity(text.strip(), METRES)
     if found is None:
-        wanted = _("{option}: wanted a length in metres (0.5) or with a unit (50 cm), not {text}")
+        wanted = _("{option}: expected a length in metres (0.5) or with a unit (50 cm), not {text}")
         raise unreadable(wanted, option, text)
     return found
 
@@ -100,7 +100,7 @@ def parse_speed(option: str, text: str) -> float:
     """
     found = _quantity(text.strip(), SPEEDS)
     if found is None or found <= 0.0:
-        wanted = _("{option}: wanted a speed in m/s (0.6) or with a unit (2 km/h), not {text}")
+        wanted = _("{option}: expected a speed in m/s (0.6) or with a unit (2 km/h), not {text}")
         raise unreadable(wanted, option, text)
     return found
 
@@ -115,7 +115,7 @@ def parse_scale(option: str, text: str | None) -> float | None:
         return None
     one, _colon, many = text.replace("：", ":").partition(":")
     if one.strip() != "1" or not NUMBER.fullmatch(many.strip()):
-        raise unreadable(_("{option}: wanted a scale such as 1:200, not {text}"), option, text)
+        raise unreadable(_("{option}: expected a scale such as 1:200, not {text}"), option, text)
     return float(many)
 
 
@@ -127,7 +127,7 @@ def parse_lengths(option: str, text: str) -> tuple[float, float]:
     """
     ends = [_quantity(end.strip(), METRES) for end in text.split(RANGE)]
     if len(ends) != 2 or ends[0] is None or ends[1] is None:
-        wanted = _("{option}: wanted two sizes in metres, LOW..HIGH (0.4..0.6), not {text}")
+        wanted = _("{option}: expected two sizes in metres, LOW..HIGH (0.4..0.6), not {text}")
         raise unreadable(wanted, option, text)
     return ends[0], ends[1]
 
@@ -154,7 +154,7 @@ def parse_sides(option: str, text: str) -> tuple[int, int]:
     try:
         across, down = (int(number) for number in text.lower().replace("×", "x").split("x"))
     except ValueError:
-        wanted = _("{option}: wanted two whole numbers with an x between, not {text}")
+        wanted = _("{option}: expected two whole numbers with an x between, not {text}")
         raise unreadable(wanted, option, text) from None
     return across, down
 
@@ -163,7 +163,7 @@ def _item_times(item: str, room: int) -> Sequence[float]:
     numbers = [time for end in item.split(RANGE) if (time := _time(end.strip())) is not None]
     if len(numbers) != item.count(RANGE) + 1 or len(numbers) > 3:
         wanted = _(
-            "--at: wanted seconds (12.5), a clock time (3:12 or 1:02:03), units (3 min 12 s) or a "
+            "--at: expected seconds (12.5), a clock time (3:12 or 1:02:03), units (3 min 12 s) or a "
             "range start..stop..step (0..300..1), not {text}"
         )
         raise unreadable(wanted, "--at", item)
@@ -198,7 +198,7 @@ def check_ending(option: str, path: Path, endings: Sequence[str]) -> None:
         InputError: naming the option and the endings.
     """
     if path.suffix not in endings:
-        text = _("{option}: wanted a name that ends in {endings}, not {name}")
+        text = _("{option}: expected a name that ends in {endings}, not {name}")
         raise InputError(text.format(option=option, endings=", ".join(endings), name=path.name))
 
 
@@ -215,7 +215,7 @@ def parse_handles(text: str | None, benches: int) -> list[int] | None:
     except ValueError:
         handles = [-1]
     if any(not 0 <= handle <= benches for handle in handles):
-        wanted = _("--only: wanted handle numbers from 0 to {most} with commas, not {text}")
+        wanted = _("--only: expected handle numbers from 0 to {most} with commas, not {text}")
         raise unreadable(wanted, "--only", text, most=benches)
     return handles
 
@@ -229,6 +229,6 @@ def parse_formats(text: str, known: Sequence[str]) -> list[str]:
     formats = list(dict.fromkeys(name.strip() for name in text.split(",")))
     for name in formats:
         if name not in known:
-            wanted = _("--format: wanted some of {known}, not {text}")
+            wanted = _("--format: expected some of {known}, not {text}")
             raise unreadable(wanted, "--format", name, known=", ".join(known))
     return formats

@@ -116,9 +116,9 @@ def _refuse_strays(plan: str | None, options: dict[str, Any]) -> None:
     if options["sample"] is not None and not options["vary"] and options["points"] is None:
         raise InputError(_("--sample needs ranges: --vary KEY=LOW:HIGH"))
     if not status and (plan is None or options["output"] is None):
-        raise InputError(_("wanted a PLAN and -o DIR, or --status DIR"))
+        raise InputError(_("expected a PLAN and -o DIR, or --status DIR"))
     if not status and bool(options["vary"]) is (options["points"] is not None):
-        raise InputError(_("wanted --vary or --points, and not both"))
+        raise InputError(_("expected --vary or --points, and not both"))
     tolerance = "tolerance" in _asked(options)
     not_with("--points", bool(options["points"]), "sample")
     only_with("--sample", options["sample"] is not None, "method")

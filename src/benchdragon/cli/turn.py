@@ -65,7 +65,7 @@ if TYPE_CHECKING:
     "--boxes",
     type=click.IntRange(1, 1_000_000),
     default=20_000,
-    help=N_("With --prove: how many boxes of turns are looked at for it at most."),
+    help=N_("With --prove: the greatest number of boxes of turns to examine."),
 )
 @file_option("--certificate", N_("With --prove: write what shows it, for benchdragon verify."))
 @file_option("--plan-file", N_("Write the plan with the turn that was found."))

@@ -384,7 +384,7 @@ def formation(name: str, **sizes: Any) -> Formation:
     """
     if not isinstance(name, str) or name not in FORMATIONS:
         raise InputError(
-            _("wanted one of {known}, not {name}").format(known=", ".join(FORMATIONS), name=name)
+            _("expected one of {known}, not {name}").format(known=", ".join(FORMATIONS), name=name)
         )
     known = FORMATIONS[name].defaults()
     for size in sizes:

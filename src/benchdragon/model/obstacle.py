@@ -202,7 +202,7 @@ def _points(name: str, points: npt.ArrayLike, least: int, *, closed: bool = Fals
     table = as_numbers(f"{name}: points", points).tolist()
     if np.shape(table)[1:] != (2,):
         raise InputError(
-            _("{name}: wanted a list of points [x, y], not {value}").format(
+            _("{name}: expected a list of points [x, y], not {value}").format(
                 name=name, value=brief(points)
             )
         )
@@ -212,7 +212,7 @@ def _points(name: str, points: npt.ArrayLike, least: int, *, closed: bool = Fals
         table = table[:-1]
     if not least <= len(table) <= MOST_CORNERS:
         raise InputError(
-            _("{name}: wanted {least} to {most} points, not {count}").format(
+            _("{name}: expected {least} to {most} points, not {count}").format(
                 name=name, least=least, most=MOST_CORNERS, count=len(table)
             )
         )

@@ -66,7 +66,7 @@ def time_of_day(text: str) -> str:
     if MIDNIGHT.fullmatch(text):  # of the day before: the clock shows 0:00
         return "0:00"
     if text and not TIME_OF_DAY.fullmatch(text):
-        raise ValueError(_("wanted a time of day such as 18:30, not {text}").format(text=brief(text)))
+        raise ValueError(_("expected a time of day such as 18:30, not {text}").format(text=brief(text)))
     return text
 
 

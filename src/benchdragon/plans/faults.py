@@ -84,7 +84,7 @@ def _sentence(error: ErrorDetails, path: list[str], where: str, model: type[Base
         came, where = json.dumps(context.get("tag"), ensure_ascii=False), f"{where}.kind"
     came = came if len(came) <= 60 else came[:57] + "..."
     wanted = _(WANTED[kind]).format(**context).replace(" or ", ", ")
-    return _("{where}: wanted {wanted}, not {came}").format(where=where, wanted=wanted, came=came)
+    return _("{where}: expected {wanted}, not {came}").format(where=where, wanted=wanted, came=came)
 
 
 def _is_tag(path: list[str], i: int, data: Any) -> bool:

@@ -25,7 +25,7 @@ def web_address(text: str) -> str:
     """Refuses what is neither an address of the web nor a relative file: phones do what it says."""
     if one_line(text) and not ADDRESS.fullmatch(text):
         said = _(
-            "wanted a web address (http:// or https://) or a relative file name, without spaces, "
+            "expected a web address (http:// or https://) or a relative file name, without spaces, "
             "not {text}"
         )
         raise ValueError(said.format(text=brief(text)))

@@ -101,7 +101,7 @@ class Source:
             raise InputError(_("this plan was not read from a file, so nothing lies beside it"))
         if name != Path(name).name or name in ("", ".", "..") or "\\" in name or "\0" in name:
             raise InputError(
-                _("wanted the name of a file beside the plan, not {name}").format(name=brief(name))
+                _("expected the name of a file beside the plan, not {name}").format(name=brief(name))
             )
         return self.folder / name
 

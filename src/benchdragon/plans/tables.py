@@ -58,7 +58,9 @@ def at_least(least: float) -> AfterValidator:
 
     def checked(value: float) -> float:
         if 0.0 < value < least:
-            raise ValueError(_("wanted at least {least}, not {value}").format(least=least, value=value))
+            raise ValueError(
+                _("expected at least {least}, not {value}").format(least=least, value=value)
+            )
         return value
 
     return AfterValidator(checked)
@@ -87,7 +89,7 @@ def one_line(text: str) -> str:
     """Refuses what would break a line of a sentence or a paper, or would not be seen there."""
     if text and (text.isspace() or not text.isprintable()):
         raise ValueError(
-            _("wanted text that can be printed on one line, not {text}").format(text=brief(text))
+            _("expected text that can be printed on one line, not {text}").format(text=brief(text))
         )
     return text
 

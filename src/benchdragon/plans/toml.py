@@ -41,9 +41,7 @@ MOST_BASES = 8
 
 # What some editors put before the text; it says nothing.
 BYTE_ORDER_MARK = "\ufeff"
-TWICE = N_(
-    "[{what}] is there twice: delete this line, and move what stands under it below the first [{what}]"
-)
+TWICE = N_("[{what}] is defined twice: delete this line, and move its keys below the first [{what}]")
 # What tomllib says, and what we say for it.
 TOML_FAULTS = (
     ("Invalid statement", N_("a line must be KEY = VALUE, [table] or a comment")),
@@ -57,9 +55,9 @@ TOML_FAULTS = (
     ("Expected '=' after a key .*", N_("a key needs = and a value")),
     ("Expected '.*' at the end of .*", N_("a [table] is not closed by its bracket")),
     (r"Cannot declare \((.*?),?\) twice", TWICE),
-    ("Cannot overwrite a value|Duplicate inline table key .*", N_("a key is there twice")),
+    ("Cannot overwrite a value|Duplicate inline table key .*", N_("a key is defined twice")),
     ("Cannot (?:mutate immutable|redefine) namespace .*", N_("this table is complete already")),
-    ("Invalid initial character for a key part", N_("a key is wanted here")),
+    ("Invalid initial character for a key part", N_("a key is expected here")),
     ("Unclosed array", N_("a list is not closed")),
     ("Unclosed inline table", N_("a table in braces is not closed")),
     (r"Unescaped '\\' in a string", N_("a backslash in a text must be doubled")),
@@ -67,8 +65,8 @@ TOML_FAULTS = (
     ("Unterminated string", N_("a text is not closed")),
     ("(?:Found invalid|Illegal) character (.*)", N_("the sign {what} may not stand here")),
     ("Invalid date or datetime", N_("there is no such date")),
-    ("Invalid value", N_("a value is wanted here: a number, text in quotes, a list, true or false")),
-    ("Expected (.*)", N_("{what} is wanted here")),
+    ("Invalid value", N_("a value is expected here: a number, text in quotes, a list, true or false")),
+    ("Expected (.*)", N_("{what} is expected here")),
 )
 
 
@@ -222,7 +220,7 @@ def _text(path: Path, source: str) -> str:
         near = difflib.get_close_matches(source, built_in_names(), 1)
         hint = _("; did you mean {name}?").format(name=near[0]) if near else ""
         raise PlanError(
-            _("there is no plan {source}: wanted a {suffix} file or one of {names}").format(
+            _("there is no plan {source}: expected a {suffix} file or one of {names}").format(
                 source=source, suffix=SUFFIX, names=", ".join(built_in_names())
             )
             + hint
@@ -253,7 +251,7 @@ def _loaded(text: str, source: str) -> dict[str, Any]:
     """TOML, or its own error, or a PlanError for what Python refuses to hold."""
     if sum(map(text.count, "=[{")) > MOST_KEYS or text.count(",") > MOST_ENTRIES:
         wanted = _(
-            "{source} says too much for a plan: at most {keys} keys and {entries} entries are read"
+            "{source} is too long for a plan: at most {keys} keys and {entries} entries are read"
         )
         raise PlanError(wanted.format(source=source, keys=MOST_KEYS, entries=MOST_ENTRIES))
     if DEEP.search(text):
@@ -303,7 +301,7 @@ def _lay_over(data: dict[str, Any], setting: str) -> str:
     if key.count(".") >= MOST_DEPTH:
         raise PlanError(_("{source} is nested too deeply").format(source=brief(key)))
     if not equals or not key.strip():
-        raise PlanError(_("wanted KEY=VALUE, not {text}").format(text=brief(setting)))
+        raise PlanError(_("expected KEY=VALUE, not {text}").format(text=brief(setting)))
     try:
         value = _loaded(f"value = {text}", key)["value"]
     except tomllib.TOMLDecodeError:

@@ -46,14 +46,14 @@ def quantity(text: object, units: dict[str, float]) -> object:
             whole numbers that no double holds.
     """
     if isinstance(text, bool):
-        raise ValueError(_("wanted a number, not {text}").format(text=str(text).lower()))
+        raise ValueError(_("expected a number, not {text}").format(text=str(text).lower()))
     if _vast(text):
-        raise ValueError(_("wanted a number with fewer digits"))
+        raise ValueError(_("expected a number with fewer digits"))
     if not isinstance(text, str) or len(units) == 0:
         return text
     if len(text) > MOST_SIGNS:
         raise ValueError(
-            _("wanted a number, or text with a unit, in at most {most} signs, not {count}").format(
+            _("expected a number, or text with a unit, in at most {most} signs, not {count}").format(
                 most=MOST_SIGNS, count=len(text)
             )
         )
@@ -62,7 +62,7 @@ def quantity(text: object, units: dict[str, float]) -> object:
     # The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
     signs = [number[0] for number, _unit in pieces]
     wrong = ValueError(
-        _("wanted a number, or text with a unit of {units}, not {text}").format(
+        _("expected a number, or text with a unit of {units}, not {text}").format(
             units=", ".join(units), text=repr(text)
         )
     )

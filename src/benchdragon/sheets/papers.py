@@ -95,7 +95,7 @@ def chosen_papers(names: str | None) -> list[str]:
     chosen = list(dict.fromkeys(name.strip() for name in names.split(",")))
     unknown = [name for name in chosen if name not in PAPERS]
     if unknown:
-        text = _("--only: wanted some of {known}, not {text}")
+        text = _("--only: expected some of {known}, not {text}")
         raise InputError(text.format(known=", ".join(PAPERS), text=repr(unknown[0])))
     return chosen
 

@@ -274,7 +274,7 @@ def feasible_sizes(
 def _check_range(low: float, high: float, count: int) -> None:
     if not 0.0 < low < high < math.inf:
         raise InputError(
-            _("wanted a range from a positive size to a larger one, not {low} to {high} m").format(
+            _("expected a range from a positive size to a larger one, not {low} to {high} m").format(
                 low=low, high=high
             )
         )

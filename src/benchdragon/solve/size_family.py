@@ -77,7 +77,7 @@ def question(name: str) -> Question:
         InputError: if there is none.
     """
     if not isinstance(name, str) or name not in QUESTIONS:
-        text = _("wanted one of {known}, not {name}")
+        text = _("expected one of {known}, not {name}")
         raise InputError(text.format(known=", ".join(QUESTIONS), name=name))
     return QUESTIONS[name]
 

@@ -45,7 +45,7 @@ class TurnGoal:
 
     def __post_init__(self) -> None:
         if self.objective not in OBJECTIVES:
-            text = _("wanted one of {known}, not {name}")
+            text = _("expected one of {known}, not {name}")
             raise InputError(text.format(known=", ".join(OBJECTIVES), name=self.objective))
         finite("least_radius", self.least_radius, "m")
         for name in ("longest", "longest_way"):

@@ -304,7 +304,7 @@ def with_proof(best: BestTurn, proof: TurnProof) -> BestTurn:
     if not math.isfinite(bound):
         told = (*answer.assumptions, _("no bound on better turns could be proved"))
         return replace(best, objective=replace(answer, assumptions=told))
-    text = _("{boxes} boxes of turns were looked at; the best found is within {gap} {unit} of that")
+    text = _("{boxes} boxes of turns were examined; the best found is within {gap} {unit} of that")
     told = (
         proof.statement(bound).sentence(),
         text.format(boxes=proof.boxes, gap=_rounded_up(proof.gap), unit=answer.unit),

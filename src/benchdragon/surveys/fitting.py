@@ -150,7 +150,7 @@ def checked_fit(fit: Fit, deviation: float, least_radius: float) -> Fit:
         raise InputError(
             _(
                 "at ({x}, {y}) m, s = {s} m, the route bends with a radius of {radius} m, and "
-                "{wanted} m is wanted: allow a larger deviation than {deviation} m, or draw the "
+                "{wanted} m is required: allow a larger deviation than {deviation} m, or draw the "
                 "bend wider"
             ).format(
                 x=f"{x:.4f}", y=f"{y:.4f}", s=f"{fit.s:.4f}", radius=f"{fit.least_radius:.4g}",

@@ -114,7 +114,7 @@ def _pair(row: list[str], east: int, north: int, name: str, number: int) -> tupl
     try:
         return float(row[east]), float(row[north])
     except (ValueError, IndexError):
-        text = _("{file}, line {line}: wanted two numbers, not {cells}")
+        text = _("{file}, line {line}: expected two numbers, not {cells}")
         raise InputError(text.format(file=name, line=number, cells=repr(", ".join(row))[:60])) from None
 
 

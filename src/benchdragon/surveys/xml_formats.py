@@ -174,7 +174,7 @@ def _numbers(text: str, name: str) -> list[float]:
     except ValueError:
         found = []
     if len(found) < 2:
-        said = _("{file}: wanted numbers, not {text}")
+        said = _("{file}: expected numbers, not {text}")
         raise InputError(said.format(file=name, text=repr(text.strip())[:60]))
     return found
 

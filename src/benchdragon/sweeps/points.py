@@ -67,14 +67,14 @@ class Points:
         """
         for key in self.keys:
             if not KEY.fullmatch(key) or self.keys.count(key) > 1:
-                text = _("wanted keys of a plan such as route.pitch, each once, not {key}")
+                text = _("expected keys of a plan such as route.pitch, each once, not {key}")
                 raise InputError(text.format(key=key))
         if any(len(column) > MOST_LISTED for column in self.columns):
             raise InputError(_("a key takes at most {most} values").format(most=MOST_LISTED))
         count = math.prod(self.shape) if self.columns else 0
         most = MOST_POINTS if self.grid else MOST_LISTED
         if not 0 < len(self.keys) <= MOST_KEYS or not 0 < count <= most:
-            text = _("wanted 1 to {most} points of 1 to {keys} keys, not {count} of {given}")
+            text = _("expected 1 to {most} points of 1 to {keys} keys, not {count} of {given}")
             raise InputError(text.format(most=most, keys=MOST_KEYS, count=count, given=len(self.keys)))
 
     @cached_property
@@ -141,7 +141,7 @@ def _columns(
     _check_mapping(columns)
     for key, values in columns.items():
         if isinstance(values, str) or not isinstance(values, Iterable):
-            text = _("{key}: wanted a list of values, not {value}")
+            text = _("{key}: expected a list of values, not {value}")
             raise InputError(text.format(key=key, value=values))
     made = tuple(
         tuple(_value(key, one) for one in islice(values, MOST_LISTED + 1))
@@ -152,7 +152,7 @@ def _columns(
 
 def _check_mapping(columns: object) -> None:
     if not isinstance(columns, Mapping) or not all(isinstance(key, str) for key in columns):
-        text = _("wanted values of keys such as route.pitch, not {value}")
+        text = _("expected values of keys such as route.pitch, not {value}")
         raise InputError(text.format(value=brief(columns)))
 
 
@@ -171,7 +171,7 @@ def sampled_points(
     whole("sample", count, 1, MOST_LISTED)
     whole("seed", seed, 0, 2**63 - 1)
     if method not in METHODS:
-        raise InputError(_("wanted one of {known}, not {name}").format(known=METHODS, name=method))
+        raise InputError(_("expected one of {known}, not {name}").format(known=METHODS, name=method))
     plain = {key: _ends(key, ends) for key, ends in ranges.items()}
     if method == "sobol":  # balanced in powers of two: the first of those are taken
         shares = qmc.Sobol(len(ranges), rng=seed).random_base2((count - 1).bit_length())[:count]
@@ -194,7 +194,7 @@ def _ends(key: str, ends: Iterable[float]) -> tuple[float, float]:
         raise InputError(_("{key}: a sample needs a range LOW:HIGH").format(key=key))
     low, high = numbers
     if not low < high:
-        text = _("{key}: wanted a range from a smaller value to a larger one, not {ends}")
+        text = _("{key}: expected a range from a smaller value to a larger one, not {ends}")
         raise InputError(text.format(key=key, ends=f"{low:g}:{high:g}"))
     return low, high
 
@@ -259,7 +259,7 @@ def parse_vary(texts: Sequence[str], *, ranges: bool = False) -> dict[str, Any]:
 
 def _unreadable(text: str) -> InputError:
     said = _(
-        "wanted KEY=FIRST:LAST:STEP or KEY=VALUE,VALUE,... (route.pitch=0.45:0.6:0.01), not {text}"
+        "expected KEY=FIRST:LAST:STEP or KEY=VALUE,VALUE,... (route.pitch=0.45:0.6:0.01), not {text}"
     )
     return InputError(said.format(text=repr(text)))
 
@@ -283,7 +283,7 @@ def _steps(text: str, first: str, last: str, step: str) -> list[Value]:
     except ArithmeticError:
         raise _unreadable(text) from None
     if not sound or not 0 <= count < MOST_LISTED:
-        said = _("{text}: wanted 1 to {most} steps from the first value to the last")
+        said = _("{text}: expected 1 to {most} steps from the first value to the last")
         raise InputError(said.format(text=text, most=MOST_LISTED))
     exact = (low + n * by for n in range(int(count) + 1))
     return [
@@ -299,6 +299,6 @@ def _value(key: str, value: object) -> Value:
     sound = isinstance(value, str | float | int) and not isinstance(value, bool)
     large = isinstance(value, int) and abs(value) > LARGEST
     if not sound or large or (isinstance(value, float) and not math.isfinite(value)):
-        text = _("{key}: wanted finite numbers or texts, not {value}")
+        text = _("{key}: expected finite numbers or texts, not {value}")
         raise InputError(text.format(key=key, value=value))
     return value  # type: ignore[return-value]

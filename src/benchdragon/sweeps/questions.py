@@ -154,7 +154,7 @@ def questions(names: Sequence[str]) -> list[Question]:
         isinstance(name, str) and name in QUESTIONS for name in names
     )
     if not known or not names or len(set(names)) < len(names):
-        text = _("ask: wanted some of {known}, each once, not {names}")
+        text = _("ask: expected some of {known}, each once, not {names}")
         raise InputError(text.format(known=", ".join(QUESTIONS), names=brief(names)))
     return [QUESTIONS[name] for name in names]
 

@@ -44,7 +44,7 @@ class Refinement:
         """
         object.__setattr__(self, "most", whole("refine", self.most, 0, MOST_LISTED))
         if not 1e-9 <= finite("to", self.to) <= 1.0:
-            raise InputError(_("to: wanted a share from 1e-9 to 1, not {to}").format(to=self.to))
+            raise InputError(_("to: expected a share from 1e-9 to 1, not {to}").format(to=self.to))
 
 
 def adaptive_version() -> str:
@@ -69,7 +69,7 @@ class Refiner:
 
     def __init__(self, points: Points, refinement: Refinement) -> None:
         if not points.numeric or len(points.keys) > 2:
-            raise InputError(_("refine: wanted one key or two, with numbers for values"))
+            raise InputError(_("refine: expected one key or two, with numbers for values"))
         try:
             import adaptive
         except ImportError:

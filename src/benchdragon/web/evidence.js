@@ -149,7 +149,7 @@ export function evidenceDialog(verdict, limits, pitch, jump) {
     { class: "evidence", "aria-label": _("evidence"), onclose: () => dialog.remove() },
     make("h2", {}, verdict.sentence[language()]),
     ...verdict.findings.map(({ text }) => make("p", {}, text[language()])),
-    ...(verdict.not_looked_at.length ? [make("p", {}, _("not looked at:"))] : []),
+    ...(verdict.not_looked_at.length ? [make("p", {}, _("not checked:"))] : []),
     make("ul", {}, ...verdict.not_looked_at.map(({ text }) => make("li", {}, text[language()]))),
     make(
       "div",

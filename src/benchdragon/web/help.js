@@ -84,7 +84,7 @@ function pictureRows({ sent }) {
     [true, "route", _("the route")],
     [disc !== null, "disc", _("the turning disc")],
     [true, "trail", _("trails: the way of the last 20 seconds")],
-    [stands, "obstacle", _("what stands on the square")],
+    [stands, "obstacle", _("obstacles on the square")],
     [kinds.has("venue"), "venue", _("the edge of the venue")],
     [obstacles.some(({ margin }) => margin > 0), "near", _("no bench may come nearer to it than this")],
     [ground.length > 0, "ground", _("ground that the dance covers")],

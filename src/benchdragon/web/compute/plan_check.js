@@ -110,7 +110,7 @@ class Check {
     const letters = Array.from(json);
     const came = letters.length <= MOST_TOLD ? json : `${letters.slice(0, MOST_TOLD - 3).join("")}...`;
     const wanted = error.message.replaceAll(" or ", ", ");
-    this.#add(where, _("{where}: wanted {wanted}, not {came}", { where, wanted, came }));
+    this.#add(where, _("{where}: expected {wanted}, not {came}", { where, wanted, came }));
   }
 
   /** @param {string} where @param {string} text */
@@ -232,7 +232,7 @@ function floatOf(spec, value) {
   const { least } = spec;
   if (least !== undefined && 0 < number && number < least)
     throw new ValueError(
-      _("wanted at least {least}, not {value}", {
+      _("expected at least {least}, not {value}", {
         least: pythonFloat(least),
         value: pythonFloat(number),
       }),

@@ -91,7 +91,7 @@ function parsed(text) {
   const { MOST_KEYS, MOST_ENTRIES } = PLANS_TOML;
   if (countOf(text, /[=[{]/g) > MOST_KEYS || countOf(text, /,/g) > MOST_ENTRIES)
     throw new PlanError(
-      _("{source} says too much for a plan: at most {keys} keys and {entries} entries are read", {
+      _("{source} is too long for a plan: at most {keys} keys and {entries} entries are read", {
         source: "plan",
         keys: MOST_KEYS,
         entries: MOST_ENTRIES,
@@ -112,10 +112,9 @@ function whyUnread(error, text) {
   const table = /^\s*\[([^[\]]+)\]/.exec(text.split("\n")[error.line - 1] ?? "");
   if (!table || !/redefine/.test(error.message)) return _("this cannot be read");
   const what = table[1].replaceAll(/["'\s]/g, "");
-  return _(
-    "[{what}] is there twice: delete this line, and move what stands under it below the first [{what}]",
-    { what },
-  );
+  return _("[{what}] is defined twice: delete this line, and move its keys below the first [{what}]", {
+    what,
+  });
 }
 
 /** How often a sign stands in a text. @param {string} text @param {RegExp} sign */

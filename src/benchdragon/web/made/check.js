@@ -245,7 +245,7 @@ function _kept(report, told) {
   }
   if (py.truth(report.not_looked_at)) {
     what = py.join(_(", "), py.list(report.not_looked_at).map((one) => one.brief));
-    py.append(said, py.filled(_("not looked at: {what}"), { what: what }));
+    py.append(said, py.filled(_("not checked: {what}"), { what: what }));
   }
   return py.join(_("; "), said);
 }

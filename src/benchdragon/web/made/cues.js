@@ -20,7 +20,7 @@ export function timeOfDay(text) {
     return "0:00";
   }
   if ((py.truth(text) && !py.truth(TIME_OF_DAY.fullmatch(text)))) {
-    throw new ValueError(py.filled(_("wanted a time of day such as 18:30, not {text}"), { text: brief(text) }));
+    throw new ValueError(py.filled(_("expected a time of day such as 18:30, not {text}"), { text: brief(text) }));
   }
   return text;
 }

@@ -55,9 +55,9 @@ function _routeFindings(plan, walk, start) {
   if ((!py.truth(runsOn(walk)) || (dragon <= length))) {
     return [];
   }
-  sentence = N_("the route is {route} m long, the dragon {dragon} m: at no time is all of it on the route");
+  sentence = N_("the route is {route} m long, the dragon {dragon} m: it is never wholly on the route");
   if ((plan.route.kind === "drawn")) {
-    sentence = N_("the drawn route is {route} m long, the dragon {dragon} m: at no time is all of it on the route; where the drawing is in another unit, say so by survey.unit");
+    sentence = N_("the drawn route is {route} m long, the dragon {dragon} m: it is never wholly on the route; where the drawing is in another unit, say so by survey.unit");
   }
   words = py.dict([["route", known(length, length, "m", false)], ["dragon", known(dragon, dragon, "m", true)]]);
   return [new Finding("route", start, [py.len(walk.dragon.length)], length, dragon, sentence, words)];
@@ -205,7 +205,7 @@ function _limitFindings(name, peak, limit) {
   if ((py.truth(kept) || (near == null))) {
     return [];
   }
-  sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen");
+  sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was reached");
   if ((kept === false)) {
     sentence = N_("{what} at bench {bench} is {value} {unit} at t = {t} s, the limit being {limit} {unit}");
   }

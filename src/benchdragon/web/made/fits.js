@@ -62,7 +62,7 @@ export function checkedFit(fit, deviation, leastRadius) {
   }
   if ((fit.least_radius < leastRadius)) {
     [x, y] = py.list(py.tolist(fit.route.point(py.min(fit.s, fit.route.length))));
-    throw new InputError(py.filled(_("at ({x}, {y}) m, s = {s} m, the route bends with a radius of {radius} m, and {wanted} m is wanted: allow a larger deviation than {deviation} m, or draw the bend wider"), { x: `${py.format(x, `.4f`)}`, y: `${py.format(y, `.4f`)}`, s: `${py.format(fit.s, `.4f`)}`, radius: `${py.format(fit.least_radius, `.4g`)}`, wanted: `${py.format(leastRadius, `g`)}`, deviation: `${py.format(deviation, `g`)}` }));
+    throw new InputError(py.filled(_("at ({x}, {y}) m, s = {s} m, the route bends with a radius of {radius} m, and {wanted} m is required: allow a larger deviation than {deviation} m, or draw the bend wider"), { x: `${py.format(x, `.4f`)}`, y: `${py.format(y, `.4f`)}`, s: `${py.format(fit.s, `.4f`)}`, radius: `${py.format(fit.least_radius, `.4g`)}`, wanted: `${py.format(leastRadius, `g`)}`, deviation: `${py.format(deviation, `g`)}` }));
   }
   return fit;
 }

@@ -13,18 +13,18 @@ export const PROOFS = py.dict([["contact", N_("whether and when benches touch")]
 export function openFinding(asked, limit, why) {
   let kind, name, quantity, sentence, words;
   if ((asked instanceof Obstacle)) {
-    sentence = N_("whether benches keep their distance from {name} is open: {why}");
+    sentence = N_("whether benches keep their distance from {name} is undecided: {why}");
     [kind, words] = py.list([((asked.kind === "venue") ? "venue" : "obstacle"), nameWords(asked)]);
     [limit, name] = py.list([asked.margin, asked.name]);
   }
   else {
     if (py.has(QUANTITIES, asked)) {
-      sentence = N_("whether the {what} keeps to {limit} {unit} is open: {why}");
+      sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {why}");
       [quantity, kind, name] = py.list([py.at(QUANTITIES, asked), asked, ""]);
       words = py.dict([["what", quantity.text], ["unit", quantity.unit], ["limit", `${py.format(limit, `.6g`)}`]]);
     }
     else {
-      sentence = N_("whether there is room for people is open: {why}");
+      sentence = N_("whether there is room for people is undecided: {why}");
       [kind, words, name] = py.list([asked, py.dict([]), ""]);
     }
   }

@@ -79,7 +79,7 @@ function _points(name, points, least, closed = false) {
   let ahead, i, one, other, table;
   table = py.tolist(asNumbers(`${py.str(name)}: points`, points));
   if (!py.eq(py.slice(py.shape(table), 1, null), [2])) {
-    throw new InputError(py.filled(_("{name}: wanted a list of points [x, y], not {value}"), { name: name, value: brief(points) }));
+    throw new InputError(py.filled(_("{name}: expected a list of points [x, y], not {value}"), { name: name, value: brief(points) }));
   }
   if (!py.list(table).every((point) => py.list(point).every((value) => (py.abs(value) <= MOST_METRES)))) {
     throw new InputError(py.filled(_("{name}: points must lie within 1e8 m of the origin"), { name: name }));
@@ -88,7 +88,7 @@ function _points(name, points, least, closed = false) {
     table = py.slice(table, null, -1);
   }
   if (!((least <= py.len(table)) && (py.len(table) <= MOST_CORNERS))) {
-    throw new InputError(py.filled(_("{name}: wanted {least} to {most} points, not {count}"), { name: name, least: least, most: MOST_CORNERS, count: py.len(table) }));
+    throw new InputError(py.filled(_("{name}: expected {least} to {most} points, not {count}"), { name: name, least: least, most: MOST_CORNERS, count: py.len(table) }));
   }
   ahead = (py.truth(closed) ? [...py.iter(py.slice(table, 1, null)), py.at(table, 0)] : py.slice(table, 1, null));
   for ([i, [one, other]] of py.iter(py.enumerate(py.zip(table, ahead), 1))) {

@@ -11,7 +11,7 @@ const ADDRESS = py.pattern("[Hh][Tt][Tt][Pp][Ss]?://[^ /?#@:\\\\][^ /?#@\\\\]*(?
 export function webAddress(text) {
   let said;
   if ((py.truth(oneLine(text)) && !py.truth(ADDRESS.fullmatch(text)))) {
-    said = _("wanted a web address (http:// or https://) or a relative file name, without spaces, not {text}");
+    said = _("expected a web address (http:// or https://) or a relative file name, without spaces, not {text}");
     throw new ValueError(py.filled(said, { text: brief(text) }));
   }
   return text;

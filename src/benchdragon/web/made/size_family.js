@@ -29,7 +29,7 @@ export const QUESTIONS = py.dict([["pitch", new Question("pitch", ["route.pitch"
 export function question(name) {
   let text;
   if ((!(py.is(name, "str")) || !py.has(QUESTIONS, name))) {
-    text = _("wanted one of {known}, not {name}");
+    text = _("expected one of {known}, not {name}");
     throw new InputError(py.filled(text, { known: py.join(", ", QUESTIONS), name: name }));
   }
   return py.at(QUESTIONS, name);

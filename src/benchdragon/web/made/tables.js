@@ -14,7 +14,7 @@ import { threePieces, twoArcs } from "./turns.js";
 const ROOMY = 0.9;
 export function oneLine(text) {
   if ((py.truth(text) && (py.isspace(text) || !py.isprintable(text)))) {
-    throw new ValueError(py.filled(_("wanted text that can be printed on one line, not {text}"), { text: brief(text) }));
+    throw new ValueError(py.filled(_("expected text that can be printed on one line, not {text}"), { text: brief(text) }));
   }
   return text;
 }

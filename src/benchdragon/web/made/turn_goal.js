@@ -23,7 +23,7 @@ export class TurnGoal {
   __post_init__() {
     let name, text;
     if (!py.has(OBJECTIVES, this.objective)) {
-      text = _("wanted one of {known}, not {name}");
+      text = _("expected one of {known}, not {name}");
       throw new InputError(py.filled(text, { known: py.join(", ", OBJECTIVES), name: this.objective }));
     }
     finite("least_radius", this.least_radius, "m");

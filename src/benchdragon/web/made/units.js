@@ -12,21 +12,21 @@ const QUANTITY = py.pattern("([-+]?[0-9.]+(?:e[-+]?\\p{Nd}+)?)[\\t-\\r\\x1c-\\x2
 export function quantity(text, units) {
   let pieces, plain, signs, size, wrong;
   if ((py.is(text, "bool"))) {
-    throw new ValueError(py.filled(_("wanted a number, not {text}"), { text: py.lower(py.str(text)) }));
+    throw new ValueError(py.filled(_("expected a number, not {text}"), { text: py.lower(py.str(text)) }));
   }
   if (py.truth(_vast(text))) {
-    throw new ValueError(_("wanted a number with fewer digits"));
+    throw new ValueError(_("expected a number with fewer digits"));
   }
   if ((!(py.is(text, "str")) || (py.len(units) === 0))) {
     return text;
   }
   if ((py.len(text) > MOST_SIGNS)) {
-    throw new ValueError(py.filled(_("wanted a number, or text with a unit, in at most {most} signs, not {count}"), { most: MOST_SIGNS, count: py.len(text) }));
+    throw new ValueError(py.filled(_("expected a number, or text with a unit, in at most {most} signs, not {count}"), { most: MOST_SIGNS, count: py.len(text) }));
   }
   plain = narrow(text);
   pieces = (py.truth(py.strip(QUANTITY.sub("", plain))) ? [] : QUANTITY.findall(plain));
   signs = py.list(pieces).map(([number, _unit]) => py.at(number, 0));
-  wrong = new ValueError(py.filled(_("wanted a number, or text with a unit of {units}, not {text}"), { units: py.join(", ", units), text: py.repr(text) }));
+  wrong = new ValueError(py.filled(_("expected a number, or text with a unit of {units}, not {text}"), { units: py.join(", ", units), text: py.repr(text) }));
   if ((!py.truth(pieces) || py.list(py.slice(signs, 1, null)).some((sign) => py.has("+-", sign)) || py.list(pieces).some(([_n, u]) => !py.has(units, u)))) {
     throw wrong;
   }
