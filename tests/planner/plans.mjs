@@ -5,7 +5,7 @@ import { pathToFileURL } from "node:url";
 
 const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const [{ Engine }, { withArena, doubles }, { checkedPlan }] = await Promise.all([
+const [{ Engine }, { withArena, within, doubles }, { checkedPlan }] = await Promise.all([
   load("engine"),
   load("compute/arena"),
   load("compute/plan"),
@@ -35,7 +35,9 @@ function walked(arena, plan) {
     const tables = [placed.s, placed.x, placed.y, placed.ratio];
     return tables.map((table) => Array.from(doubles(table)));
   });
-  const boxes = plan.obstacles().map((one) => rowsOf(Array.from(doubles(one.boxesIn(arena)))));
+  const boxes = within(arena, () =>
+    plan.obstacles().map((one) => rowsOf(Array.from(doubles(one.boxes)))),
+  );
   const { times, speeds } = walk.profile;
   const moments = tried(() =>
     plan.moments().map(({ time, way, until }) => [time, way, until].map(String)),
