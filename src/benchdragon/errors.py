@@ -165,7 +165,7 @@ def engine_advice(error: EngineError) -> BenchDragonError:
     return kind(_(ENGINE_ADVICE[error.trouble]).format(detail=error.detail))
 
 
-# What the system says, so that it is said in both languages.
+# The system's own texts, for translation.
 REASONS = {
     errno.EPERM: N_("that is not permitted"),
     errno.EACCES: N_("permission denied"),

@@ -111,7 +111,7 @@ def _resolved(importer: str, path: str) -> str:
 
 
 def _variable(name: str) -> str:
-    """What a module is called in the script."""
+    """The name of a module in the script."""
     return "$" + name.removesuffix(".js").replace("/", "_")
 
 

@@ -20,7 +20,7 @@ def decimals(value: float, count: int = 6) -> str:
 
 
 def decimals_towards(value: float, count: int = 4, *, up: bool) -> str:
-    """So many decimals, rounded up or down: the side on which what is said stays true; "-" for none."""
+    """So many decimals, rounded up or down: the side on which a statement stays true; "-" for none."""
     if not math.isfinite(value):
         return "-"
     rounding = decimal.ROUND_CEILING if up else decimal.ROUND_FLOOR
@@ -36,7 +36,7 @@ def outward(low: float, high: float, count: int = 4) -> str:
 
 
 def figures(value: float, *, up: bool) -> str:
-    """FIGURES significant figures, rounded up or down: to the side on which what is said stays true."""
+    """FIGURES significant figures, rounded up or down: to the side on which a statement stays true."""
     rounding = decimal.ROUND_CEILING if up else decimal.ROUND_FLOOR
     return f"{decimal.Context(prec=FIGURES, rounding=rounding).create_decimal(repr(value)):f}"
 

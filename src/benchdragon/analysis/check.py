@@ -281,7 +281,7 @@ def sentence(report: Report, told: Clock | None = None) -> str:
     return _("Not safe: {finding}").format(finding=text)
 
 
-# What is found of benches and obstacles, in the fewest words.
+# Findings about benches and obstacles, in few words.
 BRIEF = {
     "contact": N_("benches {a} and {b} touch at {t} s"),
     "margin": N_("benches {a} and {b} come nearer than the {margin} m asked for at {t} s"),

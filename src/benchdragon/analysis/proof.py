@@ -81,8 +81,8 @@ def prove_contact(
     """`first_contact`, proved: clear up to `lower`, and a pair nearer than the margin by `upper`.
 
     None is proved as well: no pair comes nearer than the margin from start to end. A graze that cannot
-    be decided is "undecided". What was shown is added to `claims`. With the `plan` of which the walk is
-    built all numbers, times and margin too, count as they are written, else as the doubles that they
+    be decided is "undecided". The proved claim is added to `claims`. With the `plan` of which the walk
+    is built all numbers, times and margin too, count as they are written, else as the doubles that they
     are.
 
     Raises:
@@ -110,7 +110,7 @@ def prove_obstacle(
 ) -> ObstacleAnswers:  # fmt: skip
     """The answers about an obstacle, with its contact proved, or that there is none from start to end.
 
-    What was shown is added to `claims`; `plan` as for `prove_contact`.
+    The proved claim is added to `claims`; `plan` as for `prove_contact`.
 
     Raises:
         InputError: as `prove_contact`.

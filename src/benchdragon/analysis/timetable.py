@@ -94,7 +94,7 @@ def timetable(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Passing
 
 
 def _joint_names(plan: Plan, walk: Walk) -> list[str]:
-    """What joints between parts of the route are called: by what happens there, else by number."""
+    """Names of joints between parts of the route: by what happens there, else by number."""
     bends, joints = Bends.of(walk.route), walk.route.joints[1:-1].tolist()
     names = []
     for n, s in enumerate(joints, start=1):

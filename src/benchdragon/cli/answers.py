@@ -40,7 +40,7 @@ def warn_of_outside(plan: "Plan") -> None:
 
 
 def print_title(plan: "Plan") -> None:
-    """What people call a plan, if it says."""
+    """Print the title of a plan, if it has one."""
     if title := plan.title(language()):
         click.echo(title)
 

@@ -108,7 +108,7 @@ def _files(path: Path | None, formats: str | None) -> list[Path]:
 
 
 def area_record(found: "SweptArea") -> dict[str, Any]:
-    """What is found of an area, as plain data."""
+    """The record of an area, as plain data."""
     (outer, holes), (line, gaps) = found.outlines, found.lines
     rectangle, circle, widest = *found.enclosing, found.widest
     return {

@@ -289,7 +289,7 @@ class _Bar:
         self._bar.update(self._task, completed=share, description=text or None)
 
 
-# What limits are called; the keys are those of solve/turn_question.py.
+# Names of limits; the keys are those of solve/turn_question.py.
 LIMITS = {
     "radius": N_("radius of the tightest bend"),
     "disc": N_("radius of the disc"),

@@ -71,7 +71,7 @@ class HelpfulGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Name of the verb that is called, the verb, and what it is called with.
+        """Name of the verb on the command line, the verb, and its arguments.
 
         Raises:
             click.UsageError: if there is no such verb.

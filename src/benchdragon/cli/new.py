@@ -171,7 +171,7 @@ def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
 
 
 def _asked(questions: Sequence[Question], said: dict[str, Any]) -> set[str]:
-    """Add what is answered to what was said; the names of what was not just the value shown."""
+    """Add the answers to those given; the names of answers other than the default."""
     if questions:
         click.echo(_("Press Enter to take the value shown. Ctrl-C leaves, to begin again."), err=True)
     given = set()

@@ -46,11 +46,11 @@ class Question:
 
     Attributes:
         option: that says it.
-        label: what it is called where it is asked.
+        label: its name in prompts.
         text: the question.
         why: it is asked.
         usual: the default answer, from those before; None: there is none.
-        read: reads an answer: what it is called, the answer, an example.
+        read: reads an answer: its name, the text, an example.
         example: of an answer.
         keys: of the plan that the answer settles.
     """
@@ -73,7 +73,7 @@ class Question:
         """An answer, read.
 
         Raises:
-            InputError: for one that cannot be read, beginning with what it is called.
+            InputError: for one that cannot be read, beginning with its name.
         """
         mixed = MIXED.search(unicodedata.normalize("NFKC", text))
         if mixed:

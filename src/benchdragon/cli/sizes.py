@@ -149,7 +149,7 @@ def _print_limit(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) 
 
 
 def _kept(progress: Progress, tried: list[str]) -> Progress:
-    """The same progress; what is said to be tried is kept."""
+    """The same progress; the texts of sizes tried are kept."""
 
     def told(share: float, text: str) -> None:
         if text:

@@ -30,7 +30,7 @@ def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> 
     from benchdragon.plans.routes import DrawnRoute
     from benchdragon.plans.schema import read_plan
 
-    read = read_plan(plan, settings)  # what is said of its files is in the answer
+    read = read_plan(plan, settings)  # notes on its files are in the answer
     if not isinstance(read.route, DrawnRoute):
         text = _('{plan}: survey speaks of drawn routes, not of route.kind = "{kind}"')
         raise PlanError(text.format(plan=plan, kind=read.route.kind))

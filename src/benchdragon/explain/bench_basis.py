@@ -17,7 +17,7 @@ from benchdragon.plans.schema import Plan
 
 
 def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], ground: Ground) -> BenchText:
-    """What one bench of a plan does; `called` says what people call the bench of a number."""
+    """The sentences on one bench of a plan; `called` gives the name of a bench by its number."""
     clock, coiled = Clock(plan.cues.clock, found.stretches[0].start), plan.route.kind == "spiral-in"
     basis = Basis(clock, plan.people, ground, halts_of(plan), coiled)
     return bench_lines(basis, found, landmark_of(plan, found, ground), called)

@@ -103,7 +103,7 @@ class Landmark:
 
     Attributes:
         apart: how far it is, m.
-        name: what it is called; "" for the peg.
+        name: of the landmark; "" for the peg.
         edge: of the venue the edge there: see `Ground.edge`.
     """
 
@@ -115,7 +115,7 @@ class Landmark:
 def bench_lines(
     basis: Basis, found: BenchWalk, landmark: Landmark, called: Callable[[int], str]
 ) -> BenchText:
-    """What one bench of a plan does; `called` says what people call the bench of a number.
+    """The sentences on one bench of a plan; `called` gives the name of a bench by its number.
 
     Places are given as the chalk plan measures them on the ground.
     """

@@ -58,7 +58,7 @@ def write_atlas(path: Path, sweeps: Mapping[str, Sweep], progress: Progress = si
 
 
 def _name(number: int, question: Question) -> str:
-    """What the picture of a sweep's question is called."""
+    """The title of the picture of a sweep's question."""
     return f"{number + 1}-{question.name}"
 
 

@@ -111,7 +111,7 @@ class Document:
 
     @cached_property
     def labels(self) -> dict[str, str]:
-        """What tables and pictures are called, "Figure 3", by their names; kinds are numbered apart."""
+        """Labels of tables and pictures, "Figure 3", by their names; kinds are numbered apart."""
         kinds = ((Picture, _("Figure {number}")), (Table, _("Table {number}")))
         return {
             block.name: text.format(number=number)

@@ -73,7 +73,7 @@ Writer = Callable[[Path, Selection, Progress], None]
 
 @dataclass(frozen=True)
 class _Labels:
-    """What the sheets of positions and of speeds are called, and the rows of each handle."""
+    """Names of the sheets of positions and of speeds, and of the rows of each handle."""
 
     positions: str
     speeds: str
@@ -131,7 +131,7 @@ def write_moment_xlsx(path: Path, motion: Motion, obstacles: Sequence[ObstacleAn
 
 
 def kind_name(kind: Kind) -> str:
-    """What a kind of obstacle is called, in the language in use."""
+    """The name of a kind of obstacle, in the language in use."""
     return {
         "circle": _("circle"),
         "rectangle": _("rectangle"),

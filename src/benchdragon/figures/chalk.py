@@ -39,7 +39,7 @@ MARK = 0.5
 ROUND = (100, 50, 20, 10, 5, 2)
 # A mark of another coil is farther from a number than the number's own by this factor.
 CLEARER = 1.5
-# What base points are called.
+# Names of base points.
 BASES = ("B", "C")
 
 

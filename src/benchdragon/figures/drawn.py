@@ -21,7 +21,7 @@ def drawing_picture(
 
     Args:
         points: x and y of each, m.
-        fits: by what they are called.
+        fits: by their names.
         title: above all.
     """
     with drawn_panel(PAGE_WIDTH, 0.58 * PAGE_WIDTH, title) as (figure, panel):

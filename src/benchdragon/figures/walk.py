@@ -81,7 +81,7 @@ def dragon_picture(
 
 
 def name_below(figure: Figure, *panels: Axes) -> None:
-    """One legend for all panels, below them: what the labelled things of `panels` are called."""
+    """One legend for all panels, below them: names of the labelled things of `panels` are called."""
     named: dict[str, Artist] = {}
     for panel in panels:
         for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):

@@ -75,9 +75,9 @@ class Formation:
 
     Attributes:
         name: as plans say it.
-        chinese: what dancers call it.
-        pinyin: how that is said.
-        english: what it is called in English.
+        chinese: its name.
+        pinyin: of that.
+        english: its name in English.
         shape: what it looks like, in words.
         source: who names it, and whose its geometry is.
         sizes: what each size means, by its name.
@@ -132,7 +132,7 @@ class Formation:
 
     @classmethod
     def of(cls, said: Mapping[str, Any]) -> Self:
-        """The formation of what is said; where that is nothing, or None, as by default."""
+        """The formation of the given sizes; missing ones, or None, are as by default."""
         told = {name: said.get(name) for name in cls.defaults()}
         return cls(*[cls.defaults()[name] if of is None else of for name, of in told.items()])
 

@@ -75,7 +75,7 @@ class Obstacle(Standing):
     Use `circle`, `rectangle`, `polygon`, `line` and `venue`, which check what they are given.
 
     Attributes:
-        name: what people call it.
+        name: of the obstacle.
         kind: "venue" is an edge that no bench may cross outwards, "line" one without an inside.
         outline: its corners in order, m, (P, 2), the last joined to the first except for a line; of a
             circle the centre.

@@ -45,7 +45,7 @@ class Case:
             workbook.
         theirs, ours: x, y (m) and speed (m/s), (3, T, 224), NaN where there is nothing.
         moment: whether the workbook is of one moment, that of first contact.
-        tolerance: how far off cells of each quantity may be, m and m/s, (3, 1, 1).
+        tolerance: of cells of each quantity, m and m/s, (3, 1, 1).
     """
 
     plan: Plan
@@ -141,7 +141,7 @@ class Guess:
         values: x, y, speed as in Case; NaN where nothing is predicted.
         text: the mistake in words.
         amount: how large it is, in `unit`: an angle, a time, a length, a factor, a number.
-        slack: how far off the prediction itself may be, m and m/s.
+        slack: error of the prediction itself, m and m/s.
         beside: what else it takes for granted, in words.
     """
 

@@ -1,4 +1,4 @@
-"""A contest workbook beside the exact values: how far off, from where on, and by which mistake."""
+"""A contest workbook compared with the exact values: its errors, where they begin, and their cause."""
 
 import re
 from collections.abc import Sequence
@@ -46,7 +46,7 @@ SMALL_DEVIATION, GROWTH, END_HANDLES, GROWING = 1e-2, 1.2, 20, 0.9
 
 @dataclass(frozen=True)
 class Deviation:
-    """How far off the cells of one quantity are.
+    """The errors of the cells of one quantity.
 
     Attributes:
         cells: that hold a number which can be compared.
@@ -103,7 +103,7 @@ class Comparison:
         remarks: what else there is to say.
         places: cells of positions.
         speeds: cells of speeds.
-        tolerance: how far off a cell may be, m and m/s.
+        tolerance: of cells, m and m/s.
     """
 
     result: Result
@@ -133,7 +133,7 @@ def compare(path: str | Path, *, result: Result | None = None, tolerance: float 
     Args:
         path: an .xlsx file; rows may be labelled in Chinese or English.
         result: which of the three it is to be; None: as its name says, else its columns.
-        tolerance: how far off a cell may be, m and m/s; rounding to six decimals takes 5e-7.
+        tolerance: of cells, m and m/s; rounding to six decimals takes 5e-7.
 
     Raises:
         InputError: for a file that is no such workbook, or too large for one, or holds no number that
@@ -403,7 +403,7 @@ def _single_cells(shown: _Shown) -> list[str]:
 
 
 def quantity_text(quantity: Quantity) -> str:
-    """What a quantity is called."""
+    """The name of a quantity."""
     return {"x": "x", "y": "y", "speed": _("speed")}[quantity]
 
 

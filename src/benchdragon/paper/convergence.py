@@ -1,4 +1,4 @@
-"""How far off each method of the paper is, and why: orders, accumulation along the benches, steps."""
+"""Error analysis of the paper's methods: orders, accumulation along the benches, steps."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Speeds from differences of places, the paper's way, beside the exact ones: how far off, and why."""
+"""Speeds from differences of places, the paper's way, compared with the exact ones: error analysis."""
 
 from collections.abc import Sequence
 from typing import Literal
@@ -12,7 +12,7 @@ from benchdragon.model.walk import Walk
 
 Scheme = Literal["forward", "central", "backward"]
 SCHEMES: tuple[Scheme, ...] = ("forward", "central", "backward")
-# What they are called.
+# Their names.
 SCHEME_NAMES = {"forward": N_("forward"), "central": N_("central"), "backward": N_("backward")}
 # Offsets of the two places, in steps.
 ENDS = {"forward": (0.0, 1.0), "central": (-1.0, 1.0), "backward": (-1.0, 0.0)}

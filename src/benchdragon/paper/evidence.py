@@ -112,7 +112,7 @@ def _pitch_steps(found: Results) -> Table:
     return Table("pitch-steps", caption, columns, (1, 1, 1, 1), rows, numbers=True)
 
 
-# What sizes are called.
+# Names of sizes.
 SIZE_NAMES = {
     "route.pitch": N_("pitch"),
     "disc.radius": N_("radius of the disc"),
@@ -217,7 +217,7 @@ def _needed_pitches(found: Results) -> Table:
 
 
 def left_out() -> Iterable[Block]:
-    """What nothing here speaks of."""
+    """Subjects that are not modelled."""
     yield Heading(_("What is not modelled"), "left-out")
     yield say(
         "Benches do not bend, arms do not tire, the ground is flat, nobody stumbles. The "

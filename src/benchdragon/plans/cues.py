@@ -39,7 +39,7 @@ END_SLACK = 1e-6
 Kind = Literal["beat", "hold", "stop", "start", "tempo", "note"]
 Tempo = Annotated[Number, Field(ge=LEAST_TEMPO, le=MOST_TEMPO)]
 
-# What cues are called that have no text of their own.
+# Names of cues without a text.
 NAMES: dict[str, str] = {
     "beat": N_("drum"),
     "hold": N_("hold"),

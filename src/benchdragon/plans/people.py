@@ -10,7 +10,7 @@ from benchdragon.errors import brief
 from benchdragon.i18n import N_, Words, _, both
 from benchdragon.plans.tables import Length, LengthOrZero, OneLine, Speed, Table, one_line
 
-# What a bench is called in a line of them, after its number.
+# The unit of benches, after a number.
 UNITS = {"bench": N_("bench {n}"), "qiao": N_("qiao {n}"), "jie": N_("jie {n}")}
 
 # What phones may open from paper: an address of the web without a user's name, which would look like

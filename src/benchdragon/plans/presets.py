@@ -61,7 +61,7 @@ class Preset:
 
     Attributes:
         name: as the command line takes it.
-        title: what people call it.
+        title: for readers.
         source: where its figures come from.
         figures: each of them.
         plan: the dance.

@@ -91,9 +91,8 @@ class Plan(Table):
     def sha256(self) -> str:
         """Name of everything that the plan says, titles and notes left out.
 
-        What is said of the square, of the people's needs and of cues counts where it is said: plans
-        without keep their names. Where on earth the dance is does not count, nor who dances, nor
-        how it is marked on the ground, nor what is said of the event.
+        The square, the people's needs and cues count where given: plans without them keep their hashes.
+        The location does not count, nor who dances, nor marks on the ground, nor the event.
         """
         data, own = self.whole(), self.own()
         for name in ASIDE:
@@ -159,7 +158,7 @@ class Plan(Table):
     def data(self) -> dict[str, Any]:
         """Every key that has an effect, those left out as by default, as plain data: the same plan.
 
-        Of the people, the cues, the marks and the event only what is said.
+        Of the people, the cues, the marks and the event only the keys that are given.
         """
         data, own = self.whole(False), self.own()
         for name in ("people", "cues", "chalk", "event"):

@@ -14,7 +14,7 @@ Built = TypeVar("Built")
 
 # Signs of a key that are shown.
 MOST_SIGNS = 200
-# What is named at once; of more it is said how many.
+# How many names are listed; of more only their number.
 MOST_FAULTS = 20
 # What may hold a bracket or a line's end that ends nothing, then brackets and ends of lines.
 TOKEN = re.compile(

@@ -104,7 +104,7 @@ class Table(BaseModel):
 
 
 class MetaTable(Table):
-    """What people call the plan."""
+    """Titles of the plan."""
 
     title: str = ""
     title_zh: str = ""

@@ -135,7 +135,7 @@ def even_times(start: float, end: float, step: float) -> FloatArray:
 def shot(
     walk: Walk, links: FloatArray, times: FloatArray, shares: Shares, most: float = math.inf
 ) -> tuple[Frames, FloatArray]:
-    """Frames of handles so linked at times, s; how far off each is, m, until the next.
+    """Frames of handles so linked at times, s; the error of each, m, until the next.
 
     Sampling ends once one is off by more than `most`, m.
     """

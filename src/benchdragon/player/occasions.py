@@ -57,7 +57,7 @@ def ending(time: float) -> Occasion:
 
 
 def cued(moments: Sequence[Moment], start: float, end: float) -> list[Occasion]:
-    """The cues of a plan from start to end, s, each with what it is called."""
+    """The cues of a plan from start to end, s, each with its name."""
     return [
         occasion("cue", one.time, partial(cue_name, one.cue))
         for one in moments

@@ -38,14 +38,14 @@ PLACE = re.compile(r"([A-Z]{1,3})([0-9]{1,7})")
 
 
 class Limits(NamedTuple):
-    """How much a workbook may hold, and what is said of one beyond that.
+    """How much a workbook may hold, and the error of one beyond that.
 
     Attributes:
         rows: with any cell filled.
         columns: with any cell filled.
         cells: of a sheet.
         signs: of a cell.
-        beyond: of its name, what is said.
+        beyond: the error, by the file's name.
     """
 
     rows: int
@@ -101,19 +101,19 @@ def _unpacked(archive: zipfile.ZipFile, part: zipfile.ZipInfo, left: int) -> byt
 
 
 def torn(name: str) -> str:
-    """What is said of a workbook that is not whole."""
+    """The error of a workbook that is not whole."""
     return _("{file} is torn, or no workbook: open it in a spreadsheet and save it again").format(
         file=name
     )
 
 
 def locked(name: str) -> str:
-    """What is said of a workbook under a password."""
+    """The error of a workbook under a password."""
     return _("{file} is locked by a password: save it without one").format(file=name)
 
 
 def too_large(name: str) -> InputError:
-    """What is said of a list beyond the limits."""
+    """The error of a list beyond the limits."""
     return InputError(
         _(
             "{file} is too large for a list of names: at most {rows} rows, {columns} columns, {cells} "
@@ -211,7 +211,7 @@ class _Extent:
                 self._check(self._cells, 0)
 
     def _untold(self) -> str:
-        """What is said of a formula whose value was not saved: its cell would read as empty."""
+        """The error of a formula whose value was not saved: its cell would read as empty."""
         text = _(
             "{file}: the cell in row {row}, column {column} is a formula without a value: open the "
             "file in a spreadsheet and save it again"

@@ -30,7 +30,7 @@ class Numbering:
     Attributes:
         count: of benches.
         count_head: whether the head's bench is number 1; else 1 is the next.
-        called: what a bench (number, from 1) is called in the language in use.
+        called: the name of a bench (number, from 1) in the language in use.
     """
 
     count: int
@@ -285,7 +285,7 @@ def _holes(benches: dict[int, tuple[Person, ...]], numbering: Numbering) -> list
 
 
 def _called(benches: Sequence[int], numbering: Numbering) -> str:
-    """What benches are called, those in a row as a range."""
+    """Names of benches, those in a row as a range."""
     spans: list[list[int]] = []
     for bench in sorted(benches):
         if spans and bench == spans[-1][1] + 1:

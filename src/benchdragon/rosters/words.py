@@ -10,8 +10,8 @@ from benchdragon.rosters.names import TWO_SIGNS, parted, stands_in
 
 Kind = Literal["number", "name", "household", "phone", "remarks"]
 
-# What columns are called, in lower case, without spaces and in simplified signs; of two columns of
-# numbers the one holds whose heading stands first here.
+# Headings of columns, in lower case, without spaces and in simplified signs; of two columns of numbers
+# the one holds whose heading stands first here.
 SPELLINGS: dict[Kind, str] = {
     "number": """
         板凳号 板凳编号 凳号 桥号 节号 第几桥 第几节 桥次 节次 板号 龙身号 桥 节 板凳 凳 号 bench
@@ -34,7 +34,7 @@ SPELLINGS: dict[Kind, str] = {
     """,
     "remarks": "备注 说明 附注 注 其他 remarks remark notes note comments comment",
 }
-# What other columns are called: those of no bearers, with which nothing is done.
+# Headings of other columns, which are ignored: those of no bearers.
 OTHER_HEADINGS = """
     性别 男女 年龄 岁数 生日 出生日期 村 村名 自然村 村组 村民小组 组 小组 组别 班 班组 班次 队 队别
     生产队 地址 住址 家庭住址 门牌 门牌号 职务 岗位 分工 身份证 身份证号 证件号 单位 日期 时间 颜色 签名

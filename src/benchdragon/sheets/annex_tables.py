@@ -74,7 +74,7 @@ def place(point: Point, ground: Ground) -> str:
 
 
 def basics(briefing: Briefing) -> list[tuple[str, str]]:
-    """What is said of the event; a blank where the plan does not say it."""
+    """The facts of the event; a blank where the plan does not give them."""
     event, plan = briefing.plan.event, briefing.plan
     said = [
         (_("title"), plan.title(language())),

@@ -19,7 +19,7 @@ from benchdragon.plans.toml import SUFFIX, built_in_names
 from benchdragon.rosters.roster import Roster
 from benchdragon.version import __version__
 
-# What a record is called: the plan's name and this. Longer ones are none.
+# The name of a record: the plan's name and this. Longer files are refused.
 ENDING = ".checked.json"
 MOST_BYTES = 100_000
 

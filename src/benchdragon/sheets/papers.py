@@ -29,7 +29,7 @@ class Paper:
     """A paper.
 
     Attributes:
-        text: what is said while it is written.
+        text: the progress text while it is written.
         files: names of all its files.
         write: writes them.
     """

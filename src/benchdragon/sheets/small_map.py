@@ -100,7 +100,7 @@ class SmallMap:
         return points.min(axis=0), points.max(axis=0)
 
     def draw(self, pdf: FPDF, frame: Frame, benches: Sequence[int], names: Sequence[str]) -> None:
-        """Draw into a frame, with the tracks of benches and what they are called."""
+        """Draw into a frame, with the tracks of benches and their names."""
         place = self._scaled(frame)
         with pdf.local_context():
             self._square(pdf, place)
@@ -153,7 +153,7 @@ class SmallMap:
         self._line(pdf, place, self._way[1])
 
     def _names(self, pdf: FPDF, place: _Scale) -> None:
-        """The peg, entrances, and what obstacles are called, within the map."""
+        """Draw the peg, entrances, and names of obstacles, within the map."""
         pdf.set_draw_color(0)
         pdf.set_fill_color(0)
         pdf.set_font("Noto", "", NAMES)
@@ -252,7 +252,7 @@ class SmallMap:
         _arrow_head(pdf, u, v, heading, self._share(place))
 
     def _call(self, pdf: FPDF, place: _Scale, benches: Sequence[int], names: Sequence[str]) -> None:
-        """What benches are called, on white beside where each starts, and beside one another."""
+        """Draw names of benches, on white beside where each starts, and beside one another."""
         tall, size = TALL * pdf.font_size_pt, MARK * self._share(place)
         starts = place(self._walk.route.point(self._first[np.array(benches) - 1]))
         taken = [box(x - size, y - size, x + size, y + size) for x, y in starts]

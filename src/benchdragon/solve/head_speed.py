@@ -76,7 +76,7 @@ def prove_head_speed(
     """`greatest_head_speed`, proved: that of a plan that limits the handles' speeds alone.
 
     The bracket: at its lower end no handle is ever faster than the limit, at its upper end one is. All
-    numbers count as they are written. What was shown is added to `claims`.
+    numbers count as they are written. The proved claim is added to `claims`.
 
     Raises:
         InputError: without that limit, or with others; for a number that the plan holds rounded.

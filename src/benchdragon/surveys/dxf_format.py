@@ -95,7 +95,7 @@ def _document(data: bytes, name: str) -> tuple[Any, bool]:
 
 
 def _not_read(entity: Any) -> str:
-    """What is said of an entity that is passed over."""
+    """The note on an entity that is passed over."""
     if entity.dxftype() == "INSERT":
         return _("INSERT (blocks are not read: explode them in the drawing)")
     return str(entity.dxftype())

@@ -15,7 +15,7 @@ from benchdragon.i18n import _
 from benchdragon.surveys.coordinates import code_of
 from benchdragon.surveys.raw import RawFile, RawLine, passed_over
 
-# What a column is called, in lower case and without its unit, and whether it holds degrees.
+# Headings, in lower case and without units, and whether the column holds degrees.
 EAST = dict.fromkeys(("x", "east", "easting", "东", "东坐标"), False) | dict.fromkeys(
     ("lon", "lng", "long", "longitude", "经度"), True
 )

@@ -20,7 +20,7 @@ from benchdragon.plans.toml import PlanError
 from benchdragon.sweeps.questions import LOST
 from benchdragon.sweeps.rows import arrow, row_schema
 
-# What a sweep is, and its rows; what a part is called by the sweep that it belongs to.
+# The record of a sweep, and its rows; the mark in each part of the sweep that it belongs to.
 ABOUT, PART, OF = "sweep.json", "part-{number:08d}.parquet", b"sweep"
 # Bytes of what tells of a sweep.
 MOST_BYTES = 100_000_000
