@@ -414,7 +414,7 @@ export interface MarginsFound {
   pitch_for: Array<PitchFor>;
 }
 
-/** What people call the plan. */
+/** Titles of the plan. */
 export interface MetaTable {
   title?: string;
   title_zh?: string;
