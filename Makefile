@@ -16,7 +16,7 @@ MAKEFLAGS += --jobs=2
 # Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench queries picture truth wasm wasm-test carried carried-test mutants hostile generate \
+.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench queries picture truth wasm wasm-test carried carried-test mutants mutation hostile generate \
   lock fonts clean
 
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps
@@ -172,6 +172,15 @@ hostile: .venv/engine
 mutants: .venv/installed
 	$(BIN)/python tools/mutants.py
 
+.venv/mutation: .venv/installed requirements-mutation.lock
+	$(PIP) --require-hashes -r requirements-mutation.lock
+	touch $@
+
+# Mutants that a tool makes, of kernels, proofs, certificates and the verdict, or of `MODULES=proofs/cells.py`; for
+# the night. One that was broken off goes on where it was.
+mutation: .venv/mutation .venv/engine
+	$(BIN)/python tools/mutation.py $(MODULES)
+
 # What is made from other files here: pages' modules, types and constants, the catalogue, tables and the map.
 generate: .venv/installed
 	$(BIN)/python -m tools.generate
@@ -186,6 +195,8 @@ lock:
 	  --python-version 3.11 --extra prove --group build -c requirements.lock pyproject.toml -o requirements-demo.lock
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
 	  --python-version 3.11 --no-deps --group wasm -o requirements-wasm.lock
+	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
+	  --python-version 3.11 -c requirements.lock --group mutation -o requirements-mutation.lock
 
 clean:
 	rm -rf src/benchdragon/engine/*.so .venv node_modules out docs/_build .coverage .mypy_cache .pytest_cache .ruff_cache

@@ -264,6 +264,7 @@ def test_the_source_archive_holds_all_that_tests_read(tmp_path: Path) -> None:
         "Makefile",
         "README.zh-CN.md",
         "requirements-demo.lock",
+        "requirements-mutation.lock",
         "requirements-wasm.lock",
         "requirements.lock",
         "tests/long.txt",

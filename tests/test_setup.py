@@ -8,7 +8,7 @@ import pytest
 from trove_classifiers import classifiers
 
 ROOT = Path(__file__).parent.parent
-LOCKS = ["requirements.lock", "requirements-demo.lock", "requirements-wasm.lock"]
+LOCKS = [f"requirements{part}.lock" for part in ("", "-demo", "-mutation", "-wasm")]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 # For developers, for the manual, or to compile with: minutes and hundreds of megabytes.
 DEVELOPERS = {

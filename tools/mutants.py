@@ -10,23 +10,29 @@ Run it as `make mutants`, or for some of them as `python tools/mutants.py WORD..
 """
 
 import itertools
+import json
 import multiprocessing
 import os
+import resource
 import shutil
 import sys
 import tempfile
+import time
 import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import FrameType
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "src" / "benchdragon"
 TABLES = ROOT / "tests" / "mutants"
 # What is broken there is not in what was built.
 BUILT = ("kernels/", "engine/")
-# A mutant may make a loop endless: it is killed then, s.
+# A mutant may make a loop endless: it is killed then, s; or ask for endless memory, bytes.
 PATIENCE = 900.0
+MEMORY = 8 << 30
 # How a child ends: so much more than pytest, for an exception ends with 1, too.
 OURS = 10
 PASSED, FAILED = OURS + 0, OURS + 1
@@ -43,6 +49,8 @@ SLOW = [
 ]
 # Each file that is written gets a time of its own, s.
 TIMES = itertools.count(1)
+# What tests ran of a file, beside the copy of the package.
+SEEN = "seen.json"
 
 
 @dataclass(frozen=True)
@@ -97,22 +105,64 @@ def copied(folder: Path) -> Path:
     return package
 
 
-def run(tests: Iterable[str], package: Path, plain: bool) -> tuple[int | None, str]:
-    """How pytest ends on these tests with that package, and what it says."""
+def run(
+    tests: Iterable[str], package: Path, plain: bool, patience: float = PATIENCE, seen: str = ""
+) -> tuple[int | None, str]:
+    """How pytest ends on these tests with that package, and what it says.
+
+    Which lines of file `seen` each test runs is written beside the package: see `Seen`.
+    """
     said = package.with_name("said")
-    child = SERVER.Process(target=run_here, args=(list(tests), str(package.parent), plain, str(said)))
+    told = (list(tests), str(package.parent), plain, str(said), seen)
+    child = SERVER.Process(target=run_here, args=told)
     child.start()
-    child.join(PATIENCE)
+    child.join(patience)
     if child.is_alive():
         child.kill()
-        return FAILED, f"no end within {PATIENCE:g} s"
+        return FAILED, f"no end within {patience:g} s"
     return child.exitcode, said.read_text("utf-8")
 
 
-def run_here(tests: list[str], source: str, plain: bool, said: str) -> None:
+class Seen:
+    """Notes which lines of one file each test runs, and how long it takes, s, as a plugin of pytest.
+
+    It is written in the end, test by test: the test, its time, the lines.
+    """
+
+    def __init__(self, path: str, notes: Path) -> None:
+        self.path, self.notes = path, notes
+        self.lines, self.found = set[int](), list[tuple[str, float, list[int]]]()
+
+    def called(self, frame: FrameType, *_event: object) -> Any:
+        """Watch the lines of what is called, if it stands in the file."""
+        return self.ran if frame.f_code.co_filename == self.path else None
+
+    def ran(self, frame: FrameType, *_event: object) -> Any:
+        """Note a line."""
+        self.lines.add(frame.f_lineno)
+        return self.ran
+
+    def pytest_runtest_logstart(self) -> None:
+        """A test begins, before anything is set up for it."""
+        self.lines, self.began = set[int](), time.process_time()
+        sys.settrace(self.called)
+
+    def pytest_runtest_logfinish(self, nodeid: str) -> None:
+        """A test has ended."""
+        sys.settrace(None)
+        took = time.process_time() - self.began
+        self.found.append((nodeid.removeprefix("tests/"), took, sorted(self.lines)))
+
+    def pytest_sessionfinish(self) -> None:
+        """All have: what was noted is written."""
+        self.notes.write_text(json.dumps(self.found), "utf-8")
+
+
+def run_here(tests: list[str], source: str, plain: bool, said: str, seen: str) -> None:
     """Run tests in this process, with the package that stands in folder `source`."""
     import pytest
 
+    resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
     os.chdir(ROOT)
     os.environ["BENCHDRAGON_ENGINE"] = "plain" if plain else ""
     sys.path[:0] = [source, str(ROOT)]
@@ -122,7 +172,9 @@ def run_here(tests: list[str], source: str, plain: bool, said: str) -> None:
     with Path(said).open("w", encoding="utf-8") as file:
         for stream in (sys.stdout, sys.stderr):
             os.dup2(file.fileno(), stream.fileno())
-        sys.exit(OURS + pytest.main([*options, *(f"tests/{test}" for test in tests)]))
+        notes = Path(said).with_name(SEEN)
+        plugins = [Seen(str(Path(source) / "benchdragon" / seen), notes)] if seen else []
+        sys.exit(OURS + pytest.main([*options, *(f"tests/{test}" for test in tests)], plugins))
 
 
 def put(path: Path, text: str) -> None:

@@ -1,5 +1,7 @@
 """Meetings: what surely overlaps, and on which side of a line a point surely lies."""
 
+import functools
+
 import numpy as np
 import pytest
 import shapely
@@ -7,7 +9,8 @@ import shapely
 pytest.importorskip("flint")
 from flint import arb
 
-from benchdragon.proofs.apart import Moving, Side, corners
+from benchdragon.proofs.apart import Bench, Moving, Side, Sizes, corners
+from benchdragon.proofs.chain import Chain
 from benchdragon.proofs.cover import chain_at
 from benchdragon.proofs.exact import guess_of, stored_dance
 from benchdragon.proofs.meeting import lies_inside, nearer
@@ -55,3 +58,71 @@ def test_benches_are_nearer_as_shapely_has_it() -> None:
             assert apart < 1e-5 or not nearer(chain, dance.sizes, pair, arb(apart - 1e-6))
             seen.add(found)
     assert seen == {True, False}
+
+
+class Upright(Side):
+    """A bench between two corners, with its sides along the axes: all its numbers are exact."""
+
+    def place(self, _chain: Chain, _sizes: Sizes) -> Bench:
+        (left, low), (right, high) = self.start, self.end
+        return Bench((arb(1), arb(0)), [(right, high), (right, low), (left, low), (left, high)])
+
+
+@functools.cache
+def any_chain() -> tuple[Chain, Sizes]:
+    """One that what stands does not ask for."""
+    walk = coil(0.55).build()
+    dance = stored_dance(walk, 0.0)
+    return chain_at(dance, guess_of(walk), 20.0), dance.sizes
+
+
+def upright(left: float, low: float, right: float, high: float) -> Upright:
+    return Upright((arb(left), arb(low)), (arb(right), arb(high)))
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "margin", "wanted"),
+    [
+        ((-1, -1, 1, 1), (-0.25, -0.25, 0.25, 0.25), 0.0, True),  # one within the other: no sides cross
+        ((-1, -1, 1, 1), (0.0, 0.0, 2.0, 2.0), 0.0, True),
+        ((-2, -0.5, 2, 0.5), (-0.5, -2, 0.5, 2), 0.0, True),  # crossed: no corner lies within
+        ((0, 0, 1, 1), (1, 0, 2, 1), 0.0, False),  # that touch are not nearer than 0
+        ((0, 0, 1, 1), (1.5, 0, 2, 1), 0.5, False),  # as far as asked is not nearer
+        ((0, 0, 1, 1), (1.5, 0, 2, 1), 0.5625, True),
+        ((0, 0, 1, 1), (0, 1.5, 1, 2), 0.5, False),
+        ((0, 0, 1, 1), (0, 1.5, 1, 2), 0.5625, True),
+        ((0, 0, 1, 1), (4, 5, 6, 7), 5.0, False),  # from corner to corner: 3, 4, 5
+        ((0, 0, 1, 1), (4, 5, 6, 7), 5.0625, True),
+    ],
+)
+def test_what_is_nearer_is_so_to_the_last_bit(
+    one: tuple[float, ...], other: tuple[float, ...], margin: float, wanted: bool
+) -> None:
+    pair = upright(*one), upright(*other)
+    for bodies in (pair, pair[::-1]):
+        assert nearer(*any_chain(), bodies, arb(margin)) is wanted
+
+
+@pytest.mark.parametrize(
+    ("point", "wanted"),
+    [
+        ((0.5, 0.5), True),
+        ((1.5, 0.5), False),
+        ((-0.5, 0.5), False),
+        ((0.5, 1.5), False),
+        ((0.5, -0.5), False),
+        ((1.0, 0.5), None),
+        ((0.5, 1.0), None),
+        ((0.0, 0.5), None),
+        ((2.0, 2.0), False),
+        ((-1.0, -1.0), False),
+        ((0.0, 0.0), None),
+        ((1.0, 1.0), None),
+    ],
+)
+def test_exact_points_are_inside_a_square_outside_or_on_its_edge(
+    point: tuple[float, float], wanted: bool | None
+) -> None:
+    square = sides([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+    for polygon in (square, [Side(one.end, one.start) for one in reversed(square)]):
+        assert lies_inside((arb(point[0]), arb(point[1])), polygon) is wanted
