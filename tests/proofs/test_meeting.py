@@ -9,11 +9,13 @@ import shapely
 pytest.importorskip("flint")
 from flint import arb
 
+from benchdragon.proofs import meeting
 from benchdragon.proofs.apart import Bench, Moving, Side, Sizes, corners
+from benchdragon.proofs.cells import Standing
 from benchdragon.proofs.chain import Chain
 from benchdragon.proofs.cover import chain_at
 from benchdragon.proofs.exact import guess_of, stored_dance
-from benchdragon.proofs.meeting import lies_inside, nearer
+from benchdragon.proofs.meeting import belongs, lies_inside, nearer
 from tests.proofs.dances import coil
 
 STAR = [(0.0, 3.0), (1.0, 1.0), (3.0, 0.5), (1.2, -0.6), (1.5, -3.0), (-0.4, -1.0), (-3.0, 0.2)]
@@ -86,6 +88,7 @@ def upright(left: float, low: float, right: float, high: float) -> Upright:
         ((-1, -1, 1, 1), (-0.25, -0.25, 0.25, 0.25), 0.0, True),  # one within the other: no sides cross
         ((-1, -1, 1, 1), (0.0, 0.0, 2.0, 2.0), 0.0, True),
         ((-2, -0.5, 2, 0.5), (-0.5, -2, 0.5, 2), 0.0, True),  # crossed: no corner lies within
+        ((-0.25, -0.0625, 0.25, 0.0625), (-0.0625, -0.25, 0.0625, 0.25), 0.0, True),  # small ones, too
         ((0, 0, 1, 1), (1, 0, 2, 1), 0.0, False),  # that touch are not nearer than 0
         ((0, 0, 1, 1), (1.5, 0, 2, 1), 0.5, False),  # as far as asked is not nearer
         ((0, 0, 1, 1), (1.5, 0, 2, 1), 0.5625, True),
@@ -126,3 +129,21 @@ def test_exact_points_are_inside_a_square_outside_or_on_its_edge(
     square = sides([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
     for polygon in (square, [Side(one.end, one.start) for one in reversed(square)]):
         assert lies_inside((arb(point[0]), arb(point[1])), polygon) is wanted
+
+
+@pytest.mark.parametrize(
+    ("x", "wanted"), [(-1.0, False), (0.5, True), (2.5, False), (4.5, True), (6.0, False)]
+)
+def test_a_ray_may_cross_many_sides(x: float, wanted: bool) -> None:
+    u = [(0.0, 0.0), (5.0, 0.0), (5.0, 3.0), (4.0, 3.0), (4.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0)]
+    assert lies_inside((arb(x), arb(2)), sides(u)) is wanted
+
+
+@pytest.mark.parametrize(("inside", "wanted"), [(True, True), (False, False), (None, True)])
+def test_a_bench_with_all_corners_on_the_edge_is_where_its_middle_is(
+    monkeypatch: pytest.MonkeyPatch, inside: bool | None, wanted: bool
+) -> None:
+    monkeypatch.setattr(meeting, "Moving", lambda _number: upright(3.0, 4.0, 5.0, 6.0))
+    edge = sides([(3.0, 4.0), (5.0, 4.0), (5.0, 6.0), (3.0, 6.0)])
+    standing = Standing(edge, arb(0), np.empty((0, 4, 2)), inside)
+    assert belongs(*any_chain(), 0, standing) is wanted
