@@ -22,8 +22,8 @@ from query_draw import LENGTHS, Asking, boxes
 from query_set import Dance, Query, by_dance, dance_of, read_dances, read_queries
 from timing import digits, lines_of
 
-from benchdragon.kernels import time_of_impact as search
-from benchdragon.kernels.pair_queries import ENDING, SOUGHT_LOW
+from benchdragon.kernels.pair_queries import PairAnswer
+from benchdragon.kernels.time_of_impact import Ending, Goal
 
 HERE = Path(__file__).parent
 # How much later or earlier a contact may be told, m.
@@ -145,12 +145,15 @@ def ours(dances: Sequence[Dance], queries: Sequence[Query]) -> Told:
             first, second, width, spans = (
                 np.array([values(q) for _n, q in asked]) for values in VALUES
             )
-            asking.ask(search.FIRST_TOUCH, first[:1], second[:1], width[:1], spans[:1])
+            asking.ask(Goal.FIRST_TOUCH, first[:1], second[:1], width[:1], spans[:1])
             began = time.process_time()
-            found = asking.ask(search.FIRST_TOUCH, first, second, width, spans)
+            found = asking.ask(Goal.FIRST_TOUCH, first, second, width, spans)
             each = (time.process_time() - began) / len(asked)
             for (n, _query), one in zip(asked, found.tolist(), strict=True):
-                told[n] = each, None if one[ENDING] == search.CLEAR else one[SOUGHT_LOW]
+                told[n] = (
+                    each,
+                    None if one[PairAnswer.ENDING] == Ending.CLEAR else one[PairAnswer.SOUGHT_LOW],
+                )
     return [told[n] for n in range(len(queries))]
 
 

@@ -19,7 +19,7 @@ import numpy as np
 from flint import arb
 
 from benchdragon.kernels import curve as kernel
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.curve import CurveKind, FloatArray
 from benchdragon.proofs.ball_route import BallRoute, Row
 
 T = TypeVar("T")
@@ -35,7 +35,12 @@ DIGITS = 6
 SLACKEST = math.pi / 3
 # A head is at least so far from where its chain is not all on the route, m, and goes so far on.
 LEAD, RUN = 0.5, 60.0
-KINDS = {"line": kernel.LINE, "arc": kernel.ARC, "clothoid": kernel.CLOTHOID, "spiral": kernel.SPIRAL}
+KINDS = {
+    "line": CurveKind.LINE,
+    "arc": CurveKind.ARC,
+    "clothoid": CurveKind.CLOTHOID,
+    "spiral": CurveKind.SPIRAL,
+}
 
 
 @dataclass(frozen=True)
@@ -104,7 +109,7 @@ def _row(curve: dict[str, str | float]) -> Row:
     """A curve in balls, at the origin along x; a spiral about it with its axis along x."""
     kind, zero = KINDS[str(curve["type"])], arb(0)
     told = {name: arb(value) for name, value in curve.items() if not isinstance(value, str)}
-    if kind == kernel.SPIRAL:
+    if kind == CurveKind.SPIRAL:
         start, end, p, q = (told[name] for name in ("from", "to", "growth", "hand"))
     else:
         start, end = zero, told["length"]

@@ -20,10 +20,9 @@ from flint import arb
 from query_draw import Asking
 from query_set import SLACKEST, Dance, Query
 
-from benchdragon.kernels import curve
-from benchdragon.kernels import time_of_impact as search
-from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.pair_queries import ENDING, SEPARATION, SOUGHT_HIGH, SOUGHT_LOW
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow
+from benchdragon.kernels.pair_queries import PairAnswer
+from benchdragon.kernels.time_of_impact import Ending, Goal
 
 # Of route positions in doubles, m; and of cosines, where handles are known to more than SURE, m.
 SLACK, COSINE_SLACK, SURE = 1e-9, 1e-9, 1e-11
@@ -145,10 +144,10 @@ class Chain:
     def _positions(self, row: npt.NDArray[np.int64], u: FloatArray) -> FloatArray:
         """Arc lengths of places from the route's start, m, to SLACK."""
         table = self.dance.rows[row]
-        k, start = table[:, curve.P], table[:, curve.U_START]
-        grown = 0.5 * k * (_length(u) - _length(start)) * np.sign(table[:, curve.U_END] - start)
-        along = np.where(table[:, curve.KIND] == curve.SPIRAL, grown, u)
-        found: FloatArray = table[:, curve.S_START] + along
+        k, start = table[:, RouteRow.P], table[:, RouteRow.U_START]
+        grown = 0.5 * k * (_length(u) - _length(start)) * np.sign(table[:, RouteRow.U_END] - start)
+        along = np.where(table[:, RouteRow.KIND] == CurveKind.SPIRAL, grown, u)
+        found: FloatArray = table[:, RouteRow.S_START] + along
         return found
 
 
@@ -369,11 +368,11 @@ def shown(chain: Chain, query: Query) -> bool:
 
 def answers(query: Query, hint: FloatArray, least: float) -> Iterator[Query]:
     """What may be the answer, by a search and the least separation that one saw, m; best first."""
-    if hint[ENDING] == search.CLEAR:
+    if hint[PairAnswer.ENDING] == Ending.CLEAR:
         for share in SHARES:
             yield replace(query, answer="apart", separation=float(f"{share * least:.3g}"))
         return
-    touch = 0.5 * (hint[SOUGHT_LOW] + hint[SOUGHT_HIGH])
+    touch = 0.5 * (hint[PairAnswer.SOUGHT_LOW] + hint[PairAnswer.SOUGHT_HIGH])
     for half in HALF_WIDTHS:
         low, high = (round(touch + off, BRACKET_DIGITS) for off in (-half, half))
         yield replace(query, answer="touch", low=low, high=high)
@@ -395,8 +394,8 @@ def proved_all(dance: Dance, queries: list[Query]) -> list[Query]:
     asking = Asking(dance)
     first, second = (np.array([getattr(q, name) for q in queries]) for name in ("first", "second"))
     width, spans = np.array([q.width for q in queries]), np.array([(q.start, q.end) for q in queries])
-    hints = asking.ask(search.FIRST_TOUCH, first, second, width, spans)
-    seen = asking.ask(search.LEAST, first, second, width, spans, 1e-7, 2000)[:, SEPARATION]
+    hints = asking.ask(Goal.FIRST_TOUCH, first, second, width, spans)
+    seen = asking.ask(Goal.LEAST, first, second, width, spans, 1e-7, 2000)[:, PairAnswer.SEPARATION]
     found, chain, span = [], None, (0.0, 0.0)
     for q, query in enumerate(queries):
         if chain is None or span != (query.start, query.end):  # what is known of a span ends with it

@@ -19,7 +19,7 @@ from scipy.optimize import Bounds, differential_evolution, dual_annealing
 from benchdragon.errors import InputError
 from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.curve import S_START
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.kernels.turn_trial import FEW
 from benchdragon.model.turns import two_arcs
 from benchdragon.plans.schema import read_plan
@@ -58,7 +58,7 @@ def sampled_way(family: TurnFamily, x: Point) -> float:
     except InputError:
         return 1e6
     rows, links = turn.rows(lead=1.0, trail=1000.0), family.dragon.links[:FEW]
-    first, last = float(rows[1, S_START]), float(rows[-1, S_START] + links.sum())
+    first, last = float(rows[1, RouteRow.S_START]), float(rows[-1, RouteRow.S_START] + links.sum())
     at = np.arange(first, last, STEP)
     places = empty_placements(len(links) + 1, len(at))
     if not motion_bounds.place_chain(rows, links, at, 0, len(at), places):

@@ -19,6 +19,7 @@ from pyclothoids import Clothoid as OtherClothoid
 
 from benchdragon.errors import InputError
 from benchdragon.kernels import fitting as kernel
+from benchdragon.kernels.fitting import PolylineSide
 from benchdragon.kernels.route_parts import PART_COLUMNS
 from benchdragon.kernels.status import Smoothing
 from benchdragon.model.curves import Clothoid, Route, curves_of
@@ -72,10 +73,10 @@ def fillets(points: FloatArray) -> Found:
     count = len(points) - 1
     sides = np.empty((count, kernel.SIDE_COLUMNS))
     kernel.set_sides(points, False, np.arange(count + 1), np.zeros(count), Smoothing.G1, sides)
-    tangent = np.roll(sides[:, kernel.TANGENT], 1) + sides[:, kernel.TANGENT]
-    reach = DEVIATION / sides[:-1, kernel.REACH]
-    radius = min((sides[:, kernel.SIDE_LENGTH] / tangent).min(), reach.min())
-    sides[:, kernel.RADIUS] = np.where(sides[:, kernel.TURN] != 0.0, 0.9 * radius, np.inf)
+    tangent = np.roll(sides[:, PolylineSide.TANGENT], 1) + sides[:, PolylineSide.TANGENT]
+    reach = DEVIATION / sides[:-1, PolylineSide.REACH]
+    radius = min((sides[:, PolylineSide.LENGTH] / tangent).min(), reach.min())
+    sides[:, PolylineSide.RADIUS] = np.where(sides[:, PolylineSide.TURN] != 0.0, 0.9 * radius, np.inf)
     parts = np.empty((4 * count, PART_COLUMNS))
     made, _bound = kernel.rounded_sides(sides, False, parts)
     return Route(curves_of(parts[:made])), math.nan

@@ -32,8 +32,10 @@ from benchdragon.kernels import box_hierarchy, motion_bounds, search_start
 from benchdragon.kernels import time_of_impact as kernel
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.contact_memory import EARLY
-from benchdragon.kernels.walk_search import SEEK
+from benchdragon.kernels.contact_memory import ContactTold
+from benchdragon.kernels.motion_bounds import BenchBound
+from benchdragon.kernels.time_of_impact import Ending, Goal, Note
+from benchdragon.kernels.walk_search import WalkGoal
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 
@@ -56,8 +58,8 @@ def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
     limits = kernel.Limits(0.0, slack, slack, 1_000_000)
     if smooth:
         top = kernel.open_step(search, 1, 412.0, 412.5)
-        kernel.bisect(search, kernel.FIRST_TOUCH, chain, pairs, top, 0, limits, note)
-        return int(note[kernel.EVALUATIONS])
+        kernel.bisect(search, Goal.FIRST_TOUCH, chain, pairs, top, 0, limits, note)
+        return int(note[Note.EVALUATIONS])
     return travel_only(walk, slack)
 
 
@@ -76,7 +78,7 @@ def travel_only(walk: Walk, slack: float) -> int:
         spent = 0.0
         for i in (0, 8):
             motion_bounds.bound_bench(handles, i, walk.dragon.sizes, i, bench)
-            spent += bench[motion_bounds.TRAVEL]
+            spent += bench[BenchBound.TRAVEL]
         a, b = clearances(still.motion(ends))
         if a <= slack:
             return evaluations
@@ -99,8 +101,8 @@ def main() -> None:
         print(f"{slack:8.0e} {'-':>20s} {looks_for(walk, slack, True):17d}")
 
     search, steps, from_s = ContactSearch(walk, 0.0, 413.0, 1e-6, silent), 0, math.inf
-    while search.find(SEEK, (1e-6,)) == kernel.FOUND:
-        steps, from_s = steps + 1, min(from_s, float(search.figures[EARLY]))
+    while search.find(WalkGoal.SEEK, (1e-6,)) == Ending.FOUND:
+        steps, from_s = steps + 1, min(from_s, float(search.figures[ContactTold.EARLY]))
     every = 413.0 / (search_start.CELL_SHARE * float(walk.dragon.links.min()) / box_hierarchy.PARTS)
     print(f"\nsteps of the head: {every:.0f} in all")
     print(f"in which benches may meet: {steps}, from head position {from_s:.1f} m on")

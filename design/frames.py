@@ -27,7 +27,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.kernels.drawn_route import cubic
-from benchdragon.kernels.following import FIRST, NODES
+from benchdragon.kernels.following import NodeStretch
 from benchdragon.kernels.frames import QUANTUM
 from benchdragon.plans.schema import read_plan
 from benchdragon.player.following import following
@@ -87,7 +87,9 @@ def main() -> None:
         told = following(walk, *plan.span(walk), 0.9e-3, SHARES)
         assert told is not None
         last = told.tables.stretches[told.tables.ends[-1] - 1]
-        nodes = told.tables.nodes[:, : int(last[FIRST] + last[NODES])].astype("<i4")
+        nodes = told.tables.nodes[:, : int(last[NodeStretch.FIRST] + last[NodeStretch.NODES])].astype(
+            "<i4"
+        )
         sent = [packed_frames(told.head), packed_bytes(nodes.ravel())]
         size = sum(map(len, sent)) / 1000.0
         print(f"{benches} benches follow the head: {1e3 * told.head.error:.3f} mm, {size:.0f} kB")

@@ -24,6 +24,7 @@ from tests.solve.dances import Laid, brute, laid, open_parts
 
 from benchdragon.kernels import time_of_impact
 from benchdragon.kernels.every_pair import search_all_pairs
+from benchdragon.kernels.time_of_impact import Goal
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, Deviations, Draw, needed_pitch
@@ -54,7 +55,7 @@ def searched(dance: Laid, share: float) -> int:
     first, second = np.empty((2, 24 * benches), dtype=np.int64)
     steps = 2 + int((dance.end - dance.start) / (share * float(links.min())))
     return search_all_pairs(
-        time_of_impact.empty_search(benches + 1, benches, first.size), time_of_impact.FIRST_TOUCH,
+        time_of_impact.empty_search(benches + 1, benches, first.size), Goal.FIRST_TOUCH,
         dance.rows, links, dance.aside, dance.dragon.sizes, np.linspace(dance.start, dance.end, steps),
         first, second, 0.0, 1e-7, 1e-8, 20_000, np.zeros(time_of_impact.NOTES),
     )  # fmt: skip

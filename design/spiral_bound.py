@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from benchdragon import Dragon, tightest_pairs
-from benchdragon.kernels.curve import P
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.kernels.spiral_bound import clear_radius, shape_of
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import read_plan
@@ -17,9 +17,9 @@ from benchdragon.plans.schema import read_plan
 
 def nearest_to_meeting(walk: Walk, radius: float) -> float:
     """The least distance of the head from any bench while it comes from 2 m farther out to radius."""
-    theta = np.linspace(radius + 2.0, radius, 400) / walk.route.rows[0, P]
+    theta = np.linspace(radius + 2.0, radius, 400) / walk.route.rows[0, RouteRow.P]
     spiral = walk.route.rows
-    start = [walk.route.length - 0.5 * spiral[0, P] * angle * angle for angle in theta]
+    start = [walk.route.length - 0.5 * spiral[0, RouteRow.P] * angle * angle for angle in theta]
     motion = Walk(walk.dragon, walk.route).motion(np.array(start))
     return min(tightest_pairs(motion, t)[0].distance for t in range(len(start)))
 

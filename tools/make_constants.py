@@ -1,27 +1,26 @@
 """Write constants of the Python modules as JavaScript, for their twins in the pages (web/compute).
 
-Takes of each module that a script names where it imports constants the `IntEnum`s, and every number and
-short list of numbers that stands there in capitals and in such a script as a word: `CURVE.KIND` is that
-of kernels/curve.py, `MODEL_WALK.MOST_PLACES` that of model/walk.py. The same modules and scripts give
-the same bytes.
+Takes each class of names of the kernels that a script names where it imports constants: `Status`, and
+`RouteRow` of kernels/curve.py with its columns. Takes of each module that is named there every number
+and short list of numbers that stands in it in capitals and in such a script as a word:
+`MODEL_WALK.MOST_PLACES` is that of model/walk.py. The same modules and scripts give the same bytes.
 """
 
 import ast
 import importlib
 import math
 import re
-from enum import IntEnum
+from enum import EnumType
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 
 import benchdragon
+from benchdragon.kernels.numbered import Names
 
 PACKAGE = Path(benchdragon.__file__).parent
 FILE = PACKAGE / "web" / "compute" / "constants.js"
-# Holds the enumerations.
-STATUS = "kernels.status"
 # Longer lists are tables of the kernels' own.
 SHORT = 10
 # Of a line, as prettier has it.
@@ -63,10 +62,16 @@ def literal(value: object) -> str | None:
     return number(value) if isinstance(value, int | float) and not isinstance(value, bool) else None
 
 
-def enums(module: ModuleType) -> list[type[IntEnum]]:
-    """The enumerations that a module defines."""
-    found = (one for one in vars(module).values() if isinstance(one, type) and issubclass(one, IntEnum))
+def names_in(module: ModuleType) -> list[type]:
+    """The classes of numbers by names that a module defines."""
+    found = (one for one in vars(module).values() if isinstance(one, Names | EnumType))
     return [one for one in found if one.__module__ == module.__name__]
+
+
+def members(names: type) -> dict[str, str]:
+    """The names of such a class with their numbers, those of classes that it follows first."""
+    known = {key: value for one in reversed(names.__mro__) for key, value in vars(one).items()}
+    return {key: number(value) for key, value in known.items() if key.isupper() and key[0] != "_"}
 
 
 def object_text(name: str, fields: dict[str, str]) -> str:
@@ -103,15 +108,14 @@ def modules() -> list[str]:
 
 def declared(name: str, asked: dict[str, set[str]]) -> list[str]:
     """What is exported of one module, named without the package, of what is asked for."""
-    if name != STATUS and called(name) not in asked:
+    if called(name) not in asked and not name.startswith("kernels."):
         return []
     module = importlib.import_module(f"benchdragon.{name}")
     words = asked.get(called(name), set())
     found = {key: literal(getattr(module, key)) for key in own_names(module) if key in words}
     tables = {called(name): {key: value for key, value in found.items() if value is not None}}
-    for one in enums(module):
-        tables[one.__name__] = {member.name: str(member.value) for member in one}
-    return [object_text(*each) for each in tables.items() if each[0] in asked]
+    tables |= {one.__name__: members(one) for one in names_in(module)}
+    return [object_text(*each) for each in tables.items() if each[0] in asked and each[1]]
 
 
 def files() -> dict[Path, str]:

@@ -37,6 +37,7 @@ from tools.translation.statements import Code
 import benchdragon
 from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.kernels.entries import ENTRIES
+from benchdragon.kernels.numbered import Names
 
 FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
 HEADER = "// @ts-nocheck\n// Made from {name} by tools/make_twins.py; to make it again: make generate\n"
@@ -214,7 +215,7 @@ class Twin:
             self.imports.setdefault(f"./{TWINS[module][0]}.js", set()).add(_renamed(there, name))
 
     def member(self, name: str) -> str | None:
-        """A number of a module that is named with it."""
+        """A number that is named with its module, or with its class of names."""
         found = self._told(name)
         plain = isinstance(found, int | float) and not isinstance(found, bool | enum.Enum)
         return number(found) if "." in name and plain else None
@@ -223,6 +224,8 @@ class Twin:
         """What is called so: in this module, or in one that it names."""
         owner, _point, own = name.rpartition(".")
         of = vars(self.module).get(owner) if owner else self.module
+        if isinstance(of, Names):
+            return getattr(of, own, None)
         return vars(of).get(own) if isinstance(of, ModuleType) else None
 
     def kind(self, name: str) -> type | None:

@@ -9,9 +9,9 @@ from shapely import Polygon
 
 from benchdragon.analysis.bench_walks import STEP, STILL, BenchWalk, bench_walks, beside
 from benchdragon.analysis.distance import boxes
-from benchdragon.kernels.bench_nearness import STRAIGHT
+from benchdragon.kernels.bench_nearness import OTHER_COIL
 from benchdragon.kernels.bench_walks import SHORTEST
-from benchdragon.kernels.box import CX, CY, UX, UY, corner
+from benchdragon.kernels.box import Box, corner
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import Line, Route
 from benchdragon.model.walk import Walk
@@ -165,7 +165,7 @@ def of_another_coil(walk: Walk, k: int) -> list[int]:
     line = Walk(walk.dragon, Route((Line(200.0),)))
     table = boxes(line.placement([190.0]), 0)
     shapes = [Polygon([corner(table, j, n) for n in range(4)]) for j in range(len(table))]
-    return [j for j, shape in enumerate(shapes) if shape.distance(shapes[k]) > STRAIGHT]
+    return [j for j, shape in enumerate(shapes) if shape.distance(shapes[k]) > OTHER_COIL]
 
 
 def outlines(walk: Walk, time: float) -> list[Polygon]:
@@ -202,8 +202,10 @@ def test_the_bench_beside_is_the_one_most_abreast_of_the_nearest_coil(pitch: flo
     placed = walk.motion([0.0])
     table, seen = boxes(placed, 0), 0
     for k, sides in enumerate(beside(placed)):
-        turned = complex(*table[k, [UX, UY]])
-        apart = (table[:, CX] + 1j * table[:, CY] - complex(*table[k, [CX, CY]])) / turned
+        turned = complex(*table[k, [Box.UX, Box.UY]])
+        apart = (
+            table[:, Box.CX] + 1j * table[:, Box.CY] - complex(*table[k, [Box.CX, Box.CY]])
+        ) / turned
         for other, sign in zip(sides, (1.0, -1.0), strict=True):
             if other is None:
                 continue

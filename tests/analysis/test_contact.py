@@ -31,9 +31,9 @@ from benchdragon.analysis.contact_search import TOLERANCES
 from benchdragon.analysis.distance import tightest_pairs
 from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.kernels import contact_least, contact_steps, memory
-from benchdragon.kernels import time_of_impact as kernel
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.contact_memory import BASE, Hunt
+from benchdragon.kernels.time_of_impact import Ending, Note
 from benchdragon.plans.schema import read_plan
 from tests.rounding import closing_rate, pair_off
 from tests.solve.asked_in_python import in_python
@@ -418,8 +418,8 @@ def test_a_floor_is_told_by_a_pass_that_came_to_its_end(
     def ended(block: int, _goal: int, tolerance: float, _left: float, _counted: int) -> int:
         note = memory.group_at(Hunt, block + BASE).note
         seen.append(tolerance)
-        note[[kernel.NEAREST, kernel.FLOOR, kernel.PAIR]] = 0.2, 0.1999, 2.0
-        return kernel.CLEAR if tolerance in closes else kernel.GRAZE
+        note[[Note.NEAREST, Note.FLOOR, Note.PAIR]] = 0.2, 0.1999, 2.0
+        return Ending.CLEAR if tolerance in closes else Ending.GRAZE
 
     in_python(monkeypatch)
     monkeypatch.setattr(contact_steps, "searched_on", ended)

@@ -21,7 +21,7 @@ from benchdragon.analysis.distance import (
 )
 from benchdragon.kernels import box
 from benchdragon.kernels.box import corner
-from benchdragon.kernels.contact_memory import BEST, FIRST_BENCH, SECOND_BENCH, SEEN, WHERE
+from benchdragon.kernels.contact_memory import ContactGoal, ContactTold
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
@@ -195,8 +195,10 @@ def test_two_benches_have_no_others() -> None:
 def low_pair(walk: Walk, first: float, last: float) -> tuple[float, float, int, int]:
     """A low distance seen with the head between first and last, m, 0 at least; where, and of which."""
     with ContactSearch(Walk(walk.dragon, walk.route), first, last, 0.0, silent) as search:
-        search.find(SEEN)
-        distance, where, i, j = search.figures[[BEST, WHERE, FIRST_BENCH, SECOND_BENCH]].tolist()
+        search.find(ContactGoal.SEEN)
+        distance, where, i, j = search.figures[
+            [ContactTold.BEST, ContactTold.WHERE, ContactTold.FIRST_BENCH, ContactTold.SECOND_BENCH]
+        ].tolist()
     return distance, where, int(i), int(j)
 
 

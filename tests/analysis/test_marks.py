@@ -20,7 +20,7 @@ from benchdragon.analysis.marks import (
 )
 from benchdragon.errors import InputError
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.marks import CLOSE
+from benchdragon.kernels.marks import CLOSE_MARKS
 from benchdragon.model.curves import Arc, Line, Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import checked, read_plan
@@ -57,7 +57,7 @@ def test_marks_are_points_of_the_route_each_step_each_joint_and_at_both_ends(
     steps = np.array([s for s, kind in kinds.items() if kind == "step"])
     counts = (steps - trail.start) / 0.7
     assert np.abs(counts - np.round(counts)).max() < 1e-9
-    assert max(b - a for a, b in pairwise(marks.s)) <= 0.7 + CLOSE
+    assert max(b - a for a, b in pairwise(marks.s)) <= 0.7 + CLOSE_MARKS
 
 
 def test_lengths_and_angles_are_from_the_peg_wherever_it_stands(marks: Marks) -> None:

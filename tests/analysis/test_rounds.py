@@ -22,9 +22,9 @@ from benchdragon.analysis.rounds import Rounds, repeats, returns
 from benchdragon.analysis.speed import QUANTITIES, greatest
 from benchdragon.errors import WalkError
 from benchdragon.kernels import contact_least
-from benchdragon.kernels.rounding import GAP, TILT
+from benchdragon.kernels.rounding import Seam
 from benchdragon.kernels.rounds import MOST_MISSED
-from benchdragon.kernels.spans import SPARE
+from benchdragon.kernels.spans import BEYOND_ROUND
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.progress import silent
@@ -73,7 +73,7 @@ def test_of_a_circuit_one_round_is_followed_after_all_benches_walk_it(rounds: in
     half = LINE["length"] + math.pi * BEND["radius"]
     ((first, last),) = new(plan)
     assert first == 0.0
-    assert last == pytest.approx(walk.head_where_tail(SPARE) + half + SPARE, abs=1e-6)
+    assert last == pytest.approx(walk.head_where_tail(BEYOND_ROUND) + half + BEYOND_ROUND, abs=1e-6)
 
 
 def test_what_comes_after_rounds_is_followed_too() -> None:
@@ -184,7 +184,7 @@ def test_what_joints_may_be_off_by_is_missed_too() -> None:
     rows = stadium(50).build().route.rows
     seams = seams_of(rows)
     (kept,) = [one for one in told(returns(rows, 2.0)) if one.low == 0.0 and one.missed]
-    assert kept.missed > seams[-1, GAP] + seams[-1, TILT] * rows[-1, 2]
+    assert kept.missed > seams[-1, Seam.GAP] + seams[-1, Seam.TILT] * rows[-1, 2]
 
 
 def test_a_thing_beside_many_rounds_has_a_bracket_for_what_they_miss() -> None:

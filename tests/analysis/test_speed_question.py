@@ -16,10 +16,10 @@ from benchdragon import (
     budget,
 )
 from benchdragon.analysis.speed import QUANTITIES, PeakQuestion, Quantity, greatest, sought
-from benchdragon.kernels import speed_memory as told
-from benchdragon.kernels import speed_question as kernel
 from benchdragon.kernels.memory import held
-from benchdragon.kernels.question import CLOSED
+from benchdragon.kernels.question import QuestionEnding
+from benchdragon.kernels.speed_memory import SpeedTold
+from benchdragon.kernels.speed_question import SpeedEnding
 from benchdragon.plans.schema import checked
 from benchdragon.progress import silent
 from benchdragon.solve.head_speed import slowed
@@ -110,17 +110,17 @@ def test_a_dragon_that_cannot_stand_is_told_of(monkeypatch: pytest.MonkeyPatch, 
     with_room(monkeypatch, CELL_COST=cost)
     beyond = EVEN._replace(ways=np.array([[9.0, 30.0]]))
     with PeakQuestion(WALK, beyond, [(SPEED, 0.5, math.inf)]) as question:
-        assert question.step() == kernel.FALLEN
-        assert question.figures[[told.LOW, told.HIGH]].tolist() == [9.0, 30.0]
+        assert question.step() == SpeedEnding.FALLEN
+        assert question.figures[[SpeedTold.LOW, SpeedTold.HIGH]].tolist() == [9.0, 30.0]
 
 
 def test_a_question_that_is_closed_answers_no_more() -> None:
     with PeakQuestion(WALK, EVEN, [(SPEED, 1e-2, math.inf)]) as question:
-        assert question.step() == kernel.DONE
+        assert question.step() == SpeedEnding.DONE
     with pytest.raises(ValueError, match="closed"):
         question.step()
     nothing, table = np.empty(1), np.empty((1, 1, 2))
-    assert question.bound(np.empty(2), 0, 1, 1.0, np.empty(6), nothing, table) == CLOSED
+    assert question.bound(np.empty(2), 0, 1, 1.0, np.empty(6), nothing, table) == QuestionEnding.CLOSED
     assert held() == 0
 
 

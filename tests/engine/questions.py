@@ -33,6 +33,7 @@ from benchdragon.kernels.every_pair import search_all_pairs
 from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.pair_queries import ANSWER_COLUMNS, NUMBERS, search_pairs
 from benchdragon.kernels.rounding import SEAM_COLUMNS
+from benchdragon.kernels.time_of_impact import Goal
 from benchdragon.model.connections import Step, connections, programme
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.formations import CoilIn, FigureEight, TailSwing
@@ -144,7 +145,7 @@ def every_pair(dance: Laid) -> None:
     benches, links = len(dance.dragon), dance.dragon.links
     first, second = np.empty((2, benches * benches), dtype=np.int64)
     search_all_pairs(
-        time_of_impact.empty_search(benches + 1, benches, first.size), time_of_impact.FIRST_TOUCH,
+        time_of_impact.empty_search(benches + 1, benches, first.size), Goal.FIRST_TOUCH,
         dance.rows, links, dance.aside, dance.dragon.sizes, np.linspace(dance.start, dance.end, 50),
         first, second, 0.0, 1e-7, 1e-8, 2000, np.zeros(time_of_impact.NOTES),
     )  # fmt: skip
@@ -157,6 +158,6 @@ def single_pair(dance: Laid) -> None:
     rows, links, seams = dance.rows, dance.dragon.links, np.empty((0, SEAM_COLUMNS))
     spans, numbers = np.array([[dance.start, dance.end]]), np.empty(NUMBERS, dtype=np.int64)
     search_pairs(
-        room, time_of_impact.FIRST_TOUCH, rows, links, sizes, seams, first, second, np.array([0.3]),
+        room, Goal.FIRST_TOUCH, rows, links, sizes, seams, first, second, np.array([0.3]),
         spans, 1e-9, 1e-9, 200, numbers, np.empty(time_of_impact.NOTES), np.empty((1, ANSWER_COLUMNS)),
     )  # fmt: skip

@@ -25,7 +25,9 @@ from benchdragon.hosts import built
 from benchdragon.hosts.arguments import DTYPES
 from benchdragon.hosts.serving import PLAIN, VARIABLE
 from benchdragon.hosts.signature import Parameter, signature
-from benchdragon.kernels import bench_nearness, entries, time_of_impact
+from benchdragon.kernels import bench_nearness, entries
+from benchdragon.kernels.bench_nearness import TightMoment
+from benchdragon.kernels.time_of_impact import Note
 from tests.engine.questions import questions, wrap
 
 PACKAGE = Path(wasm.__file__).parents[1]
@@ -54,9 +56,9 @@ CALLS, BYTES = 12, 4_000_000
 # Of searches only what they answer is compared, by parameter: the rest of their arrays is scratch that
 # depends on the last digits, and of equals any may be seen first.
 ANSWERS: dict[str, dict[str, Any]] = {
-    "bd_walk_search_search_walk": {"note": [time_of_impact.LOWER, time_of_impact.NEAREST]},
+    "bd_walk_search_search_walk": {"note": [Note.LOWER, Note.NEAREST]},
     "bd_bench_nearness_find_tightest": {
-        "out": slice(bench_nearness.UPPER, None, bench_nearness.TIGHTEST_COLUMNS)
+        "out": slice(TightMoment.UPPER, None, bench_nearness.TIGHTEST_COLUMNS)
     },
     "bd_local_minima_local_minimum": {},
 }

@@ -29,7 +29,7 @@ from benchdragon.analysis.proof import Claim
 from benchdragon.analysis.proved_report import prove_report
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.errors import BenchDragonError, InputError, UnsureError
-from benchdragon.kernels.curve import S_START
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.kernels.turn_trial import FEW
 from benchdragon.model.turns import Turn
 from benchdragon.model.walk import Walk
@@ -366,7 +366,7 @@ def _paces_hold(said: Written, plan: Plan) -> bool | None:
 def fastest(turn: Turn, family: TurnFamily) -> float:
     """The greatest speed of a handle with the head at 1 m/s, sampled; infinite where none can walk."""
     rows, links = turn.rows(lead=1.0, trail=1000.0), family.dragon.links[:FEW]
-    at = np.linspace(rows[1, S_START], rows[-1, S_START] + links.sum(), 400)
+    at = np.linspace(rows[1, RouteRow.S_START], rows[-1, RouteRow.S_START] + links.sum(), 400)
     ratios = _ratios(rows, links, at)
     return math.inf if ratios is None else float(ratios.max())
 

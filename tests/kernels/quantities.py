@@ -3,19 +3,19 @@
 import numpy as np
 
 from benchdragon import Route
-from benchdragon.kernels import drive
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.drive import DriveRate
 from benchdragon.model.placement import Placement
 
 # What compiled code may be off by from the same formula in Python: products and sums are contracted.
 ROUNDING = 1e-13
 
 QUANTITIES = {
-    "speed": drive.SPEEDS,
-    "turning": drive.TURNING,
-    "across": drive.ACROSS,
-    "total": drive.TOTAL,
-    "along": drive.ALONG,
+    "speed": DriveRate.SPEEDS,
+    "turning": DriveRate.TURNING,
+    "across": DriveRate.ACROSS,
+    "total": DriveRate.TOTAL,
+    "along": DriveRate.ALONG,
 }
 
 

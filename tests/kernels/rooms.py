@@ -56,28 +56,28 @@ def workshop_for(kinds: int, seams: FloatArray) -> cells.Workshop:
 def empty_heap(room: int) -> peak.Heap:
     """Room for so many parts."""
     return peak.Heap(
-        np.empty((room, peak.PART_COLUMNS)),
-        np.empty((room, peak.PART_COLUMNS), dtype=np.int64),
+        np.empty((room, peak.PART_FACTS)),
+        np.empty((room, peak.PART_FACTS), dtype=np.int64),
     )
 
 
 def empty_batch() -> peak.Batch:
     """Room for a batch."""
     return peak.Batch(
-        np.empty((peak.SLOTS, peak.PART_COLUMNS)),
-        np.empty((peak.SLOTS, peak.PART_COLUMNS), dtype=np.int64),
-        np.empty((peak.SLOTS, 2), dtype=np.int64),
-        np.empty(peak.SLOTS),
+        np.empty((peak.CHAIN_SLOTS, peak.PART_FACTS)),
+        np.empty((peak.CHAIN_SLOTS, peak.PART_FACTS), dtype=np.int64),
+        np.empty((peak.CHAIN_SLOTS, 2), dtype=np.int64),
+        np.empty(peak.CHAIN_SLOTS),
         np.empty(drive.DRIVE_COLUMNS),
     )
 
 
 def chains_for(handles: int, seams: FloatArray) -> peak.Chains:
     """Room for a batch's chains of so many handles, on a route with these seams."""
-    change, turn = np.zeros((2, handles, peak.SLOTS))
-    errors = errors_for(handles, peak.SLOTS, seams)
+    change, turn = np.zeros((2, handles, peak.CHAIN_SLOTS))
+    errors = errors_for(handles, peak.CHAIN_SLOTS, seams)
     return peak.Chains(
-        empty_placements(handles, peak.SLOTS), change, turn, scratch_for(handles), errors
+        empty_placements(handles, peak.CHAIN_SLOTS), change, turn, scratch_for(handles), errors
     )
 
 

@@ -8,10 +8,12 @@ import pytest
 from benchdragon import Arc, Bench, Dragon, Line, Route, Spiral
 from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import bench_cells as cells
-from benchdragon.kernels import drive, motion_bounds
+from benchdragon.kernels import motion_bounds
+from benchdragon.kernels.bench_cells import Cell, CutCount
 from benchdragon.kernels.chain import empty_placements, rates
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.motion_bounds import place_chain
+from benchdragon.kernels.drive import DriveRate
+from benchdragon.kernels.motion_bounds import HandleBound, place_chain
 from benchdragon.kernels.rate_rounding import bend_errors, rate_errors
 from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.status import Ended
@@ -35,7 +37,7 @@ def cut(
     route: Route, low: float, high: float, loss: float = 1e-3, room: int = 400, budget: int = 10_000
 ) -> cells.Cells:
     """The cells of a way, m, for benches that come all along; made in calls of so many cells."""
-    kinds = cells.Kinds(LINKS[:, np.newaxis].copy(), np.tile([low, high], (len(LINKS), 1)))
+    kinds = cells.CellKinds(LINKS[:, np.newaxis].copy(), np.tile([low, high], (len(LINKS), 1)))
     shop, made = (
         rooms.workshop_for(len(LINKS), seams_of(route.rows)),
         rooms.empty_cells(room, len(LINKS)),
@@ -43,16 +45,16 @@ def cut(
     cuts = cells.Cuts(high, LONGEST, SHORTEST, loss)
     reached, done = np.array([low, LONGEST]), np.zeros(2, dtype=np.int64)
     while True:
-        before = int(done[cells.CELLS])
+        before = int(done[CutCount.CELLS])
         ended = cells.cut_cells(route.rows, kinds, shop, cuts, made, reached, done, budget)
         if ended == Ended.DONE:
             break
         if ended == Ended.ROOM:
-            assert done[cells.CELLS] == len(made.borders) - 1
+            assert done[CutCount.CELLS] == len(made.borders) - 1
             made = cells.Cells(*(np.concatenate([table, table]) for table in made))
         else:
-            assert (ended, done[cells.CELLS]) == (Ended.MORE, before + budget)
-    count = int(done[cells.CELLS])
+            assert (ended, done[CutCount.CELLS]) == (Ended.MORE, before + budget)
+    count = int(done[CutCount.CELLS])
     return cells.Cells(*(table[: count + 1].copy() for table in made))
 
 
@@ -77,16 +79,16 @@ def test_a_bench_does_in_each_cell_what_that_says_and_hardly_less(name: str) -> 
         for g in range(len(LINKS)):
             one, told = bench_alone(route, g, at), made.benches[c, g]
             ratio, growth = one.speed_ratio[:, 1], one.ratio_rate[:, 1] / one.speed_ratio[:, 1]
-            assert told[cells.REAR] == pytest.approx(
+            assert told[Cell.REAR] == pytest.approx(
                 bench_alone(route, g, made.borders[c : c + 1]).s[0, 1], abs=1e-12
             )
-            assert told[cells.SLOW] <= ratio.min() + 1e-12
-            assert ratio.max() <= told[cells.FAST] + 1e-12
-            assert told[cells.FADE] <= growth.min() + 1e-9
-            assert growth.max() <= told[cells.GROW] + 1e-9
-            assert np.abs(one.turn_rate).max() <= told[cells.SWAY] + 1e-12
-            assert told[cells.FAST] <= ratio.max() + 0.05
-            assert told[cells.SWAY] <= np.abs(one.turn_rate).max() + 0.5
+            assert told[Cell.SLOW] <= ratio.min() + 1e-12
+            assert ratio.max() <= told[Cell.FAST] + 1e-12
+            assert told[Cell.FADE] <= growth.min() + 1e-9
+            assert growth.max() <= told[Cell.GROW] + 1e-9
+            assert np.abs(one.turn_rate).max() <= told[Cell.SWAY] + 1e-12
+            assert told[Cell.FAST] <= ratio.max() + 0.05
+            assert told[Cell.SWAY] <= np.abs(one.turn_rate).max() + 0.5
             for n, s in enumerate(at):
                 back, front = cells.rear_range(made.benches, made.borders, g, c, c, s, s)
                 assert back <= one.s[n, 1] <= front
@@ -106,7 +108,7 @@ def test_cells_are_short_only_where_that_says_more() -> None:
         for g in range(len(LINKS)):
             ends = bench_alone(route, g, made.borders).speed_ratio[:, 1]
             seen = np.maximum(ends[1:], ends[:-1]) * (1.0 + loss)
-            loose = made.benches[:-1, g, cells.FAST] > np.maximum(seen, 1.0)
+            loose = made.benches[:-1, g, Cell.FAST] > np.maximum(seen, 1.0)
             assert (widths[loose] <= 2.0 * SHORTEST).all()
 
 
@@ -120,13 +122,13 @@ def test_cells_made_a_few_at_a_time_are_the_same() -> None:
 
 def test_kinds_that_never_come_are_left_open() -> None:
     route, high = ROUTES["joints"], 15.0
-    kinds = cells.Kinds(LINKS[:, np.newaxis].copy(), np.array([[9.0, high], [13.0, 14.0]]))
+    kinds = cells.CellKinds(LINKS[:, np.newaxis].copy(), np.array([[9.0, high], [13.0, 14.0]]))
     shop, made = rooms.workshop_for(2, seams_of(route.rows)), rooms.empty_cells(400, 2)
     reached, done = np.array([9.0, LONGEST]), np.zeros(2, dtype=np.int64)
     cuts = cells.Cuts(high, LONGEST, SHORTEST, 1e-2)
     cells.cut_cells(route.rows, kinds, shop, cuts, made, reached, done, 400)
-    count = int(done[cells.CELLS])
-    borders, fast = made.borders[: count + 1], made.benches[:count, :, cells.FAST]
+    count = int(done[CutCount.CELLS])
+    borders, fast = made.borders[: count + 1], made.benches[:count, :, Cell.FAST]
     assert np.isfinite(fast[:, 0]).all()
     inside = (borders[1:] >= 13.0) & (borders[:-1] <= 14.0)
     assert np.isfinite(fast[inside, 1]).all()
@@ -169,30 +171,30 @@ def test_no_handle_exceeds_what_its_cells_say(name: str, quantity: str, h: float
 def test_where_a_bench_cannot_stand_nothing_is_bounded() -> None:
     route = Route((Line(6.0),))
     made = cut(route, 2.0, 7.0)
-    fast = made.benches[:-1, :, cells.FAST]
+    fast = made.benches[:-1, :, Cell.FAST]
     assert fast[0] == pytest.approx([1.0, 1.0], rel=1e-3)
     assert np.isinf(fast[-1]).all()
     even = np.array([1.0, 1.0, 0.0])
     told = [
-        cells.bound_by_cells(made, GROUP[:2], 2, s, s + 0.1, even, drive.SPEEDS, 0.5)
+        cells.bound_by_cells(made, GROUP[:2], 2, s, s + 0.1, even, DriveRate.SPEEDS, 0.5)
         for s in (5.95, 6.5, 5.0)
     ]
     assert told[:2] == [(math.inf, 0.0, 2)] * 2
     assert told[2][0] == pytest.approx(1.0, rel=1e-2)
     assert told[2][1:] == (0.0, 2)
-    assert cells.bound_by_cells(made, GROUP[:2], 2, 5.0, 5.1, even, drive.SPEEDS, 2.0)[2] == -1
+    assert cells.bound_by_cells(made, GROUP[:2], 2, 5.0, 5.1, even, DriveRate.SPEEDS, 2.0)[2] == -1
 
 
 def test_where_all_cells_slow_benches_down_no_handle_behind_need_be_looked_at() -> None:
     route, even = ROUTES["spiral"], np.array([1.0, 1.0, 0.0])
     made = cut(route, 1.5, 16.0, 1e-6)
     np.testing.assert_array_equal(
-        made.fastest[:-1], np.maximum.accumulate(made.benches[:-1, :, cells.FAST].max(axis=1))
+        made.fastest[:-1], np.maximum.accumulate(made.benches[:-1, :, Cell.FAST].max(axis=1))
     )
     assert (made.fastest[:-1] <= 1.0).all()
     made.benches[:-20] = math.nan  # the tail is there
     told = [
-        cells.bound_by_cells(made, GROUP, len(DRAGON), 14.0, 15.0, even, drive.SPEEDS, enough)
+        cells.bound_by_cells(made, GROUP, len(DRAGON), 14.0, 15.0, even, DriveRate.SPEEDS, enough)
         for enough in (1.1, 0.9)
     ]
     bound, settled, last = told[0]
@@ -208,7 +210,7 @@ def test_cells_say_what_rounding_may_have_hidden() -> None:
     assert (np.diff(longer) >= 0.0).all()  # that of any cell before
     assert (np.diff(longer) == 0.0)[-5:].all()
     places, bounds = empty_placements(2, 2), np.empty((2, motion_bounds.HANDLE_COLUMNS))
-    greatest, most = 0.0, dict.fromkeys((cells.SWAY, cells.GROW, cells.FADE), 0.0)
+    greatest, most = 0.0, dict.fromkeys((Cell.SWAY, Cell.GROW, Cell.FADE), 0.0)
     for c in range(len(made.borders) - 1):
         for g in range(len(LINKS)):
             link, told = LINKS[g : g + 1], made.benches[c, g]
@@ -225,9 +227,9 @@ def test_cells_say_what_rounding_may_have_hidden() -> None:
             greatest = max(greatest, errors.ratio[1].max())
             growth = (errors.change[1] + np.abs(change[1]) * errors.ratio[1]) / places.ratio[1]
             for column, bound, off in (
-                (cells.SWAY, bounds[1, motion_bounds.TURNING_RATE], errors.turn[0].max()),
-                (cells.GROW, bounds[1, motion_bounds.GROWTH_HIGH], growth.max()),
-                (cells.FADE, bounds[1, motion_bounds.GROWTH_LOW], -growth.max()),
+                (Cell.SWAY, bounds[1, HandleBound.TURNING_RATE], errors.turn[0].max()),
+                (Cell.GROW, bounds[1, HandleBound.GROWTH_HIGH], growth.max()),
+                (Cell.FADE, bounds[1, HandleBound.GROWTH_LOW], -growth.max()),
             ):
                 assert told[column] - bound == pytest.approx(off, rel=0.1, abs=2e-15)
                 most[column] = max(most[column], abs(off))

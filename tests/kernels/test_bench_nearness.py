@@ -6,15 +6,7 @@ import numpy as np
 import pytest
 
 from benchdragon.analysis.distance import nearest_each
-from benchdragon.kernels.bench_nearness import (
-    AT_FRONT,
-    AT_REAR,
-    NEAR_COLUMNS,
-    ON_LEFT,
-    ON_RIGHT,
-    nearest_side,
-    see_near,
-)
+from benchdragon.kernels.bench_nearness import NEAR_COLUMNS, NearSide, nearest_side, see_near
 from benchdragon.plans.schema import read_plan
 
 
@@ -43,9 +35,11 @@ def test_the_first_of_the_nearest_moments_is_told_and_times_without_a_dragon_are
 @pytest.mark.parametrize(
     ("x", "y", "turned", "side"),
     [
-        (0.0, 1.0, 0.0, ON_LEFT), (0.0, -1.0, 0.0, ON_RIGHT), (3.0, 0.0, 0.0, AT_FRONT),
-        (-3.0, 0.1, 0.0, AT_REAR), (0.5, 2.0, 0.5 * math.pi, ON_LEFT), (3.0, 0.0, 0.5, AT_FRONT),
-        (0.0, 0.3, 0.0, ON_LEFT),
+        (0.0, 1.0, 0.0, NearSide.ON_LEFT), (0.0, -1.0, 0.0, NearSide.ON_RIGHT), (3.0, 0.0, 0.0,
+        NearSide.AT_FRONT),
+        (-3.0, 0.1, 0.0, NearSide.AT_REAR), (0.5, 2.0, 0.5 * math.pi, NearSide.ON_LEFT), (3.0, 0.0,
+        0.5, NearSide.AT_FRONT),
+        (0.0, 0.3, 0.0, NearSide.ON_LEFT),
     ],
 )  # fmt: skip
 def test_the_nearest_point_of_another_bench_says_the_side(

@@ -8,16 +8,8 @@ import pytest
 
 from benchdragon.analysis.bench_walks import bench_walks
 from benchdragon.analysis.bends import Bends
-from benchdragon.kernels.bench_walks import (
-    NEXT,
-    PACE,
-    PIECE_COLUMNS,
-    SIDE,
-    TIME,
-    alike,
-    join_short,
-)
-from benchdragon.kernels.bends import AHEAD, LEFT, RIGHT
+from benchdragon.kernels.bench_walks import PACE_PIECE_COLUMNS, PacePiece, alike, join_short
+from benchdragon.kernels.bends import Bend
 from benchdragon.model.curves import Arc, Clothoid, Line, Route
 from benchdragon.plans.schema import checked
 from tests.counting import lines_run
@@ -27,15 +19,17 @@ Piece = tuple[float, int, int]
 
 def joined(pieces: list[Piece], end: float) -> list[Piece]:
     """Pieces, (start, side, pace), after short ones were joined to others."""
-    line = np.zeros((len(pieces) + 1, PIECE_COLUMNS))
+    line = np.zeros((len(pieces) + 1, PACE_PIECE_COLUMNS))
     for n, piece in enumerate(pieces):
-        line[n, [TIME, SIDE, PACE]] = piece
-    line[-1, TIME] = end
+        line[n, [PacePiece.TIME, PacePiece.SIDE, PacePiece.PACE]] = piece
+    line[-1, PacePiece.TIME] = end
     tree = np.empty(2 << max(len(pieces) - 1, 0).bit_length())
     left, n, found = join_short(line, tree, len(pieces)), 0, []
     for _piece in range(left):
-        found.append((float(line[n, TIME]), int(line[n, SIDE]), int(line[n, PACE])))
-        n = int(line[n, NEXT])
+        found.append(
+            (float(line[n, PacePiece.TIME]), int(line[n, PacePiece.SIDE]), int(line[n, PacePiece.PACE]))
+        )
+        n = int(line[n, PacePiece.NEXT])
     assert n == len(pieces)
     return found
 
@@ -78,15 +72,15 @@ def test_joining_short_stretches_is_work_in_proportion_to_them() -> None:
 
 
 def test_pieces_are_alike_by_side_and_pace() -> None:
-    line = np.zeros((3, PIECE_COLUMNS))
-    line[1, SIDE], line[2, PACE] = 1.0, 1.0
+    line = np.zeros((3, PACE_PIECE_COLUMNS))
+    line[1, PacePiece.SIDE], line[2, PacePiece.PACE] = 1.0, 1.0
     assert [alike(line, 0, n) for n in range(3)] == [True, False, False]
 
 
 def test_bends_change_where_the_route_changes_its_side_and_turns_add_up_over_kinks() -> None:
     route = Route.joined([Line(5.0), Arc(2.0, 1.5), Clothoid(6.0, 0.4, -0.2), Line(3.0)])
     bends = Bends.of(route)
-    assert bends.sides.tolist() == [AHEAD, LEFT, RIGHT, AHEAD]
+    assert bends.sides.tolist() == [Bend.AHEAD, Bend.LEFT, Bend.RIGHT, Bend.AHEAD]
     assert bends.at.tolist() == pytest.approx([-math.inf, 5.0, 12.0, 14.0])
     turned = [0.0, 0.0, 1.5, 1.5 + 6.0 * 0.1]
     assert bends.turned[[0, 1, 2, -1]].tolist() == pytest.approx(turned, abs=1e-12)

@@ -11,10 +11,12 @@ import pytest
 from benchdragon import Arc, Bench, Dragon, Line, Route, Spiral, Walk
 from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.tables import kinds_of
-from benchdragon.kernels import box_hierarchy, broad_phase, candidate_pairs, time_of_impact, workspace
-from benchdragon.kernels.box import HALF_LENGTH, HALF_WIDTH, box_distance, corner, offset
+from benchdragon.kernels import box_hierarchy, broad_phase, candidate_pairs, time_of_impact
+from benchdragon.kernels.box import Box, box_distance, corner, offset
+from benchdragon.kernels.box_hierarchy import BenchGroup, BoxCount, BoxMeasure, Node
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.workspace import WalkTally
 from tests.kernels.tried_walks import BENCHES, ROUTES, SMOOTH, Searched, searched
 
 
@@ -36,9 +38,7 @@ def test_benches_are_of_as_many_kinds_as_sizes(row: int) -> None:
 
 def row_of(ground: box_hierarchy.Hierarchy, group: int, s: float) -> int:
     """The row of the box of the cell in which a front handle of the group is at s, m."""
-    cell = math.floor(s / float(ground.measures[box_hierarchy.CELL])) - int(
-        ground.counts[box_hierarchy.LOW]
-    )
+    cell = math.floor(s / float(ground.measures[BoxMeasure.CELL])) - int(ground.counts[BoxCount.LOW])
     return group * len(ground.middles) + cell
 
 
@@ -60,7 +60,7 @@ def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[
     route, start = ROUTES[name]
     dragon = Dragon(benches)
     ground = searched(dragon, route, (start, start + 3.0), 10.0).room.ground
-    assert ground.counts[box_hierarchy.DOUBTS] == 0
+    assert ground.counts[BoxCount.DOUBTS] == 0
     walk, group = Walk(dragon, route), groups_of(dragon)
     for s in np.linspace(start, start + 2.9, 23):
         motion = walk.motion([s])
@@ -69,8 +69,8 @@ def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[
             row = row_of(ground, int(group[i]), float(motion.s[0, i]))
             for k in range(4):
                 along, across = offset(ground.hulls, row, *corner(table, i, k))
-                assert abs(along) <= ground.hulls[row, HALF_LENGTH] + 1e-12
-                assert abs(across) <= ground.hulls[row, HALF_WIDTH] + 1e-12
+                assert abs(along) <= ground.hulls[row, Box.HALF_LENGTH] + 1e-12
+                assert abs(across) <= ground.hulls[row, Box.HALF_WIDTH] + 1e-12
 
 
 @pytest.mark.plain
@@ -80,7 +80,7 @@ def test_cells_leave_room_for_how_far_corners_bulge_between_their_borders(name: 
     route, start = ROUTES[name]
     dragon = Dragon(BENCHES)
     ground = searched(dragon, route, (start, start + 3.0), 10.0).room.ground
-    hull, most, size = ground.hulls, 0.0, float(ground.measures[box_hierarchy.CELL])
+    hull, most, size = ground.hulls, 0.0, float(ground.measures[BoxMeasure.CELL])
     group = int(groups_of(dragon)[0])
     for cell in range(int(start / size) + 1, int((start + 2.5) / size)):
         borders = np.array([cell, cell + 0.5, cell + 1.0]) * size
@@ -92,8 +92,8 @@ def test_cells_leave_room_for_how_far_corners_bulge_between_their_borders(name: 
             most = max(most, bulge)
             for x, y in (first, last):
                 along, across = offset(hull, row, x, y)
-                assert abs(along) + 0.99 * bulge <= hull[row, HALF_LENGTH] + 1e-12
-                assert abs(across) + 0.99 * bulge <= hull[row, HALF_WIDTH] + 1e-12
+                assert abs(along) + 0.99 * bulge <= hull[row, Box.HALF_LENGTH] + 1e-12
+                assert abs(across) + 0.99 * bulge <= hull[row, Box.HALF_WIDTH] + 1e-12
     assert most > 1e-4
 
 
@@ -110,23 +110,23 @@ def partnered(
     search = Searched(Walk(dragon, Route((Line(99.0),))), 40.0, 41.0)
     rows = groups * whole
     tree = np.zeros((rows * (1 + box_hierarchy.PARTS), box_hierarchy.TREE_COLUMNS), dtype=np.int64)
-    tree[:rows, box_hierarchy.CHILD] = rows + np.arange(rows) * box_hierarchy.PARTS
-    tree[rows:, box_hierarchy.GROUP] = np.repeat(np.arange(groups), parts)
-    tree[rows:, box_hierarchy.NUMBER] = np.tile(np.arange(parts), groups)
+    tree[:rows, Node.CHILD] = rows + np.arange(rows) * box_hierarchy.PARTS
+    tree[rows:, Node.GROUP] = np.repeat(np.arange(groups), parts)
+    tree[rows:, Node.NUMBER] = np.tile(np.arange(parts), groups)
     ground = search.room.ground._replace(
         tree=tree,
-        groups=np.full((groups, box_hierarchy.WAYS + groups), math.inf),
+        groups=np.full((groups, BenchGroup.WAYS + groups), math.inf),
         middles=np.empty((whole, 2)),
         partners=np.empty((int(wanted.sum()), 2), dtype=np.int64),
         near=np.empty((1, 2), dtype=np.int64),
     )
     ground.counts[:] = 0
-    ground.counts[[box_hierarchy.GROUPS, box_hierarchy.CELLS, box_hierarchy.LOW]] = (
+    ground.counts[[BoxCount.GROUPS, BoxCount.CELLS, BoxCount.LOW]] = (
         groups,
         whole,
         low // box_hierarchy.PARTS,
     )
-    ground.measures[box_hierarchy.CELL] = size * box_hierarchy.PARTS
+    ground.measures[BoxMeasure.CELL] = size * box_hierarchy.PARTS
     for a, c, b, d in np.argwhere(wanted).tolist():
         broad_phase.add_candidates(ground, rows + a * parts + c, rows + b * parts + d)
 
@@ -228,7 +228,7 @@ def test_no_dragon_is_placed_where_only_a_head_could_meet_others_that_has_passed
     found.begin(0.3)
     steps = list(found.steps())
     assert 20.0 < steps[0].start < steps[-1].end < 37.0
-    step, chains = steps[0].end - steps[0].start, int(found.room.course.tally[workspace.CHAINS])
+    step, chains = steps[0].end - steps[0].start, int(found.room.course.tally[WalkTally.CHAINS])
     if longest == "head":
         assert chains * step < 10.0  # of 66 m
     else:  # where the last one stands is not known without

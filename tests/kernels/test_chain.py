@@ -20,7 +20,7 @@ from benchdragon.kernels.chain import (
     run_end,
     shared_angles,
 )
-from benchdragon.kernels.curve import PART, heading, place
+from benchdragon.kernels.curve import RouteRow, heading, place
 from benchdragon.kernels.route import IntArray, locate, positions
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
@@ -155,7 +155,7 @@ def test_ratios_are_the_derivatives_of_route_positions(route: Route) -> None:
     stencil = np.concatenate([heads + i * h for i in (-2, -1, 0, 1, 2)])
     found = abreast(route, links, stencil)
     s = found.positions(route).reshape(21, 5, 7)
-    parts = route.rows[found.row, PART].reshape(21, 5, 7)
+    parts = route.rows[found.row, RouteRow.PART].reshape(21, 5, 7)
     slope = (8.0 * (s[:, 3] - s[:, 1]) - (s[:, 4] - s[:, 0])) / (12.0 * h)
     smooth = (parts == parts[:, :1]).all(axis=1).all(axis=0)  # no handle crosses a joint
     assert smooth.sum() >= 4
@@ -170,7 +170,7 @@ def test_rates_are_the_derivatives_of_ratios_and_headings(route: Route) -> None:
     found = abreast(route, links, np.concatenate([heads + i * h for i in (-2, -1, 0, 1, 2)]))
     ratio_rate, turn = np.empty(found.u.shape), np.empty((20, found.u.shape[1]))
     rates(route.rows, links, *found.tables(), ratio_rate, turn)
-    parts = route.rows[found.row, PART].reshape(21, 5, 7)
+    parts = route.rows[found.row, RouteRow.PART].reshape(21, 5, 7)
     smooth = (parts == parts[:, :1]).all(axis=1).all(axis=0)
     assert smooth.sum() >= 4
     benches = np.unwrap(

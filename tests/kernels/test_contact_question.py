@@ -21,11 +21,11 @@ from benchdragon import (
 from benchdragon.analysis import contact_search, tables
 from benchdragon.analysis.contact_search import TOLERANCES, ContactSearch
 from benchdragon.kernels import contact_least, contact_question
-from benchdragon.kernels.contact_memory import BEST, FARTHER, FIGURES, FLOOR_AT
+from benchdragon.kernels.contact_memory import CONTACT_FIGURES, ContactEnding, ContactTold
 from benchdragon.kernels.memory import held
 from benchdragon.kernels.nearness import NEARNESS
-from benchdragon.kernels.question import CLOSED, close_question
-from benchdragon.kernels.time_of_impact import FIRST_TOUCH, FOUND, LEAST
+from benchdragon.kernels.question import QuestionEnding, close_question
+from benchdragon.kernels.time_of_impact import Ending, Goal
 from benchdragon.progress import silent
 from tests.kernels.tried_walks import Searched
 from tests.solve.asked_in_python import in_python
@@ -65,23 +65,23 @@ def test_nothing_beyond_what_is_asked_for_is_looked_for() -> None:
     assert (found.value, found.upper, found.witness) == (math.inf, math.inf, None)
     assert 0.01 - 2e-12 < found.lower <= 0.01
     with ContactSearch(BENT, 12.0, 15.0, 0.0, silent, tolerances=TOLERANCES) as search:
-        assert search.find(LEAST, (0.01,)) == FARTHER
-        assert search.figures[FLOOR_AT] == found.lower
+        assert search.find(Goal.LEAST, (0.01,)) == ContactEnding.FARTHER
+        assert search.figures[ContactTold.FLOOR_AT] == found.lower
 
 
 def test_all_spans_are_searched_and_again(monkeypatch: pytest.MonkeyPatch) -> None:
     """The bend comes first, and of a long dragon it is first seen by a pass; or it comes last."""
     with ContactSearch(BENT, 11.0, 30.0, 0.0, silent, tolerances=TOLERANCES[:2]) as search:
-        search.find(LEAST, (math.inf,))
-        whole = float(search.figures[BEST])
+        search.find(Goal.LEAST, (math.inf,))
+        whole = float(search.figures[ContactTold.BEST])
     in_python(monkeypatch)
     monkeypatch.setattr(contact_least, "MOST_SAMPLED", 3)
     for spans in ([(11.0, 18.0), (28.0, 30.0)], [(11.0, 12.0), (12.5, 30.0)]):
         with ContactSearch(
             BENT, 11.0, 30.0, 0.0, silent, spans=spans, tolerances=TOLERANCES[:2]
         ) as search:
-            assert search.find(LEAST, (math.inf,)) == FOUND
-            assert search.figures[BEST] == pytest.approx(whole, abs=1e-11)
+            assert search.find(Goal.LEAST, (math.inf,)) == Ending.FOUND
+            assert search.figures[ContactTold.BEST] == pytest.approx(whole, abs=1e-11)
 
 
 def test_a_pass_that_is_too_dear_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -122,10 +122,10 @@ def test_little_room_is_widened_and_steps_stay_the_same(monkeypatch: pytest.Monk
 def test_a_question_that_is_closed_answers_no_more() -> None:
     search = ContactSearch(BENT, 11.0, 12.0, 0.0, silent)
     handle = search._handle
-    assert contact_question.step_contact(handle, math.inf) == CLOSED  # nothing is sought
+    assert contact_question.step_contact(handle, math.inf) == QuestionEnding.CLOSED  # nothing is sought
     search.close()
     assert not close_question(handle)
-    assert not contact_question.seek_contact(handle, FIRST_TOUCH, np.zeros(1))
-    assert not contact_question.read_contact(handle, np.zeros(FIGURES), np.zeros(NEARNESS))
+    assert not contact_question.seek_contact(handle, Goal.FIRST_TOUCH, np.zeros(1))
+    assert not contact_question.read_contact(handle, np.zeros(CONTACT_FIGURES), np.zeros(NEARNESS))
     with pytest.raises(ValueError, match="closed"):
-        search.find(FIRST_TOUCH)
+        search.find(Goal.FIRST_TOUCH)

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from benchdragon.kernels import curve as kernel
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.kernels.route import locate
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, LogSpiral, Route, Spiral
 from tests.kernels.reference import points
@@ -87,7 +88,7 @@ def test_the_slope_is_the_rate_of_the_curvature(curve: AnyCurve) -> None:
 def test_the_tangent_is_a_unit_vector_along_the_heading(curve: AnyCurve) -> None:
     rows = curve.rows
     for j in range(len(rows)):
-        for u in np.linspace(rows[j, kernel.U_START], rows[j, kernel.U_END], 5):
+        for u in np.linspace(rows[j, RouteRow.U_START], rows[j, RouteRow.U_END], 5):
             _x, _y, tx, ty = kernel.place(rows, j, u)
             heading = kernel.heading(rows, j, u)
             assert math.hypot(tx, ty) == pytest.approx(1.0, rel=0.0, abs=4e-16)
@@ -98,7 +99,7 @@ def test_the_tangent_is_a_unit_vector_along_the_heading(curve: AnyCurve) -> None
 @each_curve
 def test_the_tangent_is_as_long_as_1_but_for_its_own_rounding(curve: AnyCurve) -> None:
     for j, row in enumerate(curve.rows):
-        for u in np.linspace(row[kernel.U_START], row[kernel.U_END], 301).tolist():
+        for u in np.linspace(row[RouteRow.U_START], row[RouteRow.U_END], 301).tolist():
             _x, _y, tx, ty = kernel.place(curve.rows, j, u)
             assert abs(Fraction(tx) ** 2 + Fraction(ty) ** 2 - 1) <= 5e-16
 
@@ -108,17 +109,17 @@ def test_arc_length_and_parameter_are_inverse(curve: AnyCurve) -> None:
     rows = curve.rows
     for j in range(len(rows)):
         for share in (0.0, 0.1, 0.5, 0.99, 1.0):
-            length = share * rows[j, kernel.LENGTH]
+            length = share * rows[j, RouteRow.LENGTH]
             u = kernel.parameter_at(rows, j, length)
             assert kernel.length_at(rows, j, u) == pytest.approx(length, rel=1e-14, abs=1e-12)
-        low, high = sorted((rows[j, kernel.U_START], rows[j, kernel.U_END]))
-        assert low <= kernel.parameter_at(rows, j, 0.3 * rows[j, kernel.LENGTH]) <= high
+        low, high = sorted((rows[j, RouteRow.U_START], rows[j, RouteRow.U_END]))
+        assert low <= kernel.parameter_at(rows, j, 0.3 * rows[j, RouteRow.LENGTH]) <= high
 
 
 @each_curve
 def test_the_stretch_is_the_arc_length_per_unit_of_the_parameter(curve: AnyCurve) -> None:
     rows = curve.rows
-    start, end = rows[0, kernel.U_START], rows[0, kernel.U_END]
+    start, end = rows[0, RouteRow.U_START], rows[0, RouteRow.U_END]
     h = 1e-3
     for u in np.linspace(start, end, 7)[1:-1]:
         lengths = np.array([kernel.length_at(rows, 0, u + i * h) for i in (-2, -1, 1, 2)])
@@ -130,7 +131,7 @@ def test_the_stretch_is_the_arc_length_per_unit_of_the_parameter(curve: AnyCurve
 @each_curve
 def test_no_heading_swings_by_more_than_the_turning_bound(curve: AnyCurve) -> None:
     rows = curve.rows
-    start, end = rows[0, kernel.U_START], rows[0, kernel.U_END]
+    start, end = rows[0, RouteRow.U_START], rows[0, RouteRow.U_END]
     for a, b in ((start, end), (end, start), (0.3 * start + 0.7 * end, 0.6 * start + 0.4 * end)):
         headings = np.array([kernel.heading(rows, 0, u) for u in np.linspace(a, b, 60)])
         swing = float(np.abs(np.diff(headings)).sum())

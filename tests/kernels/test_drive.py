@@ -9,6 +9,7 @@ from benchdragon import Arc, Clothoid, Dragon, Line, Route, Spiral
 from benchdragon.kernels import chain, drive, motion_bounds
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.drive import DriveRate
 from benchdragon.model.placement import Placement
 from tests.kernels import rooms
 from tests.kernels.quantities import QUANTITIES, size_of
@@ -109,14 +110,14 @@ def test_who_stands_asks_for_nothing_and_a_kink_for_everything() -> None:
     at = np.array([8.9, 9.1])
     for bent in (Line(9.0, (9.0, 0.0), 0.3), Arc(3.0, 1.0, (9.0, 0.0), 0.3)):
         route = Route((Line(9.0), bent), kinks=True)
-        for quantity in (drive.ALONG, drive.TOTAL):
+        for quantity in (DriveRate.ALONG, DriveRate.TOTAL):
             assert bounds_over(route, at, np.zeros((1, 3)), quantity) == [0.0]
             for driven in ([0.5, 0.5, 0.0], [0.0, 0.5, 0.3], [0.0, 0.0, 0.3]):
                 with np.errstate(invalid="ignore"):  # no speed times an infinite rate
                     assert bounds_over(route, at, np.array([driven]), quantity) == [math.inf]
     standing = np.array([[0.0, 0.0, 2.0]])  # a jolt that ends before anything moves
-    assert bounds_over(ROUTES["joints"], np.array([7.0, 7.0]), standing, drive.SPEEDS) == [0.0]
-    (jolt,) = bounds_over(ROUTES["joints"], np.array([7.0, 7.0]), standing, drive.ALONG)
+    assert bounds_over(ROUTES["joints"], np.array([7.0, 7.0]), standing, DriveRate.SPEEDS) == [0.0]
+    (jolt,) = bounds_over(ROUTES["joints"], np.array([7.0, 7.0]), standing, DriveRate.ALONG)
     assert jolt == pytest.approx(2.0)
 
 

@@ -9,8 +9,9 @@ from benchdragon.kernels import motion_bounds, time_of_impact
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at, nearest_pair, radii
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.every_pair import CROWDED, Circles, near_in_step, search_all_pairs
+from benchdragon.kernels.every_pair import Circles, PairsEnding, near_in_step, search_all_pairs
 from benchdragon.kernels.stray_chain import bound_beside, place_along
+from benchdragon.kernels.time_of_impact import Ending, Goal, Note
 from benchdragon.model.curves import Arc, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
 
@@ -43,7 +44,7 @@ def searched(
     room = time_of_impact.empty_search(COUNT + 1, COUNT, COUNT * COUNT)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
     note = np.zeros(time_of_impact.NOTES)
-    note[time_of_impact.NEAREST], note[time_of_impact.FLOOR] = 1.0, math.inf
+    note[Note.NEAREST], note[Note.FLOOR] = 1.0, math.inf
     ending = search_all_pairs(
         room, goal, route.rows, dragon.links, aside, dragon.sizes, np.linspace(start, end, 61),
         first, second, margin, slack, 1e-9, 10_000, note,
@@ -66,18 +67,18 @@ def test_no_sample_lies_below_the_least_distance(name: str, seed: int) -> None:
     places = sampled(name, dragon, aside, 801)
     lowest, _t, i, j = nearest_pair(dragon.sizes, places.x, places.y)
     assert lowest > 0.0
-    ending, note = searched(name, dragon, aside, time_of_impact.LEAST, 0.0, 1e-5)
-    assert ending == time_of_impact.CLEAR
-    assert lowest - 2e-3 < note[time_of_impact.NEAREST] <= lowest + 1e-5
-    assert divmod(int(note[time_of_impact.PAIR]), COUNT) == (i, j)
-    for margin, found in ((lowest + 1e-6, True), (note[time_of_impact.NEAREST] - 1e-4, False)):
-        ending, note_ = searched(name, dragon, aside, time_of_impact.FIRST_TOUCH, margin, 1e-8)
-        assert (ending == time_of_impact.FOUND) == found
-        assert found or ending == time_of_impact.CLEAR
+    ending, note = searched(name, dragon, aside, Goal.LEAST, 0.0, 1e-5)
+    assert ending == Ending.CLEAR
+    assert lowest - 2e-3 < note[Note.NEAREST] <= lowest + 1e-5
+    assert divmod(int(note[Note.PAIR]), COUNT) == (i, j)
+    for margin, found in ((lowest + 1e-6, True), (note[Note.NEAREST] - 1e-4, False)):
+        ending, note_ = searched(name, dragon, aside, Goal.FIRST_TOUCH, margin, 1e-8)
+        assert (ending == Ending.FOUND) == found
+        assert found or ending == Ending.CLEAR
         if found:
             before = sampled(name, dragon, aside, 801)
             start, end = ROUTES[name][1:]
-            upto = 1 + int(800 * (note_[time_of_impact.UPPER] - start) / (end - start))
+            upto = 1 + int(800 * (note_[Note.UPPER] - start) / (end - start))
             early = nearest_pair(dragon.sizes, before.x[:, :upto].copy(), before.y[:, :upto].copy())[0]
             assert early > margin - 1e-6
 
@@ -126,16 +127,14 @@ def test_a_search_without_room_for_its_pairs_says_so() -> None:
     scratch = np.empty(2, dtype=np.int64), np.empty(2, dtype=np.int64)
     note = np.zeros(time_of_impact.NOTES)
     ending = search_all_pairs(
-        room, time_of_impact.FIRST_TOUCH, route.rows, dragon.links, aside, dragon.sizes,
+        room, Goal.FIRST_TOUCH, route.rows, dragon.links, aside, dragon.sizes,
         np.array([start, end]), *scratch, 0.2, 1e-8, 1e-9, 100, note,
     )  # fmt: skip
-    assert ending == CROWDED
+    assert ending == PairsEnding.CROWDED
 
 
 def test_where_a_chain_cannot_stand_the_search_ends() -> None:
     dragon, _aside = dancers(3, 0.05)
-    ending, note = searched(
-        "hairpin", dragon, np.full(COUNT + 1, 0.74), time_of_impact.FIRST_TOUCH, 0.0, 1e-8
-    )
-    assert ending == time_of_impact.FALLEN
-    assert 13.9 < note[time_of_impact.UPPER] < 14.3
+    ending, note = searched("hairpin", dragon, np.full(COUNT + 1, 0.74), Goal.FIRST_TOUCH, 0.0, 1e-8)
+    assert ending == Ending.FALLEN
+    assert 13.9 < note[Note.UPPER] < 14.3

@@ -5,9 +5,11 @@ import pytest
 from scipy.optimize import linprog
 
 from benchdragon import Arc, Dragon, Line, Route
-from benchdragon.kernels import drive, head_speed, motion_bounds
+from benchdragon.kernels import head_speed, motion_bounds
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.drive import DriveRate
+from benchdragon.kernels.head_speed import HandleHull, HeadLimit
 from benchdragon.model.placement import Placement
 from tests.kernels import rooms
 
@@ -23,40 +25,40 @@ LIMITS = {
 
 def random_hulls(seed: int) -> FloatArray:
     rng = np.random.default_rng(seed)
-    hulls = np.empty((STEPS, HANDLES, head_speed.HULL_COLUMNS))
-    hulls[..., head_speed.FAST] = rng.uniform(0.6, 1.6, (STEPS, HANDLES))
-    hulls[..., head_speed.TURNING_RATE] = rng.uniform(0.0, 0.9, (STEPS, HANDLES))
+    hulls = np.empty((STEPS, HANDLES, head_speed.HANDLE_HULL_COLUMNS))
+    hulls[..., HandleHull.FAST] = rng.uniform(0.6, 1.6, (STEPS, HANDLES))
+    hulls[..., HandleHull.TURNING_RATE] = rng.uniform(0.0, 0.9, (STEPS, HANDLES))
     middle = rng.uniform(-1.0, 1.0, (STEPS, HANDLES))
-    hulls[..., head_speed.GROWTH_LOW] = middle - rng.uniform(0.0, 0.1, (STEPS, HANDLES))
-    hulls[..., head_speed.GROWTH_HIGH] = middle + rng.uniform(0.0, 0.1, (STEPS, HANDLES))
-    hulls[..., head_speed.BEND] = rng.uniform(0.0, 0.6, (STEPS, HANDLES))
+    hulls[..., HandleHull.GROWTH_LOW] = middle - rng.uniform(0.0, 0.1, (STEPS, HANDLES))
+    hulls[..., HandleHull.GROWTH_HIGH] = middle + rng.uniform(0.0, 0.1, (STEPS, HANDLES))
+    hulls[..., HandleHull.BEND] = rng.uniform(0.0, 0.6, (STEPS, HANDLES))
     return hulls
 
 
 def most_of(hull: FloatArray, limits: FloatArray, square: float, rate: float) -> float:
     """The greatest share of any limit that is used up with these bounds, by the formulas."""
-    fast, bend = hull[:, head_speed.FAST], hull[:, head_speed.BEND]
+    fast, bend = hull[:, HandleHull.FAST], hull[:, HandleHull.BEND]
     across = fast**2 * square * bend
     along = np.max(
         [
             np.abs(fast * (rate + hull[:, g] * square))
-            for g in (head_speed.GROWTH_LOW, head_speed.GROWTH_HIGH)
+            for g in (HandleHull.GROWTH_LOW, HandleHull.GROWTH_HIGH)
         ],
         axis=0,
     )
     shares = [
-        fast * np.sqrt(square) / limits[drive.SPEEDS],
-        hull[:, head_speed.TURNING_RATE] * np.sqrt(square) / limits[drive.TURNING],
-        across / limits[drive.ACROSS],
-        np.hypot(along, across) / limits[drive.TOTAL],
-        along / limits[drive.ALONG],
-        np.abs(rate) / limits[head_speed.HEAD],
+        fast * np.sqrt(square) / limits[DriveRate.SPEEDS],
+        hull[:, HandleHull.TURNING_RATE] * np.sqrt(square) / limits[DriveRate.TURNING],
+        across / limits[DriveRate.ACROSS],
+        np.hypot(along, across) / limits[DriveRate.TOTAL],
+        along / limits[DriveRate.ALONG],
+        np.abs(rate) / limits[HeadLimit.HEAD],
     ]
     return float(max(np.max(share) for share in shares))
 
 
 def paced(hulls: FloatArray, limits: FloatArray, square: float, length: float) -> FloatArray:
-    table, (starts, squares) = np.empty((STEPS, head_speed.NODES, 2)), np.empty((2, STEPS + 1))
+    table, (starts, squares) = np.empty((STEPS, head_speed.SPEED_NODES, 2)), np.empty((2, STEPS + 1))
     most = np.array([head_speed.tabulate(hulls[n], limits, square, table[n]) for n in range(STEPS)])
     head_speed.fastest_pace(table, most, np.full(STEPS, length), starts, np.empty(STEPS), squares)
     at = np.linspace(0.0, length * STEPS, STEPS + 1)
@@ -112,7 +114,7 @@ def test_the_fastest_pace_is_what_a_linear_program_finds(seed: int) -> None:
                     row[n + 1], row[n] = 0.5 / length, -0.5 / length
                     row[end] += g
                     rows.append(sign * row)
-                    most.append(limits[drive.ALONG] / fast)
+                    most.append(limits[DriveRate.ALONG] / fast)
     found = linprog(-np.ones(STEPS + 1), np.array(rows), np.array(most), bounds=(0.0, square))
     assert found.success
     assert found.x is not None
@@ -125,7 +127,7 @@ def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
     route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(0.5), Arc(2.0, -1.5), Line(9.0)])
     at = np.linspace(7.0, 16.0, 121)
     places = empty_placements(len(dragon) + 1, 5)
-    hulls = np.empty((30, len(dragon) + 1, head_speed.HULL_COLUMNS))
+    hulls = np.empty((30, len(dragon) + 1, head_speed.HANDLE_HULL_COLUMNS))
     even, scratch = np.array([1.0, 1.0, 0.0]), rooms.scratch_for(len(dragon) + 1)
     for n, hull in enumerate(hulls):
         ends = at[4 * n : 4 * n + 5].copy()
@@ -134,19 +136,19 @@ def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
     one = Placement(dragon, route, np.linspace(7.0, 16.0, 3000, endpoint=False))
     found = hulls[np.arange(3000) // 100]
     growth = one.ratio_rate / one.speed_ratio
-    assert (one.speed_ratio <= found[..., head_speed.FAST]).all()
-    assert (np.abs(one.turn_rate) <= found[:, 1:, head_speed.TURNING_RATE]).all()
-    assert (np.abs(route.curvature(one.s)) <= found[..., head_speed.BEND] + 1e-12).all()
-    assert (found[..., head_speed.GROWTH_LOW] <= growth + 1e-12).all()
-    assert (growth <= found[..., head_speed.GROWTH_HIGH] + 1e-12).all()
-    assert hulls[..., head_speed.GROWTH_HIGH].max() < growth.max() + 0.3
-    assert hulls[..., head_speed.GROWTH_LOW].min() > growth.min() - 0.3
+    assert (one.speed_ratio <= found[..., HandleHull.FAST]).all()
+    assert (np.abs(one.turn_rate) <= found[:, 1:, HandleHull.TURNING_RATE]).all()
+    assert (np.abs(route.curvature(one.s)) <= found[..., HandleHull.BEND] + 1e-12).all()
+    assert (found[..., HandleHull.GROWTH_LOW] <= growth + 1e-12).all()
+    assert (growth <= found[..., HandleHull.GROWTH_HIGH] + 1e-12).all()
+    assert hulls[..., HandleHull.GROWTH_HIGH].max() < growth.max() + 0.3
+    assert hulls[..., HandleHull.GROWTH_LOW].min() > growth.min() - 0.3
 
 
 def test_no_pace_goes_where_no_speed_is_allowed() -> None:
     hulls = random_hulls(1)
-    hulls[6, 2, head_speed.FAST] = np.inf
-    hulls[6, 2, head_speed.GROWTH_LOW], hulls[6, 2, head_speed.GROWTH_HIGH] = -np.inf, np.inf
+    hulls[6, 2, HandleHull.FAST] = np.inf
+    hulls[6, 2, HandleHull.GROWTH_LOW], hulls[6, 2, HandleHull.GROWTH_HIGH] = -np.inf, np.inf
     with np.errstate(invalid="ignore"):
         squares = paced(hulls, np.array(LIMITS["all"]), 1.0, 0.3)
     assert squares[6] == squares[7] == 0.0

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from benchdragon.kernels import memory
-from benchdragon.kernels.memory import HEADER, OWNED
+from benchdragon.kernels.memory import HEADER, Header
 from benchdragon.kernels.workspace import Benches, SearchProgress
 
 
@@ -22,13 +22,13 @@ def test_a_block_holds_a_group_whose_arrays_are_laid_one_after_another() -> None
     block = memory.new_block(memory.slot_count(Benches))
     slots = memory.integers_at(block, HEADER + memory.slot_count(Benches))
     assert memory.take(slots, 0, 8 * (3 + 12 + 3 + 3 + 1))
-    memory.lay_from(slots, HEADER, slots[OWNED])
+    memory.lay_from(slots, HEADER, slots[Header.OWNED])
     memory.lay_row(slots, 3)
     memory.lay_table(slots, 4, 3)
     for count in (3, 3, 1):
         memory.lay_row(slots, count)
-    assert slots[memory.ADDRESS] == slots[OWNED] + 8 * 22
-    assert slots[memory.SLOT] == slots[memory.SLOTS] == len(slots)
+    assert slots[Header.ADDRESS] == slots[Header.OWNED] + 8 * 22
+    assert slots[Header.SLOT] == slots[Header.SLOTS] == len(slots)
     benches = memory.group_at(Benches, block + 8 * HEADER)
     assert [array.shape for array in benches] == [(3,), (4, 3), (3,), (3,), (1,)]
     assert benches.kind.dtype == np.int64
@@ -45,7 +45,7 @@ def test_what_is_laid_anew_is_seen_when_it_is_asked_for_again() -> None:
     for size in (2, 50):
         memory.drop(slots, 1)
         assert memory.take(slots, 1, 16 * size)
-        memory.lay_from(slots, HEADER, slots[OWNED + 1])
+        memory.lay_from(slots, HEADER, slots[Header.OWNED + 1])
         memory.lay_row(slots, size)
         memory.lay_row(slots, size)
         way, tally = memory.group_at(SearchProgress, block + 8 * HEADER)

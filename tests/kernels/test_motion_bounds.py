@@ -12,7 +12,9 @@ from benchdragon.kernels import curve as kernel
 from benchdragon.kernels import motion_bounds, separation_bounds, swept_boxes, time_of_impact
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, box_gap, corner, set_box
 from benchdragon.kernels.chain import Placements, empty_placements, rates
-from benchdragon.kernels.curve import FloatArray, Y
+from benchdragon.kernels.curve import FloatArray, RouteRow
+from benchdragon.kernels.motion_bounds import BenchBound, HandleBound
+from benchdragon.kernels.time_of_impact import Ending
 from benchdragon.model.placement import Placement
 from tests.kernels.tried_walks import BENCHES, ROUTES, SMOOTH
 
@@ -35,17 +37,17 @@ def test_bounds_hold_everywhere_in_a_step(name: str, h: float) -> None:
     bounds = np.empty((count, motion_bounds.HANDLE_COLUMNS))
     motion_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, bounds)
     paths = np.hypot(np.diff(places.x, axis=1), np.diff(places.y, axis=1)).sum(axis=1)
-    assert (paths <= bounds[:, motion_bounds.PATH] + 1e-12).all()
-    assert (places.ratio <= bounds[:, [motion_bounds.SPEED]] + 1e-12).all()
-    assert (places.ratio >= bounds[:, [motion_bounds.SLOWEST]] - 1e-12).all()
+    assert (paths <= bounds[:, HandleBound.PATH] + 1e-12).all()
+    assert (places.ratio <= bounds[:, [HandleBound.SPEED]] + 1e-12).all()
+    assert (places.ratio >= bounds[:, [HandleBound.SLOWEST]] - 1e-12).all()
     rates = np.diff(np.log(places.ratio), axis=1) / (at[1] - at[0])
-    assert (rates <= bounds[:, [motion_bounds.GROWTH_HIGH]] + 1e-6).all()
-    assert (rates >= bounds[:, [motion_bounds.GROWTH_LOW]] - 1e-6).all()
+    assert (rates <= bounds[:, [HandleBound.GROWTH_HIGH]] + 1e-6).all()
+    assert (rates >= bounds[:, [HandleBound.GROWTH_LOW]] - 1e-6).all()
     direction = np.unwrap(np.arctan2(-np.diff(places.y, axis=0), -np.diff(places.x, axis=0)), axis=1)
     sway = np.abs(np.diff(direction, axis=1)).max(axis=1) / (at[1] - at[0])
-    assert (sway <= bounds[1:, motion_bounds.TURNING_RATE] + 1e-9).all()
-    assert math.isfinite(bounds[-1, motion_bounds.SPEED])
-    assert math.isfinite(bounds[-1, motion_bounds.GROWTH_HIGH]) == (name != "kink")
+    assert (sway <= bounds[1:, HandleBound.TURNING_RATE] + 1e-9).all()
+    assert math.isfinite(bounds[-1, HandleBound.SPEED])
+    assert math.isfinite(bounds[-1, HandleBound.GROWTH_HIGH]) == (name != "kink")
 
 
 @pytest.mark.parametrize("name", SMOOTH)
@@ -74,7 +76,7 @@ def test_no_point_outruns_its_bounds(name: str) -> None:
     for i, n in itertools.product(range(len(BENCHES) + 1), range(len(at))):
         bend = kernel.curvature(route.rows, places.row[i, n], places.u[i, n])
         pulls[i, n] = math.hypot(change[i, n], places.ratio[i, n] ** 2 * bend)
-    assert (pulls.max(axis=1) <= handles[:, motion_bounds.ACCELERATION] + 1e-9).all()
+    assert (pulls.max(axis=1) <= handles[:, HandleBound.ACCELERATION] + 1e-9).all()
     placed, bench = walk.placement(at), np.empty(motion_bounds.BENCH_COLUMNS)
     tables = [boxes(placed, n) for n in range(len(at))]
     for i in range(len(BENCHES)):
@@ -82,11 +84,11 @@ def test_no_point_outruns_its_bounds(name: str) -> None:
         corners = np.array([[corner(table, i, k) for k in range(4)] for table in tables])
         moved = np.hypot(*np.moveaxis(np.diff(corners, axis=0), -1, 0))
         second = np.hypot(*np.moveaxis(np.diff(corners, 2, axis=0), -1, 0)) / dt**2
-        assert moved.sum(axis=0).max() <= bench[motion_bounds.TRAVEL]
-        assert moved.max() / dt <= bench[motion_bounds.POINT_SPEED]
-        assert second.max() <= bench[motion_bounds.POINT_ACCELERATION] + 1e-6
-        assert np.abs(turn[i]).max() <= bench[motion_bounds.TURN] + 1e-12
-        assert np.abs(np.diff(turn[i])).max() / dt <= bench[motion_bounds.ANGULAR_ACCELERATION] + 1e-9
+        assert moved.sum(axis=0).max() <= bench[BenchBound.TRAVEL]
+        assert moved.max() / dt <= bench[BenchBound.POINT_SPEED]
+        assert second.max() <= bench[BenchBound.POINT_ACCELERATION] + 1e-6
+        assert np.abs(turn[i]).max() <= bench[BenchBound.TURN] + 1e-12
+        assert np.abs(np.diff(turn[i])).max() / dt <= bench[BenchBound.ANGULAR_ACCELERATION] + 1e-9
 
 
 @pytest.mark.parametrize(
@@ -105,13 +107,13 @@ def test_an_angle_may_go_there_and_back_within_a_step(
         table[:] = value
     places.x[:] = [[1.0, 1.0], [0.0, 0.0]]
     bounds = np.zeros((2, motion_bounds.HANDLE_COLUMNS))
-    bounds[:, [motion_bounds.PATH, motion_bounds.HEADING_CHANGE]] = path, bent
-    bounds[:, [motion_bounds.RIGHT, motion_bounds.LEFT]] = -bend, bend
-    bounds[0, [motion_bounds.SLOWEST, motion_bounds.SPEED]] = 1.0
+    bounds[:, [HandleBound.PATH, HandleBound.HEADING_CHANGE]] = path, bent
+    bounds[:, [HandleBound.RIGHT, HandleBound.LEFT]] = -bend, bend
+    bounds[0, [HandleBound.SLOWEST, HandleBound.SPEED]] = 1.0
     motion_bounds.bound_next(1.0, places, 0, 0, 1, 1.0, bounds)
-    assert bounds[1, motion_bounds.SPEED] >= 1.0 / math.cos(angle)
-    assert bounds[1, motion_bounds.SLOWEST] <= math.cos(angle)
-    assert bounds[1, motion_bounds.TURNING_RATE] >= 2.0 * math.sin(angle)
+    assert bounds[1, HandleBound.SPEED] >= 1.0 / math.cos(angle)
+    assert bounds[1, HandleBound.SLOWEST] <= math.cos(angle)
+    assert bounds[1, HandleBound.TURNING_RATE] >= 2.0 * math.sin(angle)
 
 
 @pytest.mark.parametrize("name", ROUTES)
@@ -132,7 +134,7 @@ def test_distances_stay_between_their_bounds(name: str) -> None:
         for i in range(count):
             for j in range(i + 2, count):
                 sampled = min(box_distance(table, i, j) for table in tables)
-                rows = (both, sweeps, count, i, j, handles[0, motion_bounds.PATH])
+                rows = (both, sweeps, count, i, j, handles[0, HandleBound.PATH])
                 for wanted in (-1.0, 0.0, math.inf):
                     assert separation_bounds.separation_lower_bound(*rows, wanted) <= sampled + 1e-12
                 highest = max(box_gap(table, i, j) for table in tables)
@@ -152,7 +154,7 @@ def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
         for n, i in enumerate((0, 3)):
             motion_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[n])
         both = np.concatenate(tables)
-        losses.append(separation_bounds.chord_loss(both, sweeps, 0, 1, handles[0, motion_bounds.PATH]))
+        losses.append(separation_bounds.chord_loss(both, sweeps, 0, 1, handles[0, HandleBound.PATH]))
     assert losses[1] == pytest.approx(0.01 * losses[0], rel=0.5)
 
 
@@ -171,7 +173,7 @@ def test_a_bench_that_leaps_is_never_said_to_follow() -> None:
         motion_bounds.bound_handles(route.rows, link, places, n, n + 1, bounds)
         sure = (
             swept_boxes.follows(route.rows, places, n, n + 1, 1.0)
-            and bounds[1, motion_bounds.SPEED] < math.inf
+            and bounds[1, HandleBound.SPEED] < math.inf
         )
         said.append(sure)
         if sure:
@@ -179,7 +181,7 @@ def test_a_bench_that_leaps_is_never_said_to_follow() -> None:
             fine = empty_placements(2, 9)
             assert motion_bounds.place_chain(route.rows, link, inner, 0, 9, fine)
             moved = np.hypot(np.diff(fine.x[1]), np.diff(fine.y[1]))
-            assert moved.max() <= 1.01 * bounds[1, motion_bounds.SPEED] * (inner[1] - inner[0])
+            assert moved.max() <= 1.01 * bounds[1, HandleBound.SPEED] * (inner[1] - inner[0])
     assert any(said)
 
 
@@ -260,7 +262,7 @@ def test_paths_and_turns_run_over_all_pieces_and_joints() -> None:
     (x, y), heading = arc.moved((1.0, 0.0), 0.0).end_pose
     curves = (Line(1.0), arc.moved((1.0, 0.0), 0.0), Line(1.0).moved((x, y), heading + kink))
     rows = Route(curves, kinks=True).rows.copy()
-    rows[2, Y] += gap
+    rows[2, RouteRow.Y] += gap
     assert motion_bounds.path_bound(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.2 + 0.02 + gap, abs=1e-12)
     assert motion_bounds.path_bound(rows, 1, 0.01, 2, 0.1) == pytest.approx(0.11 + gap, abs=1e-12)
     assert motion_bounds.heading_bound(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.4 + kink, abs=1e-12)
@@ -268,7 +270,7 @@ def test_paths_and_turns_run_over_all_pieces_and_joints() -> None:
     assert motion_bounds.curvature_range(rows, 1, 0.01, 2, 0.1) == (-math.inf, math.inf)
     smooth = Route.joined([Line(1.0), arc, Line(1.0)]).rows.copy()
     np.testing.assert_allclose(motion_bounds.curvature_range(smooth, 0, 0.9, 2, 0.1), (0.0, 20.0))
-    smooth[1, Y] += 1e-11  # a gap leaps, too
+    smooth[1, RouteRow.Y] += 1e-11  # a gap leaps, too
     assert motion_bounds.curvature_range(smooth, 0, 0.9, 1, 0.01) == (-math.inf, math.inf)
 
 
@@ -326,9 +328,9 @@ def test_heights_over_a_face_leave_the_straight_line_by_no_more_than_its_loss(na
     height = y * np.cos(angle) - x * np.sin(angle)
     off = np.abs(height - np.interp(t, t[[0, -1]], height[[0, -1]])).max()
     sweeps = np.zeros((2, motion_bounds.BENCH_COLUMNS))
-    sweeps[0, motion_bounds.POINT_SPEED] = math.hypot(*velocity) + h * math.hypot(*acceleration)
-    sweeps[0, motion_bounds.POINT_ACCELERATION] = math.hypot(*acceleration)
-    sweeps[1, motion_bounds.TURN], sweeps[1, motion_bounds.ANGULAR_ACCELERATION] = (
+    sweeps[0, BenchBound.POINT_SPEED] = math.hypot(*velocity) + h * math.hypot(*acceleration)
+    sweeps[0, BenchBound.POINT_ACCELERATION] = math.hypot(*acceleration)
+    sweeps[1, BenchBound.TURN], sweeps[1, BenchBound.ANGULAR_ACCELERATION] = (
         turn + twist * h,
         twist,
     )
@@ -344,11 +346,11 @@ def test_a_direction_is_lost_to_second_order_by_both_benches() -> None:
     table[[1, 3], 0] = 3.0
     for pulls in ((8.0, 0.0), (0.0, 8.0), (5.0, 3.0)):
         sweeps = np.zeros((2, motion_bounds.BENCH_COLUMNS))
-        sweeps[:, motion_bounds.POINT_ACCELERATION] = pulls
+        sweeps[:, BenchBound.POINT_ACCELERATION] = pulls
         nearest = 2.0 - 0.125 * sum(pulls) * h * h
         bound = separation_bounds.nearest_direction_bound(table, sweeps, 2, 0, 1, h)
         assert bound == pytest.approx(nearest, abs=1e-12)
-        sweeps[:, motion_bounds.TRAVEL] = np.array(pulls) * 0.25 * h * h
+        sweeps[:, BenchBound.TRAVEL] = np.array(pulls) * 0.25 * h * h
         assert separation_bounds.separation_lower_bound(table, sweeps, 2, 0, 1, h, 0.0) <= nearest
 
 
@@ -358,7 +360,7 @@ def test_faces_that_are_left_and_come_back_lose() -> None:
     table[:, [4, 5]] = 0.5
     table[[1, 3], 0] = 3.0
     sweeps = np.zeros((2, motion_bounds.BENCH_COLUMNS))
-    sweeps[0, motion_bounds.POINT_ACCELERATION] = 8.0
+    sweeps[0, BenchBound.POINT_ACCELERATION] = 8.0
     rows = (table, sweeps, 2, 0, 1, h)
     assert separation_bounds.face_bound(*rows) <= 2.0 - 0.125 * 8.0 * h * h
     assert separation_bounds.face_upper_bound(*rows) >= 2.0 + 0.125 * 8.0 * h * h
@@ -373,14 +375,14 @@ def faced(gap: float, travel: float, pull: float) -> tuple[time_of_impact.Search
     """What a search knows of two benches as far apart at both ends of a part, and a fresh note."""
     room = time_of_impact.empty_search(4, 2, 1)
     room.at[:2] = 0.0, 0.1
-    room.handles[0, motion_bounds.PATH] = 0.1
+    room.handles[0, HandleBound.PATH] = 0.1
     room.alive[1, 0], room.kept[1] = 0, 1
     room.boxes[:4] = 0.0
     room.boxes[:4, 2] = 1.0
     room.boxes[:4, [4, 5]] = 0.5
     room.boxes[[1, 3], 0] = 1.0 + gap
     room.sweeps[:] = room.off[:] = 0.0
-    room.sweeps[:, motion_bounds.TRAVEL], room.sweeps[:, motion_bounds.POINT_ACCELERATION] = (
+    room.sweeps[:, BenchBound.TRAVEL], room.sweeps[:, BenchBound.POINT_ACCELERATION] = (
         travel,
         pull,
     )
@@ -390,9 +392,9 @@ def faced(gap: float, travel: float, pull: float) -> tuple[time_of_impact.Search
 @pytest.mark.parametrize(
     ("travel", "pull", "ending"),
     [
-        (0.001, 0.0, time_of_impact.CLEAR),
-        (0.05, 0.0, time_of_impact.CLEAR),
-        (0.05, 8.0, time_of_impact.SPLIT),
+        (0.001, 0.0, Ending.CLEAR),
+        (0.05, 0.0, Ending.CLEAR),
+        (0.05, 8.0, Ending.SPLIT),
     ],
 )
 def test_a_contact_lasts_only_if_travel_or_faces_say_so(
@@ -429,9 +431,9 @@ def test_distances_fall_by_no_more_than_half_the_travel() -> None:
     table[:, [4, 5]] = 0.5
     table[[1, 3], 0] = 3.0
     sweeps = np.zeros((2, motion_bounds.BENCH_COLUMNS))
-    sweeps[:, motion_bounds.POINT_ACCELERATION] = math.inf  # as across a kink: there and back, leaping
+    sweeps[:, BenchBound.POINT_ACCELERATION] = math.inf  # as across a kink: there and back, leaping
     for travel in ((0.6, 0.0), (0.0, 0.6), (0.4, 0.2)):
-        sweeps[:, motion_bounds.TRAVEL] = travel
+        sweeps[:, BenchBound.TRAVEL] = travel
         assert separation_bounds.separation_lower_bound(
             table, sweeps, 2, 0, 1, 1.0, 0.0
         ) == pytest.approx(1.7)

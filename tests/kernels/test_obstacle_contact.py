@@ -13,11 +13,11 @@ from benchdragon.kernels import obstacle_contact as kernel
 from benchdragon.kernels import time_of_impact as steps
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, corner, place_box
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.motion_bounds import TRAVEL
+from benchdragon.kernels.motion_bounds import BenchBound
 from benchdragon.kernels.obstacle_contact import Bench, Standing
 from benchdragon.kernels.swept_boxes import EDGE
-from benchdragon.kernels.time_of_impact import CLEAR, FIRST_TOUCH, FOUND, GRAZE, LEAST, STUCK
-from benchdragon.kernels.walk_search import ASTRAY
+from benchdragon.kernels.time_of_impact import Ending, Goal, Note
+from benchdragon.kernels.walk_search import WalkEnding
 from benchdragon.model.obstacle import Obstacle
 from tests.kernels import rooms
 from tests.kernels.quantities import ROUNDING
@@ -52,13 +52,13 @@ def spans_searched(
 ) -> tuple[int, FloatArray, FloatArray]:  # fmt: skip
     """How a search ended, its note, and what is told of each span."""
     standing, note = rooms.beside(boxes), np.zeros(steps.NOTES)
-    note[steps.NEAREST], note[steps.FLOOR], note[steps.PAIR] = near, math.inf, -1.0
+    note[Note.NEAREST], note[Note.FLOOR], note[Note.PAIR] = near, math.inf, -1.0
     found, search = np.full((len(spans), 3), math.nan), room_for(standing)
     limits = steps.Limits(margin, tolerance, 1e-13, most)
     for n, span in enumerate(spans):
         ending = kernel.search_span(bench_on(route), standing, search, goal, *span, limits, note)
-        found[n] = ending, note[steps.LOWER], note[steps.UPPER]
-        if ending == ASTRAY:
+        found[n] = ending, note[Note.LOWER], note[Note.UPPER]
+        if ending == WalkEnding.ASTRAY:
             break
     return int(np.nanmax(found[:, ENDING])), note, found
 
@@ -126,8 +126,8 @@ def test_a_box_at_the_very_reach_of_a_step_is_gathered() -> None:
     search.at[0], search.at[1] = 6.0, 6.5
     assert kernel.walks_step(bench_on(EAST), search)
     assert kernel.gather_near(bench_on(EAST), standing, search, 0.3) == 0
-    reach = math.hypot(1.0, 0.25) + search.sweeps[0, TRAVEL] + 0.3 + EDGE
-    assert search.sweeps[0, TRAVEL] >= 0.5
+    reach = math.hypot(1.0, 0.25) + search.sweeps[0, BenchBound.TRAVEL] + 0.3 + EDGE
+    assert search.sweeps[0, BenchBound.TRAVEL] >= 0.5
     for off, count in ((-1e-9, 1), (1e-9, 0)):
         standing.boxes.flags.writeable = True
         standing.boxes[0, 0] = 6.0 + 0.25 - 1.0 + reach + off
@@ -150,65 +150,67 @@ def test_what_stands_still_is_boxed_alike_at_all_places_and_does_not_move() -> N
         assert search.boxes[4 * slot, 0] == pytest.approx(6.0 + 0.4 * slot - 0.75)
     steps.bound_members(chain, search, 1)
     assert (search.sweeps[1:] == 0.0).all()
-    assert search.sweeps[0, TRAVEL] >= 0.4
+    assert search.sweeps[0, BenchBound.TRAVEL] >= 0.4
 
 
 def test_a_wall_is_met_in_the_span_that_leads_to_it() -> None:
     spans = [(2.0, 3.0), (6.0, 12.0), (30.0, 31.0)]
-    ending, _note, found = spans_searched(EAST, wall(10.1), FIRST_TOUCH, spans)
-    assert ending == FOUND
-    assert found[:, ENDING].tolist() == [CLEAR, FOUND, CLEAR]
+    ending, _note, found = spans_searched(EAST, wall(10.1), Goal.FIRST_TOUCH, spans)
+    assert ending == Ending.FOUND
+    assert found[:, ENDING].tolist() == [Ending.CLEAR, Ending.FOUND, Ending.CLEAR]
     lower, upper = found[1, [LOWER, UPPER]].tolist()
     assert lower <= 9.85 <= upper <= lower + 1e-12
-    near = spans_searched(EAST, wall(10.1), FIRST_TOUCH, spans, margin=0.6)[2]
+    near = spans_searched(EAST, wall(10.1), Goal.FIRST_TOUCH, spans, margin=0.6)[2]
     assert near[1, LOWER] <= 9.25 <= near[1, UPPER]
 
 
 def test_what_is_far_off_counts_within_a_wide_margin() -> None:
-    ending, _note, found = spans_searched(EAST, wall(60.0), FIRST_TOUCH, [(5.0, 12.0)], margin=50.0)
-    assert ending == FOUND
+    ending, _note, found = spans_searched(
+        EAST, wall(60.0), Goal.FIRST_TOUCH, [(5.0, 12.0)], margin=50.0
+    )
+    assert ending == Ending.FOUND
     assert found[0, LOWER] <= 9.75 <= found[0, UPPER]
 
 
 def test_spans_are_searched_to_their_very_ends() -> None:
-    ending, _note, found = spans_searched(EAST, wall(10.25), FIRST_TOUCH, [(5.0, 10.0 + 1e-9)])
-    assert (ending, found[0, ENDING]) == (FOUND, FOUND)
-    ending, _note, _found = spans_searched(EAST, wall(10.25), FIRST_TOUCH, [(5.0, 10.0 - 1e-9)])
-    assert ending == CLEAR
+    ending, _note, found = spans_searched(EAST, wall(10.25), Goal.FIRST_TOUCH, [(5.0, 10.0 + 1e-9)])
+    assert (ending, found[0, ENDING]) == (Ending.FOUND, Ending.FOUND)
+    ending, _note, _found = spans_searched(EAST, wall(10.25), Goal.FIRST_TOUCH, [(5.0, 10.0 - 1e-9)])
+    assert ending == Ending.CLEAR
 
 
 def test_a_touch_within_rounding_is_a_graze() -> None:
     kerb = Obstacle.line("kerb", [(-50.0, 0.25), (50.0, 0.25)]).boxes
-    ending, _note, found = spans_searched(EAST, kerb, FIRST_TOUCH, [(5.0, 7.0)])
-    assert (ending, found[0, ENDING]) == (GRAZE, GRAZE)
+    ending, _note, found = spans_searched(EAST, kerb, Goal.FIRST_TOUCH, [(5.0, 7.0)])
+    assert (ending, found[0, ENDING]) == (Ending.GRAZE, Ending.GRAZE)
     assert found[0, LOWER] == 5.0
     kerb = Obstacle.line("kerb", [(-50.0, 0.25 + 4e-13), (50.0, 0.25 + 4e-13)]).boxes
-    assert spans_searched(EAST, kerb, FIRST_TOUCH, [(5.0, 7.0)])[0] == CLEAR
+    assert spans_searched(EAST, kerb, Goal.FIRST_TOUCH, [(5.0, 7.0)])[0] == Ending.CLEAR
 
 
 def test_grazes_end_the_span() -> None:
     # Past the kerb that it grazes the bench would run into a wall.
     kerb = Obstacle.line("kerb", [(6.0, 0.25), (7.0, 0.25)]).boxes
     _ending, _note, found = spans_searched(
-        EAST, np.vstack([kerb, wall(14.0)]), FIRST_TOUCH, [(3.0, 20.0)]
+        EAST, np.vstack([kerb, wall(14.0)]), Goal.FIRST_TOUCH, [(3.0, 20.0)]
     )
-    assert found[0, ENDING] == GRAZE
+    assert found[0, ENDING] == Ending.GRAZE
     assert found[0, LOWER] <= 5.75
     assert found[0, UPPER] < 13.0
 
 
 def test_a_span_that_takes_too_long_is_told_as_stuck_where_it_is() -> None:
-    ending, _note, found = spans_searched(EAST, wall(10.1), FIRST_TOUCH, [(5.0, 12.0)], most=1)
-    assert ending == STUCK
+    ending, _note, found = spans_searched(EAST, wall(10.1), Goal.FIRST_TOUCH, [(5.0, 12.0)], most=1)
+    assert ending == Ending.STUCK
     assert found[0, LOWER] <= 9.85 <= found[0, UPPER]
 
 
-@pytest.mark.parametrize("goal", [FIRST_TOUCH, LEAST])
+@pytest.mark.parametrize("goal", [Goal.FIRST_TOUCH, Goal.LEAST])
 def test_a_bench_that_cannot_follow_is_astray(goal: int) -> None:
     spans = [(6.0, 12.0), (18.0, 25.0), (30.0, 31.0)]
     ending, _note, found = spans_searched(HAIRPIN, wall(60.0), goal, spans)
-    assert ending == ASTRAY
-    assert found[:2, ENDING].tolist() == [CLEAR, ASTRAY]
+    assert ending == WalkEnding.ASTRAY
+    assert found[:2, ENDING].tolist() == [Ending.CLEAR, WalkEnding.ASTRAY]
     assert math.isnan(found[2, ENDING])
     assert 20.0 < found[1, LOWER] < 22.0
     # Not one of a billionth of a metre, where all is well.
@@ -219,30 +221,30 @@ def test_the_least_distance_of_all_spans_together_is_bracketed() -> None:
     near = [wall(10.0, 0.5, 2.0), wall(11.0, 0.4, 2.0), wall(12.0, 0.6, 2.0)]
     boxes = np.vstack([wall(90.0), *near])
     spans = [(8.0, 10.0), (10.5, 11.5), (30.0, 31.0)]
-    ending, note, found = spans_searched(EAST, boxes, LEAST, spans, tolerance=1e-6)
-    assert ending == CLEAR
-    assert (found[:, ENDING] == CLEAR).all()
-    assert note[steps.NEAREST] == pytest.approx(0.15, abs=1e-12)
-    assert note[steps.PAIR] == 2
-    assert 10.75 <= note[steps.UPPER] <= 12.75
-    assert note[steps.FLOOR] == math.inf
+    ending, note, found = spans_searched(EAST, boxes, Goal.LEAST, spans, tolerance=1e-6)
+    assert ending == Ending.CLEAR
+    assert (found[:, ENDING] == Ending.CLEAR).all()
+    assert note[Note.NEAREST] == pytest.approx(0.15, abs=1e-12)
+    assert note[Note.PAIR] == 2
+    assert 10.75 <= note[Note.UPPER] <= 12.75
+    assert note[Note.FLOOR] == math.inf
     # With so few evaluations it is told how low it may lie.
-    _ending, note, _found = spans_searched(EAST, boxes, LEAST, [(8.0, 12.1)], 1, 1e-6)
-    assert note[steps.FLOOR] <= 0.15
-    assert spans_searched(EAST, wall(10.0), LEAST, [(8.0, 12.0), (20.0, 21.0)])[0] == FOUND
+    _ending, note, _found = spans_searched(EAST, boxes, Goal.LEAST, [(8.0, 12.1)], 1, 1e-6)
+    assert note[Note.FLOOR] <= 0.15
+    assert spans_searched(EAST, wall(10.0), Goal.LEAST, [(8.0, 12.0), (20.0, 21.0)])[0] == Ending.FOUND
 
 
 def test_what_is_seen_at_the_ends_of_spans_is_the_least_distance_there() -> None:
     boxes, note = random_boxes(np.random.default_rng(5), 30), np.zeros(steps.NOTES)
     spans = np.array([(4.0, 8.0), (9.0, 14.0)])
     standing = rooms.beside(boxes)
-    note[steps.NEAREST] = 1e3
+    note[Note.NEAREST] = 1e3
     kernel.look_along(bench_on(BEND), standing, room_for(standing), spans, note)
     seen = np.array([apart(box_at(BEND, s), boxes) for s in spans.ravel()])
     place, box = np.unravel_index(int(seen.argmin()), seen.shape)
-    assert note[steps.NEAREST] == pytest.approx(seen.min(), abs=ROUNDING)
-    assert note[steps.UPPER] == spans.ravel()[place]
-    assert note[steps.PAIR] == box
+    assert note[Note.NEAREST] == pytest.approx(seen.min(), abs=ROUNDING)
+    assert note[Note.UPPER] == spans.ravel()[place]
+    assert note[Note.PAIR] == box
 
 
 def test_distances_to_what_stands_are_those_of_all_pairs() -> None:

@@ -7,16 +7,9 @@ from benchdragon.kernels import time_of_impact
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at
 from benchdragon.kernels.chain import empty_placements, march
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.pair_queries import (
-    ANSWER_COLUMNS,
-    ENDING,
-    NUMBERS,
-    SEPARATION,
-    SOUGHT_HIGH,
-    SOUGHT_LOW,
-    search_pairs,
-)
+from benchdragon.kernels.pair_queries import ANSWER_COLUMNS, NUMBERS, PairAnswer, search_pairs
 from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
+from benchdragon.kernels.time_of_impact import Ending, Goal
 from benchdragon.model.curves import Route, Spiral
 from benchdragon.model.dragon import Dragon
 
@@ -60,21 +53,21 @@ def sampled(pair: tuple[int, int, float], s: FloatArray) -> FloatArray:
 def test_a_first_touch_is_where_sampling_sees_it() -> None:
     s = np.linspace(START, END, 81)
     endings = set()
-    for pair, row in zip(PAIRS, asked(time_of_impact.FIRST_TOUCH), strict=True):
+    for pair, row in zip(PAIRS, asked(Goal.FIRST_TOUCH), strict=True):
         apart = sampled(pair, s)
-        endings.add(int(row[ENDING]))
-        if row[ENDING] == time_of_impact.CLEAR:
+        endings.add(int(row[PairAnswer.ENDING]))
+        if row[PairAnswer.ENDING] == Ending.CLEAR:
             assert apart.min() > 0.0
         else:
-            assert row[ENDING] == time_of_impact.FOUND
-            assert (apart[s < row[SOUGHT_LOW]] > 0.0).all()
-            assert sampled(pair, row[[SOUGHT_HIGH]])[0] == pytest.approx(0.0, abs=1e-9)
-    assert endings == {time_of_impact.CLEAR, time_of_impact.FOUND}
+            assert row[PairAnswer.ENDING] == Ending.FOUND
+            assert (apart[s < row[PairAnswer.SOUGHT_LOW]] > 0.0).all()
+            assert sampled(pair, row[[PairAnswer.SOUGHT_HIGH]])[0] == pytest.approx(0.0, abs=1e-9)
+    assert endings == {Ending.CLEAR, Ending.FOUND}
 
 
 def test_a_least_separation_is_no_more_than_sampling_sees() -> None:
     s = np.linspace(START, END, 81)
-    for pair, row in zip(PAIRS, asked(time_of_impact.LEAST), strict=True):
+    for pair, row in zip(PAIRS, asked(Goal.LEAST), strict=True):
         least = sampled(pair, s).min()
-        assert (row[ENDING] == time_of_impact.FOUND) is (least < 0.0)
-        assert least < 0.0 or least - 1e-3 < row[SEPARATION] <= least
+        assert (row[PairAnswer.ENDING] == Ending.FOUND) is (least < 0.0)
+        assert least < 0.0 or least - 1e-3 < row[PairAnswer.SEPARATION] <= least

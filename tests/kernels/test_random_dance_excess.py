@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.curve import P, X, Y, place, spiral_length
+from benchdragon.kernels.curve import RouteRow, place, spiral_length
 from benchdragon.kernels.random_dance_bound import (
-    GRID_LOW,
-    OUTWARD,
     Bound,
+    BoundFact,
     add_strays,
     fill_excess,
     open_benches,
@@ -67,7 +66,7 @@ class Bounded:
     def centred(self, u: float) -> complex:
         """The spiral's point at a parameter, m, from its centre."""
         x, y, _tx, _ty = place(self.rows, 0, u)
-        return complex(x - self.rows[0, X], y - self.rows[0, Y])
+        return complex(x - self.rows[0, RouteRow.X], y - self.rows[0, RouteRow.Y])
 
 
 def bounded(said: list[str], aside: np.ndarray, stray: float = 0.0) -> Bounded:
@@ -88,7 +87,11 @@ def seen(case: Bounded, s: float) -> np.ndarray:
     count, links = len(case.dragon), case.dragon.links
     places = empty_placements(count + 1, 1)
     assert place_along(case.rows, links, case.aside, np.array([s]), places) == 1
-    at = places.x[:, 0] + 1j * places.y[:, 0] - complex(case.rows[0, X], case.rows[0, Y])
+    at = (
+        places.x[:, 0]
+        + 1j * places.y[:, 0]
+        - complex(case.rows[0, RouteRow.X], case.rows[0, RouteRow.Y])
+    )
     back, u = (at[1:] - at[:-1]) / links, places.u[:-1, 0]
     feet = np.array([case.centred(one) for one in u.tolist()])
     grows = math.copysign(1.0, np.angle(case.centred(u[0] + 0.1) / case.centred(u[0])))
@@ -97,7 +100,9 @@ def seen(case: Bounded, s: float) -> np.ndarray:
     for share in np.linspace(0.0, 1.0, 9):
         for side in (-0.5, 0.5):
             point = at[:-1] + (share * (front + links + rear) - front + 1j * side * width) * back
-            found.append(np.abs(point) - case.rows[0, P] * (u + grows * np.angle(point / feet)))
+            found.append(
+                np.abs(point) - case.rows[0, RouteRow.P] * (u + grows * np.angle(point / feet))
+            )
     return np.array(found).T
 
 
@@ -118,16 +123,16 @@ def test_no_point_of_a_bench_is_farther_out_or_in_than_its_bound(name: str) -> N
 def test_a_line_that_strays_adds_how_much_farther_out_it_lies_than_one_turn_farther_out() -> None:
     case = bounded([], np.zeros(BENCHES + 1), 0.1)
     rows, bound, last = case.rows, case.bound, case.span[1]
-    outward = float(bound.facts[OUTWARD]) * case.stray
+    outward = float(bound.facts[BoundFact.OUTWARD]) * case.stray
     assert case.excess() > 0.0
     before = bound.out.copy()
     add_strays(bound, *case.span)
-    added, b = bound.out - before, float(rows[0, P])
+    added, b = bound.out - before, float(rows[0, RouteRow.P])
     for i in range(BENCHES):
         s = last - 0.5 * float(bound.nearest[i] + bound.farthest[i + 1])
         _row, theta, _status = locate(rows, s)
         outer = s - (spiral_length(b, theta + 2.0 * math.pi) - spiral_length(b, theta))
-        if outer < bound.facts[GRID_LOW]:
+        if outer < bound.facts[BoundFact.GRID_LOW]:
             break
         here, there = (outward * offset_at(case.noise, last - at)[0] for at in (s, outer))
         assert added[i] >= here - there
@@ -138,7 +143,7 @@ def test_a_line_that_strays_adds_how_much_farther_out_it_lies_than_one_turn_fart
 def test_all_benches_that_come_as_near_as_wanted_are_open(outward: float) -> None:
     """Beside those of one bench that walks farther outward, or of all."""
     aside = np.zeros(BENCHES + 1)
-    aside[3:5] = outward * bounded([], aside).bound.facts[OUTWARD]
+    aside[3:5] = outward * bounded([], aside).bound.facts[BoundFact.OUTWARD]
     case = bounded(["route.pitch=0.9"], aside)
     first, second = np.triu_indices(BENCHES, 2)
     laid = Laid(case.dragon, case.rows, aside, *case.span)

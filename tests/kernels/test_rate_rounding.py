@@ -13,6 +13,7 @@ from benchdragon.analysis.speed import QUANTITIES, greatest_of
 from benchdragon.kernels import drive
 from benchdragon.kernels.chain import empty_placements, rates
 from benchdragon.kernels.curve import curvature
+from benchdragon.kernels.drive import DriveRate
 from benchdragon.kernels.motion_bounds import bench_angles, place_chain
 from benchdragon.kernels.rate_rounding import (
     bend_errors,
@@ -83,15 +84,15 @@ class Weighed:
 def exact_value(exact: Motion, i: int, turn: arb, quantity: int) -> arb:
     """A quantity's exact size at handle i: see `drive.value_at`."""
     square, rate = arb(SPEED) * arb(SPEED), arb(RATE)
-    if quantity == drive.SPEEDS:
+    if quantity == DriveRate.SPEEDS:
         return exact.ratio[i] * arb(SPEED)
-    if quantity == drive.TURNING:
+    if quantity == DriveRate.TURNING:
         return abs(turn) * arb(SPEED)
     along = exact.ratio[i] * rate + exact.change[i] * square
     across = exact.ratio[i] * exact.ratio[i] * square * exact.bend[i]
-    if quantity == drive.TOTAL:
+    if quantity == DriveRate.TOTAL:
         return (along * along + across * across).sqrt()
-    return abs(along if quantity == drive.ALONG else across)
+    return abs(along if quantity == DriveRate.ALONG else across)
 
 
 def greatest_share(computed: Sequence[float], exact: Sequence[arb], said: Sequence[float]) -> float:
@@ -139,7 +140,7 @@ def test_the_head_is_as_fast_as_is_said_and_others_but_for_rounding() -> None:
     chain = Weighed(Walk(Dragon.uniform(3), Route((Line(20.0),))), 15.0)
     for rate in (0.0, 0.2):
         weigh_values(
-            chain.rows, chain.places, chain.change, 0, 3, 1.7, rate, drive.SPEEDS, chain.errors
+            chain.rows, chain.places, chain.change, 0, 3, 1.7, rate, DriveRate.SPEEDS, chain.errors
         )
         head, *others = chain.errors.sought[:, 0].tolist()
         assert (head > 0.0) == (rate > 0.0)
@@ -197,7 +198,11 @@ def test_nothing_past_a_hairpin_exceeds_its_bracket(radius: float, sweep: float,
         exact = exact_motion(walk, s)
         along, across = exact.change[1], exact.ratio[1] * exact.ratio[1] * exact.bend[1]
         total = (along * along + across * across).sqrt()
-        values = {drive.ALONG: abs(along), drive.TOTAL: total, drive.TURNING: abs(exact.turn[0])}
+        values = {
+            DriveRate.ALONG: abs(along),
+            DriveRate.TOTAL: total,
+            DriveRate.TURNING: abs(exact.turn[0]),
+        }
         return float(values[quantity.kind])
 
     low, high = found.s - 1e-7, found.s + 1e-7

@@ -13,7 +13,7 @@ from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.double_double import head_drift
 from benchdragon.kernels.links import link_length
 from benchdragon.kernels.motion_bounds import place_chain
-from benchdragon.kernels.rounding import GAP, TILT, find_seams, mark_lanes, ratio_errors
+from benchdragon.kernels.rounding import Seam, find_seams, mark_lanes, ratio_errors
 from benchdragon.kernels.route import locate
 
 pytest.importorskip("flint")
@@ -186,10 +186,10 @@ def test_joints_count_once_and_kinks_do_not() -> None:
     seams = seams_of(smooth.rows)
     assert seams[0].tolist() == [0.0, 0.0]
     assert (np.diff(seams, axis=0) > 0.0).all()
-    assert seams[-1, GAP] < 1e-13
-    assert seams[-1, TILT] < 1e-14
+    assert seams[-1, Seam.GAP] < 1e-13
+    assert seams[-1, Seam.TILT] < 1e-14
     kinked = Route((Line(10.0), Line(5.0, (10.0, 0.0), 1.0)), kinks=True)
-    assert seams_of(kinked.rows)[1, TILT] < 1e-14
+    assert seams_of(kinked.rows)[1, Seam.TILT] < 1e-14
 
 
 def test_gaps_at_joints_count() -> None:
@@ -197,4 +197,4 @@ def test_gaps_at_joints_count() -> None:
     rows[1, 8] += 3e-10  # Y
     seams = np.empty((2, 2))
     find_seams(rows, seams)
-    assert 3e-10 < seams[1, GAP] < 3.1e-10
+    assert 3e-10 < seams[1, Seam.GAP] < 3.1e-10

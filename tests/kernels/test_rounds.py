@@ -6,7 +6,7 @@ import pytest
 
 from benchdragon import Arc, Dragon, Line, Route, Walk
 from benchdragon.analysis.rounds import Rounds, repeats, returns
-from benchdragon.kernels.spans import MISSED, SPARE
+from benchdragon.kernels.spans import BEYOND_ROUND, RepeatSpan
 
 HALF: list[Line | Arc] = [Line(9.0), Arc(4.0, math.pi)]
 ROUND = 9.0 + 4.0 * math.pi
@@ -18,7 +18,7 @@ def test_a_round_is_left_out_once_all_benches_walked_it() -> None:
     assert first == 0.0
     # The tail comes to the route some links after the head.
     assert 2.0 * 1.65 + ROUND < last < 8.0 + ROUND
-    assert tail == pytest.approx(12.0 * ROUND - SPARE, abs=1e-9)
+    assert tail == pytest.approx(12.0 * ROUND - BEYOND_ROUND, abs=1e-9)
     assert end == 12.0 * ROUND + 2.0
 
 
@@ -32,7 +32,7 @@ def test_what_rounds_miss_adds_up() -> None:
     known = returns(WALK.route.rows, 2.0)
     spans, missed = Rounds(WALK, known).new(0.0, 12.0 * ROUND)
     assert spans[-1][1] < 80.0
-    assert 0.0 < missed == known[known[:, MISSED] > 0.0, MISSED].sum()
+    assert 0.0 < missed == known[known[:, RepeatSpan.MISSED] > 0.0, RepeatSpan.MISSED].sum()
 
 
 def test_what_does_not_repeat_is_searched_whole() -> None:

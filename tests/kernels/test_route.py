@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from benchdragon.kernels.chain import cosines
-from benchdragon.kernels.curve import ARC, KIND, LENGTH, S_START, U_BACK, U_END, U_START, place
+from benchdragon.kernels.curve import CurveKind, RouteRow, place
 from benchdragon.kernels.route import (
     END_SLACK,
     FOLD_COSINE,
@@ -69,13 +69,17 @@ def test_every_position_lies_on_the_row_that_holds_it() -> None:
     assert len(rows) > len(ROUTE.curves)  # the clothoid fills several
     for s in np.linspace(0.0, ROUTE.length, 301)[:-1]:
         j = row_at(rows, s)
-        assert rows[j, S_START] <= s < rows[j, S_START] + rows[j, LENGTH] + 1e-12
+        assert (
+            rows[j, RouteRow.S_START]
+            <= s
+            < rows[j, RouteRow.S_START] + rows[j, RouteRow.LENGTH] + 1e-12
+        )
     assert row_at(rows, -3.0) == 0
     assert row_at(rows, ROUTE.length + 3.0) == len(rows) - 1
 
 
 def test_a_joint_belongs_to_the_later_row() -> None:
-    for j, start in enumerate(ROUTE.rows[:, S_START]):
+    for j, start in enumerate(ROUTE.rows[:, RouteRow.S_START]):
         assert row_at(ROUTE.rows, start) == j
 
 
@@ -346,19 +350,19 @@ def test_a_route_that_ends_before_the_link_does_is_too_short() -> None:
         route = Route((curve,))
         _j, _u, rear, v, status = behind(route, route.length, LINK)
         assert status == Status.ROUTE_TOO_SHORT
-        assert (rear, v) == (0, route.rows[0, U_START])
+        assert (rear, v) == (0, route.rows[0, RouteRow.U_START])
 
 
 def test_only_the_first_row_of_a_route_is_extended() -> None:
     route = Route.joined([Line(2.0), Line(2.0), Spiral(1.0, 20.0, 10.0)])
-    assert route.rows[0, U_BACK] == -math.inf
-    assert (route.rows[1:, U_BACK] == route.rows[1:, U_START]).all()
-    assert (route.rows[:, U_END] != route.rows[:, U_START]).all()
+    assert route.rows[0, RouteRow.U_BACK] == -math.inf
+    assert (route.rows[1:, RouteRow.U_BACK] == route.rows[1:, RouteRow.U_START]).all()
+    assert (route.rows[:, RouteRow.U_END] != route.rows[:, RouteRow.U_START]).all()
 
 
 def test_an_arc_is_blamed_for_a_fold_only_if_the_link_spans_it() -> None:
     rows = Route.joined([Line(2.0), Arc(1.0, 1.0), Line(2.0)]).rows
-    assert rows[1, KIND] == ARC
+    assert rows[1, RouteRow.KIND] == CurveKind.ARC
     assert folded(rows, 1, 0, 2.0) == Status.LINK_OVER_DIAMETER
     assert folded(rows, 2, 1, 2.5) == Status.LINK_OVER_DIAMETER
     assert folded(rows, 1, 0, 1.99) == Status.FOLDED

@@ -7,20 +7,20 @@ import pytest
 
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels import route_parts
-from benchdragon.kernels.curve import ARC, CLOTHOID, LINE, LOG_SPIRAL, SPIRAL, FloatArray
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow
 from benchdragon.kernels.route import evaluate
-from benchdragon.kernels.route_parts import PART_COLUMNS, Pose, lay_rows, row_count
+from benchdragon.kernels.route_parts import PART_COLUMNS, Pose, RoutePart, lay_rows, row_count
 from benchdragon.model.curves import Arc, Clothoid, Line, LogSpiral, Route, Spiral, curves_of
 from tests.kernels.reference import points
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
 PARTS: list[tuple[float, ...]] = [
-    (LINE, 1.0, -2.0, 0.7, 7.0, 0.0, 0.0, 0.0),
-    (ARC, 4.0, 1.0, -2.0, 3.0, -2.5, 0.0, 0.0),
-    (CLOTHOID, -3.0, 5.0, 2.0, 20.0, -1.5, 2.0, 0.0),
-    (SPIRAL, 1.0, 2.0, 0.3, 1.7, 30.0, 9.0, 1.0),
-    (LOG_SPIRAL, -3.0, 5.0, 2.0, 9.0, -0.7, -0.2, 0.0),
-    (SPIRAL, 1.0, 2.0, 0.3, 1.7, 9.0, 30.0, -1.0),
+    (CurveKind.LINE, 1.0, -2.0, 0.7, 7.0, 0.0, 0.0, 0.0),
+    (CurveKind.ARC, 4.0, 1.0, -2.0, 3.0, -2.5, 0.0, 0.0),
+    (CurveKind.CLOTHOID, -3.0, 5.0, 2.0, 20.0, -1.5, 2.0, 0.0),
+    (CurveKind.SPIRAL, 1.0, 2.0, 0.3, 1.7, 30.0, 9.0, 1.0),
+    (CurveKind.LOG_SPIRAL, -3.0, 5.0, 2.0, 9.0, -0.7, -0.2, 0.0),
+    (CurveKind.SPIRAL, 1.0, 2.0, 0.3, 1.7, 9.0, 30.0, -1.0),
 ]
 
 
@@ -37,7 +37,7 @@ def places(rows: FloatArray, s: FloatArray) -> FloatArray:
 
 
 def length(rows: FloatArray) -> float:
-    return float(rows[-1, kernel.S_START] + rows[-1, kernel.LENGTH])
+    return float(rows[-1, RouteRow.S_START] + rows[-1, RouteRow.LENGTH])
 
 
 @pytest.mark.parametrize("numbers", PARTS)
@@ -62,12 +62,12 @@ def test_the_numbers_of_a_part_are_those_of_its_curve() -> None:
 
 def test_a_clothoid_is_cut_where_it_turns_too_far_for_one_row() -> None:
     for turn, count in ((1.9, 1), (2.0, 1), (2.1, 2), (40.0, 20)):
-        parts = np.array([(CLOTHOID, 0.0, 0.0, 0.0, 10.0, 0.1 * turn, 0.0, 0.0)])
+        parts = np.array([(CurveKind.CLOTHOID, 0.0, 0.0, 0.0, 10.0, 0.1 * turn, 0.0, 0.0)])
         assert row_count(parts) == count
         rows = laid(parts, ORIGIN, 0, 0)
-        np.testing.assert_allclose(np.diff(rows[:, kernel.S_START]), 10.0 / count, rtol=1e-14)
-        ends = rows[:, kernel.P] + rows[:, kernel.Q] * rows[:, kernel.LENGTH]
-        np.testing.assert_allclose(ends, [*rows[1:, kernel.P], 0.0], rtol=0.0, atol=1e-15)
+        np.testing.assert_allclose(np.diff(rows[:, RouteRow.S_START]), 10.0 / count, rtol=1e-14)
+        ends = rows[:, RouteRow.P] + rows[:, RouteRow.Q] * rows[:, RouteRow.LENGTH]
+        np.testing.assert_allclose(ends, [*rows[1:, RouteRow.P], 0.0], rtol=0.0, atol=1e-15)
 
 
 def test_parts_that_are_moved_begin_where_the_one_before_ends() -> None:
@@ -77,8 +77,8 @@ def test_parts_that_are_moved_begin_where_the_one_before_ends() -> None:
     route_parts.misfits(rows, gaps)
     assert gaps.max() < 1e-13
     assert route_parts.start_pose(rows, 0) == pytest.approx((3.0, 4.0, 5.0), abs=1e-14)
-    assert rows[:, kernel.PART].tolist() == sorted(rows[:, kernel.PART].tolist())
-    np.testing.assert_array_equal(np.unique(rows[:, kernel.PART]), np.arange(len(parts)))
+    assert rows[:, RouteRow.PART].tolist() == sorted(rows[:, RouteRow.PART].tolist())
+    np.testing.assert_array_equal(np.unique(rows[:, RouteRow.PART]), np.arange(len(parts)))
     # Moved as a whole, each is as before: `parts` says where it is now.
     again = parts.copy()
     np.testing.assert_allclose(laid(again, ORIGIN, 0, 0), rows, rtol=0.0, atol=1e-12)
@@ -99,22 +99,27 @@ def test_a_moved_part_is_the_same_turned(numbers: tuple[float, ...]) -> None:
 
 
 def test_only_the_first_row_of_a_route_runs_on() -> None:
-    ends = {LINE: -math.inf, ARC: 0.0, CLOTHOID: 0.0, LOG_SPIRAL: 0.0}
+    ends = {
+        CurveKind.LINE: -math.inf,
+        CurveKind.ARC: 0.0,
+        CurveKind.CLOTHOID: 0.0,
+        CurveKind.LOG_SPIRAL: 0.0,
+    }
     for numbers in PARTS:
         rows = laid(np.array([numbers, *PARTS]), ORIGIN, 0, 0)
-        inward = numbers[0] == SPIRAL and numbers[6] < numbers[5]
+        inward = numbers[0] == CurveKind.SPIRAL and numbers[6] < numbers[5]
         wanted = ends.get(numbers[0], math.inf if inward else numbers[5])
-        assert rows[0, kernel.U_BACK] == wanted
-        np.testing.assert_array_equal(rows[1:, kernel.U_BACK], rows[1:, kernel.U_START])
+        assert rows[0, RouteRow.U_BACK] == wanted
+        np.testing.assert_array_equal(rows[1:, RouteRow.U_BACK], rows[1:, RouteRow.U_START])
 
 
 def test_misfits_are_the_gaps_and_kinks_that_were_made() -> None:
     parts = np.zeros((4, PART_COLUMNS))
-    parts[:, route_parts.SIZE] = 1.0
-    parts[1:, route_parts.PART_X] = 1.3, 2.3, 3.3
-    parts[2, route_parts.PART_ANGLE] = 0.5
-    parts[3, route_parts.PART_ANGLE] = -4.0 * math.pi
-    parts[3, route_parts.PART_X : route_parts.PART_Y + 1] = 2.3 + math.cos(0.5), math.sin(0.5) - 0.2
+    parts[:, RoutePart.SIZE] = 1.0
+    parts[1:, RoutePart.X] = 1.3, 2.3, 3.3
+    parts[2, RoutePart.ANGLE] = 0.5
+    parts[3, RoutePart.ANGLE] = -4.0 * math.pi
+    parts[3, RoutePart.X : RoutePart.Y + 1] = 2.3 + math.cos(0.5), math.sin(0.5) - 0.2
     out = np.full((3, 2), np.nan)
     route_parts.misfits(laid(parts, ORIGIN, 0, 0), out)
     np.testing.assert_allclose(out, [[0.3, 0.0], [0.0, 0.5], [0.2, 0.5]], rtol=0.0, atol=1e-14)

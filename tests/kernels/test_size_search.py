@@ -10,7 +10,8 @@ import pytest
 from benchdragon.kernels import size_bracket as bracket
 from benchdragon.kernels import size_search as search
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.size_bracket import BAD, FAILS, GOOD, PASSES, UNDECIDED, VALUE
+from benchdragon.kernels.size_bracket import Bracket, SizeVerdict
+from benchdragon.kernels.size_search import KnownMeeting, Meet, SizeGoal, SizePhase, SizeStep
 
 Pair = Callable[[float], float]
 
@@ -25,35 +26,37 @@ class World:
     blind: bool = False  # whether no low pairs are found beforehand
     off: list[float] = field(default_factory=list)  # by which roots are found too far on the safe side
     tried: list[float] = field(default_factory=list)
-    state: FloatArray = field(default_factory=lambda: np.zeros(bracket.STATE))
-    meetings: FloatArray = field(default_factory=lambda: np.full((search.MEETINGS, 4), search.NOBODY))
+    state: FloatArray = field(default_factory=lambda: np.zeros(bracket.BRACKET_NUMBERS))
+    meetings: FloatArray = field(
+        default_factory=lambda: np.full((search.MEETINGS, 4), search.NO_MEETING)
+    )
 
     def passes(self, size: float) -> bool:
         return self.walked(size) and all(pair(size) >= 0.0 for pair in self.pairs)
 
     def walk(self, size: float) -> float:
         self.tried.append(size)
-        if self.off and self.state[bracket.SHIFT] > 0.0:
-            self.state[[bracket.SIZE, bracket.ROOT]] += self.off.pop()
+        if self.off and self.state[Bracket.SHIFT] > 0.0:
+            self.state[[Bracket.SIZE, Bracket.ROOT]] += self.off.pop()
         if not self.decided(size):
-            return UNDECIDED
+            return SizeVerdict.UNDECIDED
         if self.passes(size):
-            return PASSES
-        self.meetings[search.FAILED, search.MEET_FRONT] = search.NOBODY
+            return SizeVerdict.PASSES
+        self.meetings[KnownMeeting.FAILED, Meet.FRONT] = search.NO_MEETING
         if self.walked(size):  # the first that meets
             n = next(n for n, pair in enumerate(self.pairs) if pair(size) < 0.0)
-            self.meetings[search.FAILED] = 1.0 + n, 9.0 - n, n, n + 2
-        return FAILS
+            self.meetings[KnownMeeting.FAILED] = 1.0 + n, 9.0 - n, n, n + 2
+        return SizeVerdict.FAILS
 
     def low_pair(self, size: float) -> float:
         if self.blind or not self.walked(size) or not self.pairs:
             return math.inf
         least, n = min((pair(size), n) for n, pair in enumerate(self.pairs))
-        self.meetings[search.GUIDE] = 1.0 + n, 9.0 - n, n, n + 2
+        self.meetings[KnownMeeting.GUIDE] = 1.0 + n, 9.0 - n, n, n + 2
         return least
 
     def distance(self, size: float) -> float:
-        n = int(self.meetings[search.ROOTED, search.MEET_FRONT])
+        n = int(self.meetings[KnownMeeting.ROOTED, Meet.FRONT])
         return self.pairs[n](size) if self.walked(size) else math.nan
 
     def sought(
@@ -61,18 +64,22 @@ class World:
     ) -> tuple[int, FloatArray]:
         """How a search from a size ends, and its state."""
         state = self.state
-        state[[bracket.SENSE, bracket.TOLERANCE, bracket.SLACK]] = sense, 1e-12, 1e-13
-        state[[bracket.CAUTION, bracket.SIZE, bracket.STAGE]] = bracket.FIRST_CAUTION, size, search.GROW
+        state[[Bracket.SENSE, Bracket.TOLERANCE, Bracket.SLACK]] = sense, 1e-12, 1e-13
+        state[[Bracket.CAUTION, Bracket.SIZE, Bracket.STAGE]] = (
+            bracket.FIRST_CAUTION,
+            size,
+            SizeGoal.GROW,
+        )
         if border is not None:
-            state[[GOOD, BAD, bracket.TRIED]] = size, border, 1.0
-            state[[bracket.SIZE, bracket.STAGE]] = border, search.BORDER
+            state[[Bracket.GOOD, Bracket.BAD, Bracket.TRIED]] = size, border, 1.0
+            state[[Bracket.SIZE, Bracket.STAGE]] = border, SizeGoal.BORDER
         doubts = np.empty(bracket.MOST_TRIALS + bracket.MOST_GROWTHS)
         tasks, value = (self.walk, self.low_pair, self.distance), 0.0
         for _task in range(2000):
             asked = search.next_task(state, doubts, self.meetings, value)
             if asked >= len(tasks):
                 return asked, state
-            value = tasks[asked](float(state[bracket.NOW]))
+            value = tasks[asked](float(state[Bracket.NOW]))
         raise AssertionError("it goes on and on")
 
 
@@ -95,32 +102,32 @@ def test_the_limit_is_where_the_deciding_pair_just_keeps_apart(
 ) -> None:
     world = World(pairs, blind=blind)
     ending, state = world.sought(first)
-    assert ending == search.FOUND
-    assert state[BAD] < state[GOOD] <= state[BAD] + 2e-12
-    assert world.passes(state[GOOD])
-    assert not world.passes(state[BAD])
-    assert abs(state[VALUE] - 0.7) <= 2e-12
+    assert ending == SizeStep.FOUND
+    assert state[Bracket.BAD] < state[Bracket.GOOD] <= state[Bracket.BAD] + 2e-12
+    assert world.passes(state[Bracket.GOOD])
+    assert not world.passes(state[Bracket.BAD])
+    assert abs(state[Bracket.VALUE] - 0.7) <= 2e-12
     assert len(world.tried) < 40
-    decides = int(world.meetings[search.GUIDE, search.MEET_FRONT])
-    assert decides == search.NOBODY or pairs[decides](state[BAD]) < 0.0
-    assert blind or decides != search.NOBODY
+    decides = int(world.meetings[KnownMeeting.GUIDE, Meet.FRONT])
+    assert decides == search.NO_MEETING or pairs[decides](state[Bracket.BAD]) < 0.0
+    assert blind or decides != search.NO_MEETING
 
 
 def test_the_pair_that_decides_met_in_the_last_walk_that_failed() -> None:
     """Not the one gone by: here another one closes the bracket."""
     world = World(ONE)
     state, doubts = world.state, np.empty(0)
-    state[[bracket.SENSE, bracket.TOLERANCE, bracket.STAGE]] = 1.0, 1e-12, search.NARROW
-    state[[GOOD, bracket.SIZE, bracket.PHASE]] = 0.7 + 1e-13, 0.7, search.AFTER_WALK
-    world.meetings[search.GUIDE] = 3.0, 1.0, 2, 4
-    world.meetings[search.FAILED] = 1.0, 2.0, 5, 9
-    assert search.next_task(state, doubts, world.meetings, FAILS) == search.FOUND
-    assert world.meetings[search.GUIDE].tolist() == [1.0, 2.0, 5, 9]
+    state[[Bracket.SENSE, Bracket.TOLERANCE, Bracket.STAGE]] = 1.0, 1e-12, SizeGoal.NARROW
+    state[[Bracket.GOOD, Bracket.SIZE, Bracket.PHASE]] = 0.7 + 1e-13, 0.7, SizePhase.AFTER_WALK
+    world.meetings[KnownMeeting.GUIDE] = 3.0, 1.0, 2, 4
+    world.meetings[KnownMeeting.FAILED] = 1.0, 2.0, 5, 9
+    assert search.next_task(state, doubts, world.meetings, SizeVerdict.FAILS) == SizeStep.FOUND
+    assert world.meetings[KnownMeeting.GUIDE].tolist() == [1.0, 2.0, 5, 9]
 
 
 def test_a_root_costs_few_walks_and_a_search_without_pairs_many() -> None:
     near, far = World(ONE), World((), walked=lambda size: size >= 0.7)
-    assert near.sought(0.75)[0] == far.sought(0.9)[0] == search.FOUND
+    assert near.sought(0.75)[0] == far.sought(0.9)[0] == SizeStep.FOUND
     assert len(near.tried) == 2
     assert 30 < len(far.tried) < bracket.MOST_TRIALS
 
@@ -129,15 +136,15 @@ def test_a_root_costs_few_walks_and_a_search_without_pairs_many() -> None:
 def test_a_root_that_rounding_hides_costs_as_few_walks(share: float) -> None:
     """No step of the secant method comes nearer than distances are told."""
     world = World([lambda size: 2e-14 * (math.floor((size - 0.7) / 4e-14 + share) + 0.5)])
-    assert world.sought(0.75)[0] == search.FOUND
+    assert world.sought(0.75)[0] == SizeStep.FOUND
     assert len(world.tried) == 2
 
 
 @pytest.mark.parametrize("least", [1e-3, 1e-14])
 def test_distances_that_stay_the_same_lead_to_no_root(least: float) -> None:
     world = World([lambda size: math.copysign(least, size - 0.7)])
-    assert world.sought(0.75)[0] == search.FOUND
-    assert world.state[VALUE] == pytest.approx(0.7, abs=1e-11)
+    assert world.sought(0.75)[0] == SizeStep.FOUND
+    assert world.state[Bracket.VALUE] == pytest.approx(0.7, abs=1e-11)
     assert len(world.tried) > 30
 
 
@@ -145,56 +152,56 @@ def test_smaller_may_be_safer() -> None:
     for first in (0.9, 0.05, 0.71):
         world = World((lambda size: 0.7 - size,))
         ending, state = world.sought(first, -1.0)
-        assert ending == search.FOUND
-        assert state[GOOD] < state[BAD] <= state[GOOD] + 2e-12
-        assert abs(state[VALUE] - 0.7) <= 2e-12
+        assert ending == SizeStep.FOUND
+        assert state[Bracket.GOOD] < state[Bracket.BAD] <= state[Bracket.GOOD] + 2e-12
+        assert abs(state[Bracket.VALUE] - 0.7) <= 2e-12
 
 
 def test_where_all_that_is_tried_passes_there_is_no_limit_and_where_none_does_no_size() -> None:
     ending, state = World((lambda _size: 0.05,)).sought(0.9)
-    assert (ending, state[VALUE]) == (search.UNLIMITED, pytest.approx(0.009))
+    assert (ending, state[Bracket.VALUE]) == (SizeStep.UNLIMITED, pytest.approx(0.009))
     world = World((lambda _size: -0.1,))
-    assert world.sought(0.9)[0] == search.INFEASIBLE
+    assert world.sought(0.9)[0] == SizeStep.INFEASIBLE
     assert len(world.tried) == bracket.MOST_GROWTHS
 
 
 def test_sizes_that_cannot_be_decided_bound_what_is_known() -> None:
     world = World(ONE, decided=lambda size: not 0.69 < size < 0.71)
     ending, state = world.sought(0.9)
-    assert ending == search.FOUND
-    assert state[BAD] <= 0.69
-    assert 0.71 <= state[GOOD]
-    assert state[bracket.DOUBTS] > 0.0
+    assert ending == SizeStep.FOUND
+    assert state[Bracket.BAD] <= 0.69
+    assert 0.71 <= state[Bracket.GOOD]
+    assert state[Bracket.DOUBTS] > 0.0
 
 
 def test_a_jump_is_narrowed_as_far_as_doubles_allow() -> None:
     """Above the jump the pair is far, below it deep inside: no root is met."""
     world = World((lambda size: 0.05 if size >= 0.7 else -0.05,))
     ending, state = world.sought(0.9)
-    assert ending == search.FOUND
-    assert state[BAD] < 0.7 <= state[GOOD] <= state[BAD] + 1.1e-12
+    assert ending == SizeStep.FOUND
+    assert state[Bracket.BAD] < 0.7 <= state[Bracket.GOOD] <= state[Bracket.BAD] + 1.1e-12
 
 
 def test_a_border_is_sought_between_two_sizes() -> None:
     for world in (World(ONE), World(THREE), World((), walked=lambda size: size >= 0.7)):
         ending, state = world.sought(2.0, border=0.5)
-        assert ending == search.FOUND
+        assert ending == SizeStep.FOUND
         assert world.tried[0] == 0.5
-        assert abs(state[GOOD] - 0.7) <= 2e-12
-        assert world.passes(state[GOOD])
+        assert abs(state[Bracket.GOOD] - 0.7) <= 2e-12
+        assert world.passes(state[Bracket.GOOD])
 
 
 def test_a_root_found_too_far_on_the_safe_side_ends_no_search() -> None:
     world = World(ONE, off=[1e-6, 1e-9])
     ending, state = world.sought(0.75)
-    assert ending == search.FOUND
+    assert ending == SizeStep.FOUND
     assert not world.off
-    assert not world.passes(state[BAD])
-    assert abs(state[VALUE] - 0.7) <= 2e-12
+    assert not world.passes(state[Bracket.BAD])
+    assert abs(state[Bracket.VALUE] - 0.7) <= 2e-12
 
 
 def test_too_many_trials_end_a_search(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(bracket, "MOST_TRIALS", 5)
     ending, state = World((), walked=lambda size: size >= 0.7).sought(0.9)
-    assert ending == search.EXHAUSTED
-    assert state[GOOD] - state[BAD] > 1e-3
+    assert ending == SizeStep.EXHAUSTED
+    assert state[Bracket.GOOD] - state[Bracket.BAD] > 1e-3

@@ -12,7 +12,10 @@ from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import bench_cells as cells
 from benchdragon.kernels import drive
 from benchdragon.kernels import speed_search as peak
+from benchdragon.kernels.bench_cells import CutCount
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.drive import DriveRate, DriveStep
+from benchdragon.kernels.speed_search import PartFact, PartSpan, SpeedCount, SpeedNote
 from benchdragon.kernels.status import Ended
 from benchdragon.model.placement import Placement
 from tests.kernels import rooms
@@ -47,12 +50,12 @@ def drives() -> peak.Drives:
 
 def cut(route: Route) -> cells.Cells:
     """The cells of a route that the dragon walks through."""
-    kinds = cells.Kinds(LINKS[:, np.newaxis].copy(), np.tile([FIRST - 6.0, LAST], (len(LINKS), 1)))
+    kinds = cells.CellKinds(LINKS[:, np.newaxis].copy(), np.tile([FIRST - 6.0, LAST], (len(LINKS), 1)))
     made, done = rooms.empty_cells(300, len(LINKS)), np.zeros(2, dtype=np.int64)
     reached, shop = np.array([FIRST - 6.0, 0.4]), rooms.workshop_for(len(LINKS), seams_of(route.rows))
     cuts = cells.Cuts(LAST, 0.4, 0.05, 1e-2)
     assert cells.cut_cells(route.rows, kinds, shop, cuts, made, reached, done, 300) == Ended.DONE
-    return cells.Cells(*(table[: done[cells.CELLS] + 1].copy() for table in made))
+    return cells.Cells(*(table[: done[CutCount.CELLS] + 1].copy() for table in made))
 
 
 def waiting(drives: peak.Drives, by_cells: int, room: int) -> tuple[peak.Heap, list[int]]:
@@ -82,9 +85,9 @@ def seek(
     driven = driven or drives()
     made = cut(route) if by_cells else rooms.empty_cells(0, 1)
     heap, counted = waiting(driven, by_cells, room)
-    heap.marks[:by_chains, peak.BY_CELLS] = 0
+    heap.marks[:by_chains, PartFact.BY_CELLS] = 0
     notes, counts = np.array([-1.0, 0.0, 0.0, 0.0, 0.0]), np.array(counted)
-    aim = peak.Aim(quantity, tolerance, limit, 0.9, 0.11)
+    aim = peak.SpeedAim(quantity, tolerance, limit, 0.9, 0.11)
     batch, chains = rooms.empty_batch(), rooms.chains_for(len(DRAGON) + 1, seams_of(route.rows))
     ends: list[Ended] = []
     while not ends or ends[-1] in (Ended.MORE, Ended.ROOM):
@@ -96,7 +99,7 @@ def seek(
         )  # fmt: skip
         if ends[-1] == Ended.ROOM:
             heap = peak.Heap(*(np.concatenate([table, np.empty_like(table)]) for table in heap))
-    return Found(notes, counts.tolist(), max(notes[peak.UPPER], notes[peak.SEEN]), ends)
+    return Found(notes, counts.tolist(), max(notes[SpeedNote.UPPER], notes[SpeedNote.SEEN]), ends)
 
 
 @cache
@@ -121,30 +124,30 @@ def test_what_is_found_is_what_sampling_sees(name: str, by_cells: int) -> None:
     found = found_of(QUANTITIES[name], by_cells)
     most = sampled(name, np.linspace(FIRST, LAST, 2001)).max()
     assert most <= found.upper * (1.0 + 1e-9)
-    assert found.notes[peak.SEEN] <= found.upper <= found.notes[peak.SEEN] * (1.0 + 1.01e-3)
-    assert found.notes[peak.SEEN] == pytest.approx(most, rel=2e-3)
-    beside = found.notes[peak.WHERE] + np.array([-1e-9, 0.0, 1e-9])
-    stretch = found.counts[peak.WHEN]
+    assert found.notes[SpeedNote.SEEN] <= found.upper <= found.notes[SpeedNote.SEEN] * (1.0 + 1.01e-3)
+    assert found.notes[SpeedNote.SEEN] == pytest.approx(most, rel=2e-3)
+    beside = found.notes[SpeedNote.WHERE] + np.array([-1e-9, 0.0, 1e-9])
+    stretch = found.counts[SpeedCount.WHEN]
     here = sampled(name, np.clip(beside, FIRST, LAST), MIDDLE if stretch else math.inf)
-    row = found.counts[peak.ROW]
-    assert here[:, row].max() == pytest.approx(found.notes[peak.SEEN], rel=1e-6)
-    assert here.max() <= found.notes[peak.SEEN] * (1.0 + 1e-6)
+    row = found.counts[SpeedCount.ROW]
+    assert here[:, row].max() == pytest.approx(found.notes[SpeedNote.SEEN], rel=1e-6)
+    assert here.max() <= found.notes[SpeedNote.SEEN] * (1.0 + 1e-6)
 
 
 def test_cells_spare_most_chains_and_change_no_answer() -> None:
     for name, quantity in QUANTITIES.items():
         with_cells, without = (found_of(quantity, n) for n in (1, 0))
-        assert with_cells.counts[peak.EVALUATIONS] < without.counts[peak.EVALUATIONS], name
-        lowest = max(found.notes[peak.SEEN] for found in (with_cells, without))
+        assert with_cells.counts[SpeedCount.EVALUATIONS] < without.counts[SpeedCount.EVALUATIONS], name
+        lowest = max(found.notes[SpeedNote.SEEN] for found in (with_cells, without))
         assert lowest <= min(with_cells.upper, without.upper)
 
 
 @pytest.mark.parametrize("by_cells", [0, 1])
 def test_a_search_in_small_calls_finds_the_same(by_cells: int) -> None:
-    whole = seek(drive.TOTAL, 1e-3, by_cells=by_cells)
+    whole = seek(DriveRate.TOTAL, 1e-3, by_cells=by_cells)
     assert whole.ends == [Ended.DONE]
-    for room, budget in ((peak.SLOTS, 10_000_000), (400, 1), (peak.SLOTS + 2, 60)):
-        parts = seek(drive.TOTAL, 1e-3, by_cells=by_cells, room=room, budget=budget)
+    for room, budget in ((peak.CHAIN_SLOTS, 10_000_000), (400, 1), (peak.CHAIN_SLOTS + 2, 60)):
+        parts = seek(DriveRate.TOTAL, 1e-3, by_cells=by_cells, room=room, budget=budget)
         assert parts.ends[-1] == Ended.DONE
         assert (Ended.MORE in parts.ends) == (budget < 100)
         assert (Ended.ROOM in parts.ends) == (room < 400)
@@ -153,7 +156,7 @@ def test_a_search_in_small_calls_finds_the_same(by_cells: int) -> None:
 
 
 def test_the_bracket_is_no_wider_than_asked_and_the_search_no_longer() -> None:
-    evaluations = [seek(drive.SPEEDS, 10.0**-n).counts[peak.EVALUATIONS] for n in (1, 3, 5)]
+    evaluations = [seek(DriveRate.SPEEDS, 10.0**-n).counts[SpeedCount.EVALUATIONS] for n in (1, 3, 5)]
     assert evaluations[0] < evaluations[1] < evaluations[2]
 
 
@@ -161,11 +164,11 @@ def test_the_bracket_is_no_wider_than_asked_and_the_search_no_longer() -> None:
 def test_what_is_put_aside_is_still_bounded(by_cells: int) -> None:
     most = sampled("speed", np.linspace(FIRST, LAST, 2001)).max()
     for limit in (1.003 * most, 1.05 * most):
-        found = seek(drive.SPEEDS, 1e-6, by_cells=by_cells, limit=limit)
+        found = seek(DriveRate.SPEEDS, 1e-6, by_cells=by_cells, limit=limit)
         assert most <= found.upper <= limit
     for tolerance in (0.5, 0.2, 0.1, 0.05, 0.02, 0.01):
-        found = seek(drive.SPEEDS, tolerance, by_cells=by_cells)
-        assert most <= found.upper <= found.notes[peak.SEEN] * (1.0 + tolerance) * (1.0 + 1e-9)
+        found = seek(DriveRate.SPEEDS, tolerance, by_cells=by_cells)
+        assert most <= found.upper <= found.notes[SpeedNote.SEEN] * (1.0 + tolerance) * (1.0 + 1e-9)
 
 
 @pytest.mark.parametrize("seen", [0, 1])
@@ -174,44 +177,44 @@ def test_what_need_not_be_looked_at_is_still_bounded(seen: int) -> None:
     ways = np.array([[FIRST, FIRST], [FIRST, LAST]][1 - seen :])
     driven = peak.Drives(ways, np.ones(ways.shape), np.zeros(len(ways)))
     most = Placement(DRAGON, ROUTE, np.linspace(FIRST, LAST, 801)).speed_ratio.max()
-    found = seek(drive.SPEEDS, 1e-6, limit=300.0 * most, driven=driven, by_chains=seen)
+    found = seek(DriveRate.SPEEDS, 1e-6, limit=300.0 * most, driven=driven, by_chains=seen)
     assert most <= found.upper <= 3.0 * most
-    assert found.counts[peak.EVALUATIONS] < 20
+    assert found.counts[SpeedCount.EVALUATIONS] < 20
 
 
 def test_a_limit_that_is_kept_is_enough() -> None:
-    fine = seek(drive.TURNING, 1e-6)
-    kept = seek(drive.TURNING, 1e-6, limit=2.0 * fine.upper)
-    assert fine.notes[peak.SEEN] <= kept.upper <= 2.0 * fine.upper
-    assert kept.counts[peak.EVALUATIONS] < fine.counts[peak.EVALUATIONS]
-    near = seek(drive.TURNING, 1e-6, limit=fine.upper * (1.0 + 1e-5))
+    fine = seek(DriveRate.TURNING, 1e-6)
+    kept = seek(DriveRate.TURNING, 1e-6, limit=2.0 * fine.upper)
+    assert fine.notes[SpeedNote.SEEN] <= kept.upper <= 2.0 * fine.upper
+    assert kept.counts[SpeedCount.EVALUATIONS] < fine.counts[SpeedCount.EVALUATIONS]
+    near = seek(DriveRate.TURNING, 1e-6, limit=fine.upper * (1.0 + 1e-5))
     assert near.upper <= fine.upper * (1.0 + 1e-5)
-    broken = seek(drive.TURNING, 1e-6, limit=0.9 * fine.upper)
-    assert broken.notes[peak.SEEN] == pytest.approx(fine.notes[peak.SEEN], rel=2e-6)
-    assert broken.upper <= broken.notes[peak.SEEN] * (1.0 + 1.01e-6)
+    broken = seek(DriveRate.TURNING, 1e-6, limit=0.9 * fine.upper)
+    assert broken.notes[SpeedNote.SEEN] == pytest.approx(fine.notes[SpeedNote.SEEN], rel=2e-6)
+    assert broken.upper <= broken.notes[SpeedNote.SEEN] * (1.0 + 1.01e-6)
 
 
 @pytest.mark.parametrize("by_cells", [0, 1])
 def test_a_chain_that_cannot_stand_ends_the_search(by_cells: int) -> None:
     short = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(2.0)])
-    found = seek(drive.SPEEDS, 1e-3, by_cells=by_cells, route=short)
+    found = seek(DriveRate.SPEEDS, 1e-3, by_cells=by_cells, route=short)
     assert found.ends == [Ended.FALLEN]
 
 
 def test_a_jolt_without_way_counts_once() -> None:
     jolt = peak.Drives(np.full((1, 2), 8.5), np.zeros((1, 2)), np.array([2.0]))
-    found = seek(drive.ALONG, 1e-6, by_cells=0, driven=jolt)
+    found = seek(DriveRate.ALONG, 1e-6, by_cells=0, driven=jolt)
     ratio = Placement(DRAGON, ROUTE, [8.5]).speed_ratio.max()
-    assert found.notes[peak.SEEN] == pytest.approx(2.0 * ratio)
+    assert found.notes[SpeedNote.SEEN] == pytest.approx(2.0 * ratio)
     assert found.upper == pytest.approx(2.0 * ratio)
-    assert found.counts[peak.EVALUATIONS] <= 2
+    assert found.counts[SpeedCount.EVALUATIONS] <= 2
 
 
 def test_a_head_that_stands_asks_for_nothing() -> None:
     standing = peak.Drives(np.array([[7.0, 9.0]]), np.zeros((1, 2)), np.zeros(1))
     for quantity in QUANTITIES.values():
         found = seek(quantity, 1e-6, driven=standing)
-        assert (found.notes[peak.SEEN], found.upper) == (0.0, 0.0)
+        assert (found.notes[SpeedNote.SEEN], found.upper) == (0.0, 0.0)
 
 
 def test_of_parts_that_wait_the_greatest_bound_comes_first_then_the_first_on_the_way() -> None:
@@ -229,7 +232,7 @@ def test_of_parts_that_wait_the_greatest_bound_comes_first_then_the_first_on_the
         assert (links, by_cells) == (2, stretch % 2)
         came.append((-bound, start))
     assert came == sorted(came)
-    assert counts[peak.OPEN] == 0
+    assert counts[SpeedCount.OPEN] == 0
 
 
 def test_a_long_way_is_cut_and_goes_on_waiting_whole() -> None:
@@ -237,40 +240,40 @@ def test_a_long_way_is_cut_and_goes_on_waiting_whole() -> None:
     peak.push(heap, counts, 3.0, 1.0, 101.0, 5, 2, 1)
     peak.take(heap, counts, batch, 0)
     peak.divide(heap, counts, batch, 0.5)
-    parts = heap.parts[: counts[peak.OPEN]]
-    parts = parts[np.argsort(parts[:, peak.START])]
-    assert len(parts) == peak.MOST_PIECES
-    assert (parts[:, peak.BOUND] == 3.0).all()
-    assert (parts[0, peak.START], parts[-1, peak.END]) == (1.0, 101.0)
-    np.testing.assert_array_equal(parts[1:, peak.START], parts[:-1, peak.END])
+    parts = heap.parts[: counts[SpeedCount.OPEN]]
+    parts = parts[np.argsort(parts[:, PartSpan.START])]
+    assert len(parts) == peak.MOST_PART_PIECES
+    assert (parts[:, PartSpan.BOUND] == 3.0).all()
+    assert (parts[0, PartSpan.START], parts[-1, PartSpan.END]) == (1.0, 101.0)
+    np.testing.assert_array_equal(parts[1:, PartSpan.START], parts[:-1, PartSpan.END])
     assert (heap.marks[: len(parts)] == (5, 2, 1)).all()
 
 
 def test_what_rounding_may_add_is_bounded_too() -> None:
     aim, heap, batch = (
-        peak.Aim(drive.SPEEDS, 1e-3, math.inf, 0.9, 0.11),
+        peak.SpeedAim(DriveRate.SPEEDS, 1e-3, math.inf, 0.9, 0.11),
         rooms.empty_heap(4),
         rooms.empty_batch(),
     )
     batch.parts[0], batch.marks[0], batch.at[:2] = (math.inf, 0.0, 1.0), (0, 1, 0), (0.0, 1.0)
-    notes, counts = np.array([1.0, 0.0, 0.0, 1.0, 1.0]), np.zeros(peak.COUNTS, dtype=np.int64)
-    most, off = np.array([1.0, 0.5]), np.full((2, peak.SLOTS), 0.125)
+    notes, counts = np.array([1.0, 0.0, 0.0, 1.0, 1.0]), np.zeros(peak.SPEED_COUNTS, dtype=np.int64)
+    most, off = np.array([1.0, 0.5]), np.full((2, peak.CHAIN_SLOTS), 0.125)
     off[0, 1] = 0.25
     peak.keep(aim, heap, batch, 0, 0, most, off, notes, counts)
-    assert notes[peak.UPPER] == 1.25  # not looked at again, though it is more than is seen
-    assert counts[peak.OPEN] == 0
+    assert notes[SpeedNote.UPPER] == 1.25  # not looked at again, though it is more than is seen
+    assert counts[SpeedCount.OPEN] == 0
     peak.keep(aim, heap, batch, 0, 0, 2.0 * most, off, notes, counts)
-    assert heap.parts[0, peak.BOUND] == 2.25
-    assert counts[peak.OPEN] == 1
+    assert heap.parts[0, PartSpan.BOUND] == 2.25
+    assert counts[SpeedCount.OPEN] == 1
 
 
 def test_steps_are_told_how_near_jumps_rounding_may_hide_sides() -> None:
     chains, batch = rooms.chains_for(len(DRAGON) + 1, seams_of(ROUTE.rows)), rooms.empty_batch()
     batch.at[:3], batch.slots[0] = (10.0, 10.05, 10.1), (0, 2)
     batch.parts[0], batch.marks[0] = (math.inf, 10.0, 10.1), (0, len(DRAGON), 0)
-    aim, heap = peak.Aim(drive.ALONG, 1e-3, math.inf, 0.9, 0.11), rooms.empty_heap(9)
-    notes, counts = np.array([-1.0, 0.0, 0.0, 0.0, 0.0]), np.zeros(peak.COUNTS, dtype=np.int64)
-    assert peak.place_batch(ROUTE.rows, DRAGON.links, batch.at, 3, chains, drive.ALONG)
+    aim, heap = peak.SpeedAim(DriveRate.ALONG, 1e-3, math.inf, 0.9, 0.11), rooms.empty_heap(9)
+    notes, counts = np.array([-1.0, 0.0, 0.0, 0.0, 0.0]), np.zeros(peak.SPEED_COUNTS, dtype=np.int64)
+    assert peak.place_batch(ROUTE.rows, DRAGON.links, batch.at, 3, chains, DriveRate.ALONG)
     peak.look_by_chains(ROUTE.rows, DRAGON.links, aim, drives(), heap, batch, 0, chains, notes, counts)
     assert (chains.errors.most[:3] > 0.0).all()
     assert chains.scratch.beside.tolist() == chains.errors.most[1:3].tolist()
@@ -283,6 +286,6 @@ def test_a_stretch_ends_at_the_speed_that_is_said() -> None:
     ways = np.array([[0.0, 5.0]])
     driven, drive_ = peak.Drives(ways, squares, np.array([0.2])), np.empty(drive.DRIVE_COLUMNS)
     peak.set_drive(driven, 0, 0.0, 5.0, drive_)
-    assert drive_[: drive.RATE].tolist() == [start, end]
+    assert drive_[: DriveStep.RATE].tolist() == [start, end]
     peak.set_drive(driven, 0, 2.5, 5.0, drive_)
-    assert drive_[drive.FROM] == pytest.approx(0.5 * (start + end))
+    assert drive_[DriveStep.FROM] == pytest.approx(0.5 * (start + end))

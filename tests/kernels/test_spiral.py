@@ -8,16 +8,15 @@ import numpy.typing as npt
 import pytest
 
 from benchdragon.kernels.angles import MOST_ANGLE
-from benchdragon.kernels.curve import P, place
+from benchdragon.kernels.curve import RouteRow, place
 from benchdragon.kernels.route import next_handle
 from benchdragon.kernels.spiral import (
-    GUESS,
+    LANE_NUMBERS,
     LANES,
     LEAST_ANGLE,
     MOST_LINK_INWARD,
     MOST_LINK_OUTWARD,
-    REST,
-    STATE,
+    Lane,
     angles_after,
     halley_pass,
     spiral_links,
@@ -54,8 +53,10 @@ def marched(
 ) -> tuple[bool, Float, Float, Float, Float, Float]:
     """One link abreast: whether it settled, then state, u, x, y and ratio of the rear handles."""
     rows, count = spiral.rows, len(fronts)
-    state = np.zeros(STATE)
-    state[GUESS : GUESS + count] = link / (rows[0, P] * fronts) if guess is None else guess
+    state = np.zeros(LANE_NUMBERS)
+    state[Lane.GUESS : Lane.GUESS + count] = (
+        link / (rows[0, RouteRow.P] * fronts) if guess is None else guess
+    )
     u, x, y, ratio = (np.full((2, count), np.nan) for _ in range(4))
     u[0], ratio[0] = fronts, 1.0
     settled = spiral_links(rows, 0, link, 1.0, 0, 0, count, state, u, x, y, ratio)
@@ -92,10 +93,10 @@ def test_a_link_abreast_is_exact_to_rounding_with_both_doubles(spiral: Spiral) -
     centre, hand = complex(*spiral.centre), -1 if spiral.mirrored else 1
     with mp.workdps(40):
         for i, front in enumerate(fronts):
-            a, b = mp.mpf(front), mp.mpf(u[i]) + mp.mpf(state[REST + i])
-            chord = spiral.rows[0, P] * abs(a - b * mp.expj(b - a))
+            a, b = mp.mpf(front), mp.mpf(u[i]) + mp.mpf(state[Lane.REST + i])
+            chord = spiral.rows[0, RouteRow.P] * abs(a - b * mp.expj(b - a))
             assert abs(chord - link) <= 8e-16 * link
-            point = spiral.rows[0, P] * b * mp.expj(spiral.rotation + hand * b) + centre
+            point = spiral.rows[0, RouteRow.P] * b * mp.expj(spiral.rotation + hand * b) + centre
             assert abs(point - complex(x[i], y[i])) <= 8e-16 * (abs(point) + abs(centre))
 
 
@@ -130,17 +131,17 @@ def test_the_rest_keeps_what_an_angle_loses_to_rounding(spiral: Spiral) -> None:
     front = 300.0 if spiral.end_angle > spiral.start_angle else 60.0
     u, x, y, ratio = (np.full((41, 1), np.nan) for _ in range(4))
     u[0], ratio[0] = front, 1.0
-    state = np.zeros(STATE)
-    state[GUESS] = link / (rows[0, P] * front)
+    state = np.zeros(LANE_NUMBERS)
+    state[Lane.GUESS] = link / (rows[0, RouteRow.P] * front)
     for i in range(40):
         assert spiral_links(rows, 0, link, 1.0, i, 0, 1, state, u, x, y, ratio)
     with mp.workdps(40):
-        k, sigma = mp.mpf(rows[0, P]), 1 if u[1, 0] > front else -1
+        k, sigma = mp.mpf(rows[0, RouteRow.P]), 1 if u[1, 0] > front else -1
         a = mp.mpf(front)
         for _ in range(40):
             start = a + sigma * mp.mpf(link) / (k * a)
             a = mp.findroot(lambda b, a=a: abs(a - b * mp.expj(b - a)) - mp.mpf(link) / k, start)
-        assert abs(a - mp.mpf(u[40, 0]) - mp.mpf(state[REST])) <= 4e-15
+        assert abs(a - mp.mpf(u[40, 0]) - mp.mpf(state[Lane.REST])) <= 4e-15
 
 
 def test_a_pass_counts_the_lanes_that_still_took_a_large_step() -> None:
@@ -148,8 +149,8 @@ def test_a_pass_counts_the_lanes_that_still_took_a_large_step() -> None:
     fronts = np.full(6, 30.0)
     link = 1.65
     _, _, u, _, _, _ = marched(spiral, fronts, link)
-    state = np.zeros(STATE)
-    state[GUESS : GUESS + 6] = (u - fronts) * np.array([1.0, 1.0, 0.5, 1.0, 2.0, 1.0])
+    state = np.zeros(LANE_NUMBERS)
+    state[Lane.GUESS : Lane.GUESS + 6] = (u - fronts) * np.array([1.0, 1.0, 0.5, 1.0, 2.0, 1.0])
     tables = [np.full((2, 6), np.nan) for _ in range(4)]
     tables[0][0], tables[3][0] = fronts, 1.0
     assert halley_pass(spiral.rows, 0, link, 1.0, 0, 0, 6, state, *tables) == 2

@@ -9,6 +9,7 @@ from benchdragon.analysis.distance import boxes
 from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.box import least_distance, pair_distances
 from benchdragon.kernels.chain import Placements, empty_placements
+from benchdragon.kernels.motion_bounds import HandleBound
 from benchdragon.kernels.route import locate, positions
 from benchdragon.kernels.stray_chain import (
     bound_beside,
@@ -135,26 +136,26 @@ def test_bounds_hold_everywhere_in_a_step_beside_the_route(name: str, h: float) 
     bound_beside(route.rows, links, ASIDE, ends, 0, 1, bounds)
     z = fine.x + 1j * fine.y
     steps = np.abs(np.diff(z, axis=1))
-    assert (steps.sum(axis=1) <= bounds[:, motion_bounds.PATH] + 1e-10).all()
-    assert (steps.sum(axis=1) >= 0.9 * bounds[:, motion_bounds.PATH]).all()
-    assert (fine.ratio <= bounds[:, [motion_bounds.SPEED]] + 1e-9).all()
-    assert (fine.ratio >= bounds[:, [motion_bounds.SLOWEST]] - 1e-9).all()
+    assert (steps.sum(axis=1) <= bounds[:, HandleBound.PATH] + 1e-10).all()
+    assert (steps.sum(axis=1) >= 0.9 * bounds[:, HandleBound.PATH]).all()
+    assert (fine.ratio <= bounds[:, [HandleBound.SPEED]] + 1e-9).all()
+    assert (fine.ratio >= bounds[:, [HandleBound.SLOWEST]] - 1e-9).all()
     way = steps[0].mean()
     rates = np.diff(np.log(fine.ratio), axis=1) / way
-    assert (rates <= bounds[:, [motion_bounds.GROWTH_HIGH]] + 1e-5).all()
-    assert (rates >= bounds[:, [motion_bounds.GROWTH_LOW]] - 1e-5).all()
+    assert (rates <= bounds[:, [HandleBound.GROWTH_HIGH]] + 1e-5).all()
+    assert (rates >= bounds[:, [HandleBound.GROWTH_LOW]] - 1e-5).all()
     turns = np.abs(np.diff(np.unwrap(np.angle(z[:-1] - z[1:]), axis=1), axis=1)).max(axis=1) / way
-    assert (turns <= bounds[1:, motion_bounds.TURNING_RATE] + 1e-8).all()
+    assert (turns <= bounds[1:, HandleBound.TURNING_RATE] + 1e-8).all()
     force = np.abs(np.diff(z, 2, axis=1)).max(axis=1) / way**2
     if name != "joint":  # where the curvature leaps, differences over the joint blur it
-        assert (force <= bounds[:, motion_bounds.ACCELERATION] + 1e-4).all()
+        assert (force <= bounds[:, HandleBound.ACCELERATION] + 1e-4).all()
     tangent = np.unwrap(np.arctan2(fine.ty, fine.tx), axis=1)
     assert (
-        np.abs(np.diff(tangent, axis=1)).sum(axis=1) <= bounds[:, motion_bounds.HEADING_CHANGE] + 1e-9
+        np.abs(np.diff(tangent, axis=1)).sum(axis=1) <= bounds[:, HandleBound.HEADING_CHANGE] + 1e-9
     ).all()
     bend = np.diff(tangent, axis=1) / steps
-    assert (bend <= bounds[:, [motion_bounds.LEFT]] + 1e-5).all()
-    assert (bend >= bounds[:, [motion_bounds.RIGHT]] - 1e-5).all()
+    assert (bend <= bounds[:, [HandleBound.LEFT]] + 1e-5).all()
+    assert (bend >= bounds[:, [HandleBound.RIGHT]] - 1e-5).all()
     assert np.isfinite(bounds[1:]).all()
 
 

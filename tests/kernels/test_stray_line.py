@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.curve import ANGLE, LENGTH, S_START, FloatArray, P, X, Y
+from benchdragon.kernels.curve import FloatArray, RouteRow
 from benchdragon.kernels.motion_bounds import curvature_range
 from benchdragon.kernels.stray_chain import place_along
 from benchdragon.kernels.stray_line import (
     LATTICE,
-    REACH,
+    LATTICE_REACH,
     STRAY_LENGTH,
     between,
     lay_points,
@@ -60,14 +60,17 @@ def test_a_line_that_strays_is_smooth_and_as_far_aside_as_it_should(name: str) -
     end = route.length - 1.0
     line = line_beside(route, draw, 2.0, end)
     rows, drawn = line.rows, line.points
-    nodes = points_on(rows, np.append(rows[1::2, S_START], rows[-1, S_START] + rows[-1, LENGTH]))
+    nodes = points_on(
+        rows,
+        np.append(rows[1::2, RouteRow.S_START], rows[-1, RouteRow.S_START] + rows[-1, RouteRow.LENGTH]),
+    )
     exact, heading = route.point(drawn) @ [1.0, 1j], route.heading(drawn)
     noise = noise_of(draw, end)
     off = 0.03 * np.array([offset_at(noise, end - s) for s in drawn])
     assert np.abs(nodes - exact - 1j * np.exp(1j * heading) * off[:, 0]).max() < 1e-10
     # With the heading that this gives it: that of arcs from point to point.
     turned = heading + np.arctan2(off[:, 1], 1.0 - off[:, 0] * route.curvature(drawn))
-    apart = [math.remainder(a, math.tau) for a in rows[1::2, ANGLE] - turned[:-1]]
+    apart = [math.remainder(a, math.tau) for a in rows[1::2, RouteRow.ANGLE] - turned[:-1]]
     assert np.abs(apart).max() < 1e-9
     for j in range(1, len(rows) - 1):
         low, high = curvature_range(rows, j, 0.0, j + 1, 0.0)
@@ -98,7 +101,7 @@ def test_offsets_are_smooth_and_their_slopes_true() -> None:
     assert abs(offset_at(noise, seam - 1e-12)[0] - offset_at(noise, seam + 1e-12)[0]) < 1e-9
     # A route that goes farther back has the same line, whose numbers go on.
     longer = noise_of(Draw(Deviations(stray=1.0), 3, 1), 400.0)
-    assert longer.size > noise.size > 2 * REACH
+    assert longer.size > noise.size > 2 * LATTICE_REACH
     np.testing.assert_array_equal(longer[: noise.size], noise)
 
 
@@ -123,5 +126,5 @@ def test_what_lies_between_points_is_on_the_line_through_them() -> None:
 def test_a_line_bends_little_more_than_its_route() -> None:
     route = Route((Spiral.between(0.5, 8.8, 4.5),))
     rows = line_beside(route, Draw(Deviations(stray=0.05), 3, 1), 0.0, route.length).rows
-    assert (np.abs(rows[1:, P]) < 0.25).all()
-    assert np.isfinite(rows[:, [X, Y, ANGLE]]).all()
+    assert (np.abs(rows[1:, RouteRow.P]) < 0.25).all()
+    assert np.isfinite(rows[:, [RouteRow.X, RouteRow.Y, RouteRow.ANGLE]]).all()

@@ -24,10 +24,13 @@ from benchdragon.analysis.distance import pair_distances
 from benchdragon.analysis.nearby import errors_at, seams_of
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.errors import WalkError
-from benchdragon.kernels import box_hierarchy, search_room, time_of_impact, workspace
+from benchdragon.kernels import box_hierarchy, search_room, time_of_impact
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, distances_along, set_box
+from benchdragon.kernels.box_hierarchy import BoxCount, BoxMeasure, Node, NodeState
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.time_of_impact import Ending, Goal, Note
+from benchdragon.kernels.workspace import Course, WalkTally
 from benchdragon.model.placement import Placement
 from tests.kernels.quantities import ROUNDING
 from tests.kernels.tried_walks import BENCHES, ROUTES, Searched, Step, begun_without_spans, searched
@@ -35,10 +38,10 @@ from tests.kernels.tried_walks import BENCHES, ROUTES, Searched, Step, begun_wit
 
 def search_one(found: Searched, goal: int, step: Step, note: FloatArray, tolerance: float = 0.0) -> int:
     """Search one step alone, whose pairs are what it says: see `Searched.search`."""
-    count, placed = len(step.first), int(found.room.course.tally[workspace.PLACED])
+    count, placed = len(step.first), int(found.room.course.tally[WalkTally.PLACED])
     found.go(step.end, step.end)
     way, tally = found.room.course
-    way[workspace.STEP_START], tally[[workspace.PAIRS, workspace.PLACED]] = step.start, (count, placed)
+    way[Course.STEP_START], tally[[WalkTally.PAIRS, WalkTally.PLACED]] = step.start, (count, placed)
     found.room.meeting.first[:count], found.room.meeting.second[:count] = step.first, step.second
     return found.search(goal, note, tolerance)
 
@@ -118,16 +121,14 @@ def test_too_few_looks_leave_a_search_stuck() -> None:
     step = next(iter(Searched(walk, 0.0, 15.0, 0.0).steps()))
     room = time_of_impact.empty_search(17, 16, len(step.first))
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
-    for goal in (time_of_impact.FIRST_TOUCH, time_of_impact.LEAST):
+    for goal in (Goal.FIRST_TOUCH, Goal.LEAST):
         note = np.zeros(time_of_impact.NOTES)
-        note[time_of_impact.NEAREST] = note[time_of_impact.FLOOR] = math.inf
+        note[Note.NEAREST] = note[Note.FLOOR] = math.inf
         ending = search_step(
             room, goal, search_chain(walk, members), time_of_impact.Pairs(*np.split(inverse, 2)),
             step.start, step.start + 4.0, time_of_impact.Limits(0.0, 1e-13, 1e-13, 2), note,
         )  # fmt: skip
-        assert ending == (
-            time_of_impact.STUCK if goal == time_of_impact.FIRST_TOUCH else time_of_impact.GRAZE
-        )
+        assert ending == (Ending.STUCK if goal == Goal.FIRST_TOUCH else Ending.GRAZE)
 
 
 def test_a_bound_on_rounding_widens_a_bracket() -> None:
@@ -141,17 +142,17 @@ def test_a_bound_on_rounding_widens_a_bracket() -> None:
     for chain in (bounded, bounded._replace(seams=np.empty((0, 2)))):
         room, note = time_of_impact.empty_search(17, 2, 1), np.zeros(time_of_impact.NOTES)
         ending = search_step(
-            room, time_of_impact.FIRST_TOUCH, chain, time_of_impact.Pairs(np.array([0]), np.array([1])),
+            room, Goal.FIRST_TOUCH, chain, time_of_impact.Pairs(np.array([0]), np.array([1])),
             at - 0.05, at + 0.05, time_of_impact.Limits(0.0, 1e-13, 1e-13, 1000), note,
         )  # fmt: skip
-        assert ending == time_of_impact.FOUND
+        assert ending == Ending.FOUND
         notes.append(note)
     sure, blind = notes
-    assert 1e-10 < sure[time_of_impact.OFF] < 1e-9
-    assert blind[time_of_impact.OFF] == 1e-13
+    assert 1e-10 < sure[Note.OFF] < 1e-9
+    assert blind[Note.OFF] == 1e-13
     # Nothing counts as clear, or as touched, that rounding may have made so.
-    assert sure[time_of_impact.LOWER] < blind[time_of_impact.LOWER] - 1e-11
-    assert sure[time_of_impact.UPPER] > blind[time_of_impact.LOWER] + 1e-11
+    assert sure[Note.LOWER] < blind[Note.LOWER] - 1e-11
+    assert sure[Note.UPPER] > blind[Note.LOWER] + 1e-11
 
 
 def test_the_greatest_speed_is_above_every_sample() -> None:
@@ -184,10 +185,10 @@ def test_a_bench_that_cannot_stand_leaves_its_cell_in_doubt() -> None:
     steps: list[Step] = []
     with pytest.raises(WalkError):
         steps.extend(found.steps())  # all that came before the failure
-    known, sound = found.room.course.way[[workspace.KNOWN, workspace.SOUND]].tolist()
+    known, sound = found.room.course.way[[Course.KNOWN, Course.SOUND]].tolist()
     # The head's own bench folds at 10.64 m; hulls hold it up to the cell of that place.
     assert known < sound < 12.0
-    assert known > sound - float(found.room.ground.measures[box_hierarchy.CELL]) - 1e-6
+    assert known > sound - float(found.room.ground.measures[BoxMeasure.CELL]) - 1e-6
     assert steps[-1].end == sound
     assert steps[-1].start >= known
     searched(dragon, route, (8.0, known), 0.1)  # raises nothing
@@ -219,9 +220,9 @@ def test_a_step_begins_with_the_chain_of_the_one_before_or_its_own() -> None:
         notes = []
         for found in (together, Searched(walk, 9.0, 12.0)):
             note = np.zeros(time_of_impact.NOTES)
-            note[time_of_impact.NEAREST] = note[time_of_impact.FLOOR] = math.inf
-            assert search_one(found, time_of_impact.LEAST, step, note, 1e-9) == time_of_impact.CLEAR
-            notes.append(note[[time_of_impact.NEAREST, time_of_impact.PAIR]].tolist())
+            note[Note.NEAREST] = note[Note.FLOOR] = math.inf
+            assert search_one(found, Goal.LEAST, step, note, 1e-9) == Ending.CLEAR
+            notes.append(note[[Note.NEAREST, Note.PAIR]].tolist())
         assert notes[0] == notes[1]
 
 
@@ -232,11 +233,11 @@ def test_what_benches_behind_may_reach_is_boxed(monkeypatch: pytest.MonkeyPatch)
     for _turn in range(2):
         found = Searched(walk, *walk.head_position([0.0, 45.0]).tolist())
         note = np.zeros(time_of_impact.NOTES)
-        assert found.search(time_of_impact.FIRST_TOUCH, note) == time_of_impact.FOUND
-        bounds.append(note[[time_of_impact.LOWER, time_of_impact.UPPER, time_of_impact.PAIR]].tolist())
-        ground, count = found.room.ground, int(found.room.ground.counts[box_hierarchy.CELLS])
+        assert found.search(Goal.FIRST_TOUCH, note) == Ending.FOUND
+        bounds.append(note[[Note.LOWER, Note.UPPER, Note.PAIR]].tolist())
+        ground, count = found.room.ground, int(found.room.ground.counts[BoxCount.CELLS])
         whole = ground.tree[: 2 * len(ground.middles)].reshape(2, -1, box_hierarchy.TREE_COLUMNS)
-        boxed.append(int((whole[:, :count, box_hierarchy.STATE] == box_hierarchy.BOXED).sum()))
+        boxed.append(int((whole[:, :count, Node.STATE] == NodeState.BOXED).sum()))
         monkeypatch.setattr(search_room, "begin_walk", begun_without_spans)
     assert bounds[0] == pytest.approx(bounds[1], abs=1e-10)
     assert boxed[0] < boxed[1]
@@ -254,16 +255,16 @@ def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
     for most in (2, 3, 5):
         note = np.zeros(time_of_impact.NOTES)
-        note[time_of_impact.NEAREST] = note[time_of_impact.FLOOR] = math.inf
+        note[Note.NEAREST] = note[Note.FLOOR] = math.inf
         ending = search_step(
-            time_of_impact.empty_search(17, 16, len(step.first)), time_of_impact.LEAST,
+            time_of_impact.empty_search(17, 16, len(step.first)), Goal.LEAST,
             search_chain(walk, members),
             time_of_impact.Pairs(*np.split(inverse, 2)), step.start, step.end,
             time_of_impact.Limits(0.0, 1e-13, 1e-13, most), note,
         )  # fmt: skip
-        assert ending == time_of_impact.GRAZE
-        assert 0.0 < note[time_of_impact.FLOOR] <= least
-        assert note[time_of_impact.NEAREST] >= least
+        assert ending == Ending.GRAZE
+        assert 0.0 < note[Note.FLOOR] <= least
+        assert note[Note.NEAREST] >= least
 
 
 def test_what_was_given_up_first_is_not_forgotten() -> None:
@@ -274,12 +275,12 @@ def test_what_was_given_up_first_is_not_forgotten() -> None:
     floors = []
     for end in (start + 0.05, start + 0.2):
         note = np.zeros(time_of_impact.NOTES)
-        note[time_of_impact.NEAREST] = note[time_of_impact.FLOOR] = math.inf
+        note[Note.NEAREST] = note[Note.FLOOR] = math.inf
         search_step(
-            time_of_impact.empty_search(4, 2, 1), time_of_impact.LEAST, chain, pairs, start, end,
+            time_of_impact.empty_search(4, 2, 1), Goal.LEAST, chain, pairs, start, end,
             time_of_impact.Limits(0.0, 1e-9, 0.06, 100), note,
         )  # fmt: skip
-        floors.append(note[time_of_impact.FLOOR])
+        floors.append(note[Note.FLOOR])
     assert 0.0 < floors[1] <= floors[0] + 1e-12 < math.inf
 
 
@@ -300,11 +301,9 @@ def test_every_pair_of_a_step_is_looked_at() -> None:
     for second, found in (([3, 2], 1), ([2, 3], 0)):
         note = np.zeros(time_of_impact.NOTES)
         step = Step(15.0, 15.2, np.array([0, 0]), np.array(second))
-        assert (
-            search_one(contact_search, time_of_impact.FIRST_TOUCH, step, note) == time_of_impact.FOUND
-        )
+        assert search_one(contact_search, Goal.FIRST_TOUCH, step, note) == Ending.FOUND
         assert contact_search.pair(note) == (0, second[found])
-        assert note[time_of_impact.UPPER] == 15.0
+        assert note[Note.UPPER] == 15.0
 
 
 def test_the_end_of_a_step_is_looked_at() -> None:
@@ -317,17 +316,17 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     contact_search = Searched(walk, 9.0, 10.0, at + off + 2e-15, slack=1e-15)
     note = np.zeros(time_of_impact.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
-    assert search_one(contact_search, time_of_impact.FIRST_TOUCH, step, note) == time_of_impact.FOUND
-    assert note[time_of_impact.UPPER] == 10.0
+    assert search_one(contact_search, Goal.FIRST_TOUCH, step, note) == Ending.FOUND
+    assert note[Note.UPPER] == 10.0
 
 
 @pytest.mark.parametrize(
     ("beyond", "ending"),
     [
-        (-2e-6, time_of_impact.CLEAR),
-        (-5e-7, time_of_impact.GRAZE),
-        (5e-7, time_of_impact.GRAZE),
-        (2e-6, time_of_impact.FOUND),
+        (-2e-6, Ending.CLEAR),
+        (-5e-7, Ending.GRAZE),
+        (5e-7, Ending.GRAZE),
+        (2e-6, Ending.FOUND),
     ],
 )
 def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
@@ -339,7 +338,7 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
     pair = np.array([0]), np.array([2])
     note = np.zeros(time_of_impact.NOTES)
     step = Step(15.0, 15.2, *pair)
-    assert search_one(contact_search, time_of_impact.FIRST_TOUCH, step, note) == ending
+    assert search_one(contact_search, Goal.FIRST_TOUCH, step, note) == ending
 
 
 def test_a_bracket_begins_where_all_was_clear() -> None:

@@ -12,7 +12,15 @@ from benchdragon.kernels import turn_families
 from benchdragon.kernels.curve import COLUMNS, FloatArray, curvature
 from benchdragon.kernels.route_parts import PART_COLUMNS, Pose, lay_rows, misfits, row_count
 from benchdragon.kernels.status import TurnStatus
-from benchdragon.kernels.turn_families import ARCS, MOST_PIECES, NOTHING, Bridge, Easing, eased, swept
+from benchdragon.kernels.turn_families import (
+    ARCS,
+    MOST_TURN_PIECES,
+    NEGLIGIBLE,
+    Bridge,
+    Easing,
+    eased,
+    swept,
+)
 from benchdragon.model.curves import Clothoid, Spiral
 from tests.kernels.reference import clothoid_points
 
@@ -21,7 +29,7 @@ PITCH = 1.7
 
 
 def two_arcs(entry: float, exit_: float, ratio: float, ease: float = 0.0) -> Made:
-    pieces = np.full((MOST_PIECES, 3), np.nan)
+    pieces = np.full((MOST_TURN_PIECES, 3), np.nan)
     arcs = np.full((ARCS, 2), np.nan)
     count, status = turn_families.two_arcs(PITCH, entry, exit_, ratio, ease, arcs, pieces)
     return pieces[:count], TurnStatus(status)
@@ -30,7 +38,7 @@ def two_arcs(entry: float, exit_: float, ratio: float, ease: float = 0.0) -> Mad
 def three_pieces(
     entry: float, exit_: float, radii: tuple[float, float], bend: float = 0.0, ease: float = 0.0
 ) -> Made:
-    pieces, arcs = np.full((MOST_PIECES, 3), np.nan), np.full((ARCS, 2), np.nan)
+    pieces, arcs = np.full((MOST_TURN_PIECES, 3), np.nan), np.full((ARCS, 2), np.nan)
     first, last = radii
     count, status = turn_families.three_pieces(
         PITCH, entry, exit_, first, bend, last, ease, arcs, pieces
@@ -199,8 +207,8 @@ def test_the_route_of_a_turn_joins_spirals_of_the_wanted_lengths(ease: float) ->
 
 
 def test_pieces_too_short_to_matter_are_left_out() -> None:
-    arcs = np.array([[1.0, -0.5], [0.5 * NOTHING, 0.0], [2.0, 0.4]])
-    pieces = np.empty((MOST_PIECES, 3))
+    arcs = np.array([[1.0, -0.5], [0.5 * NEGLIGIBLE, 0.0], [2.0, 0.4]])
+    pieces = np.empty((MOST_TURN_PIECES, 3))
     bridge, easing = Bridge(0.0, 0.0, 0.0), Easing(0.0, 0.0, 0.0)
     assert eased(bridge, easing, 0.0, arcs, pieces) == (2, TurnStatus.OK)
     assert pieces[:2].tolist() == [[1.0, -0.5, -0.5], [2.0, 0.4, 0.4]]

@@ -9,16 +9,16 @@ import pytest
 
 from benchdragon import Arc, Bench, Clothoid, Dragon, Line, LogSpiral, Route, Spiral, Walk
 from benchdragon.analysis.contact_search import SLACK, ContactSearch
-from benchdragon.kernels import contact_memory as told
 from benchdragon.kernels import contact_steps, memory, question, workspace
-from benchdragon.kernels.contact_memory import BASE, Hunt
+from benchdragon.kernels.contact_memory import BASE, ContactGiven, ContactTold, Hunt
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.question import MORE, SPENT
+from benchdragon.kernels.question import QuestionEnding, Told
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search_room import ROOMY
+from benchdragon.kernels.search_room import RoomEnding
 from benchdragon.kernels.search_start import begin_walk
-from benchdragon.kernels.time_of_impact import FOUND, PAIR
-from benchdragon.kernels.walk_search import SEEK
+from benchdragon.kernels.time_of_impact import Ending, Note
+from benchdragon.kernels.walk_search import WalkGoal
+from benchdragon.kernels.workspace import Course, WalkTally
 from benchdragon.progress import silent
 from tests.solve.asked_in_python import in_python
 
@@ -72,18 +72,18 @@ class Searched:
     @property
     def room(self) -> workspace.Workspace:
         """What it works on, for now; made for the margin, if nothing was begun."""
-        if not self.hunt.figures[told.READY]:
+        if not self.hunt.figures[ContactTold.READY]:
             self.begin(self._margin)
         return self.hunt.room
 
     def begin(self, reach: float) -> None:
         """Look for all pairs that come within reach, m, from the start on."""
-        assert contact_steps.begun(self.block, reach) == ROOMY
+        assert contact_steps.begun(self.block, reach) == RoomEnding.ROOMY
 
     def go(self, start: float, end: float) -> None:
         """Let it begin at head position start, m, and end at `end`, both within the first ones."""
-        self.room.course.way[workspace.GOAL], self.hunt.figures[told.BEGUN] = end, start
-        assert contact_steps.begun_again(self.block) == ROOMY
+        self.room.course.way[Course.GOAL], self.hunt.figures[ContactTold.BEGUN] = end, start
+        assert contact_steps.begun_again(self.block) == RoomEnding.ROOMY
 
     def steps(self) -> Iterator[Step]:
         """The steps in which pairs may come within reach, in order.
@@ -91,32 +91,32 @@ class Searched:
         Raises:
             WalkError: after the last of them, if the dragon cannot walk on to the end.
         """
-        if not self.hunt.figures[told.READY]:
+        if not self.hunt.figures[ContactTold.READY]:
             self.begin(self._margin)
         with pytest.MonkeyPatch.context() as patch:
             in_python(patch)
-            while self.asked.find(SEEK) == FOUND:
-                meeting, count = self.room.meeting, int(self.room.course.tally[workspace.PAIRS])
-                start, end = self.room.course.way[[workspace.STEP_START, workspace.STEP_END]].tolist()
+            while self.asked.find(WalkGoal.SEEK) == Ending.FOUND:
+                meeting, count = self.room.meeting, int(self.room.course.tally[WalkTally.PAIRS])
+                start, end = self.room.course.way[[Course.STEP_START, Course.STEP_END]].tolist()
                 yield Step(start, end, meeting.first[:count].copy(), meeting.second[:count].copy())
 
     def search(self, goal: int, note: FloatArray, tolerance: float = 0.0) -> int:
         """Search on for a goal of kernels/time_of_impact.py; how that ended; `note` tells more."""
-        if not self.hunt.figures[told.READY]:
+        if not self.hunt.figures[ContactTold.READY]:
             self.begin(self._margin)
         self.hunt.note[:] = note
-        self.hunt.figures[told.LEFT] = self.hunt.limits[told.MOST]
-        ending = MORE
-        while ending == MORE:
-            slack = tolerance or float(self.hunt.limits[told.LEAST_OFF])
-            ending = contact_steps.searched_on(self.block, goal, slack, math.inf, SPENT)
+        self.hunt.figures[ContactTold.LEFT] = self.hunt.limits[ContactGiven.MOST]
+        ending = QuestionEnding.MORE
+        while ending == QuestionEnding.MORE:
+            slack = tolerance or float(self.hunt.limits[ContactGiven.LEAST_OFF])
+            ending = contact_steps.searched_on(self.block, goal, slack, math.inf, Told.SPENT)
         note[:] = self.hunt.note
         return ending
 
     def pair(self, note: FloatArray) -> tuple[int, int]:
         """The benches (rows, from 0) of a note."""
-        contact_steps.set_pair(self.hunt, float(note[PAIR]))
-        first, second = self.hunt.figures[[told.FIRST_BENCH, told.SECOND_BENCH]].tolist()
+        contact_steps.set_pair(self.hunt, float(note[Note.PAIR]))
+        first, second = self.hunt.figures[[ContactTold.FIRST_BENCH, ContactTold.SECOND_BENCH]].tolist()
         return int(first), int(second)
 
 

@@ -19,6 +19,7 @@ from benchdragon import Walk
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH
 from benchdragon.kernels import time_of_impact as kernel
 from benchdragon.kernels.every_pair import search_all_pairs
+from benchdragon.kernels.time_of_impact import Ending, Goal, Note
 from tests.engine.recording import Recording, replayed
 from tests.laws.hard_dances import dance
 
@@ -26,11 +27,11 @@ from tests.laws.hard_dances import dance
 STEP, BATCH = 0.125, 100
 SYMBOL = "bd_every_pair_search_all_pairs"
 NAMES = {
-    kernel.CLEAR: "clear",
-    kernel.FOUND: "contact",
-    kernel.GRAZE: "graze",
-    kernel.STUCK: "stuck",
-    kernel.FALLEN: "cannot follow",
+    Ending.CLEAR: "clear",
+    Ending.FOUND: "contact",
+    Ending.GRAZE: "graze",
+    Ending.STUCK: "stuck",
+    Ending.FALLEN: "cannot follow",
 }
 
 
@@ -59,9 +60,9 @@ class Compared:
     def fault(self) -> str:
         """What they disagree about; empty if nothing. A graze may be none, or a contact."""
         endings = {self.one.ending, self.other.ending}
-        if endings == {kernel.CLEAR} or endings == {kernel.CLEAR, kernel.GRAZE}:
+        if endings == {Ending.CLEAR} or endings == {Ending.CLEAR, Ending.GRAZE}:
             return ""
-        if len(endings - {kernel.GRAZE}) > 1:
+        if len(endings - {Ending.GRAZE}) > 1:
             return f"{NAMES[self.one.ending]}, {NAMES[self.other.ending]}"
         return "" if self.one.overlaps(self.other) else f"{self.one}, {self.other}"
 
@@ -88,13 +89,13 @@ def question(walk: Walk, last: float) -> tuple[object, ...]:
     at = np.linspace(walk.start, last, steps)
     aside = np.empty(0)
     return (
-        room, kernel.FIRST_TOUCH, walk.route.rows, dragon.links, aside, dragon.sizes, at, first, second,
+        room, Goal.FIRST_TOUCH, walk.route.rows, dragon.links, aside, dragon.sizes, at, first, second,
     )  # fmt: skip
 
 
 def found(ending: float, note: np.ndarray) -> Found:
     """What a search wrote into its note."""
-    lower, upper, pair = note[[kernel.LOWER, kernel.UPPER, kernel.PAIR]].tolist()
+    lower, upper, pair = note[[Note.LOWER, Note.UPPER, Note.PAIR]].tolist()
     return Found(int(ending), min(lower, upper), upper, int(pair))
 
 
@@ -120,7 +121,7 @@ def main(count: int) -> None:
             endings[NAMES[one.ending]] += 1
             if one.ending != other.ending:
                 differ[f"{NAMES[one.ending]}, {NAMES[other.ending]}"] += 1
-            elif one.ending == kernel.FOUND:
+            elif one.ending == Ending.FOUND:
                 differ["other bits of a contact's bracket"] += one != other
                 apart.append(max(abs(one.lower - other.lower), abs(one.upper - other.upper)))
             if fault := each.fault():

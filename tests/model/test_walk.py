@@ -25,7 +25,7 @@ from benchdragon import (
     WalkError,
 )
 from benchdragon.hosts.serving import PLAIN, serving
-from benchdragon.kernels.curve import P
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.model.walk import MOST_PLACES, SLICE_PLACES
 from benchdragon.plans.schema import read_plan
 
@@ -271,7 +271,7 @@ def test_thousands_of_links_add_up_without_loss() -> None:
     walk = Walk(Dragon.of_sizes(np.full(count, link + 0.55)), Route((Spiral(0.55, first, 4.0),)))
     motion = walk.motion(0.0)
     with mp.workdps(30):
-        k = mp.mpf(walk.route.rows[0, P])
+        k = mp.mpf(walk.route.rows[0, RouteRow.P])
         chord2 = (mp.mpf(walk.dragon.links[0]) / k) ** 2
         a, h = mp.mpf(first), mp.mpf(link) / (k * first)
         for _ in range(count):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from benchdragon.kernels.random_dance_look import TOLERANCE
+from benchdragon.kernels.random_dance_look import PITCH_TOLERANCE
 from benchdragon.paper.random_dances import DRAWS, OTHER_SEED, RISK, SEED, kept_run, plan, walked_again
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES
@@ -18,7 +18,7 @@ def test_a_thousand_dances_of_each_case_are_kept() -> None:
 
 
 def test_dances_walked_again_need_what_is_kept() -> None:
-    assert walked_again(kept_run(), 2) < 2.0 * TOLERANCE
+    assert walked_again(kept_run(), 2) < 2.0 * PITCH_TOLERANCE
 
 
 def test_a_stricter_risk_wants_a_larger_pitch() -> None:

@@ -25,7 +25,16 @@ def test_texts_and_truths_are_left_out() -> None:
 
 
 def test_numbers_that_no_script_names_are_left_out() -> None:
-    assert TOOL.declared("kernels.curve", {"CURVE": {"KIND", "rows"}}) == [
-        "export const CURVE = { KIND: 0 };\n"
+    assert TOOL.declared("kernels.curve", {"CURVE": {"COLUMNS", "rows"}}) == [
+        "export const CURVE = { COLUMNS: 14 };\n"
     ]
-    assert TOOL.declared("kernels.curve", {"BOX": {"KIND"}}) == []
+    assert TOOL.declared("kernels.curve", {"BOX": {"COLUMNS"}}) == []
+
+
+def test_a_class_of_names_is_one_with_those_that_it_follows() -> None:
+    assert TOOL.declared("kernels.bends", {"Bend": set()}) == [
+        "export const Bend = { LEFT: 1, AHEAD: 0, RIGHT: -1 };\n"
+    ]
+    (hull,) = TOOL.declared("kernels.box_hierarchy", {"Hull": set()})
+    assert hull.startswith("export const Hull = { CX: 0,")
+    assert "HALF_WIDTH: 5, RADIUS: 6" in hull

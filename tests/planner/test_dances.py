@@ -8,7 +8,7 @@ import pytest
 
 from benchdragon.analysis.beats import score_of
 from benchdragon.errors import BenchDragonError
-from benchdragon.kernels.following import FIRST
+from benchdragon.kernels.following import NodeStretch
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.people import UNITS, called
 from benchdragon.plans.schema import Plan, checked, read_plan
@@ -237,7 +237,7 @@ def test_a_long_dance_is_the_heads_and_how_all_follow() -> None:
     assert own is not None
     assert [table["link"] for table in told["tables"]] == own.tables.links.tolist()
     for nodes, first in zip(twin["followed"], [0, *own.tables.ends.tolist()[:-1]], strict=True):
-        begin = int(own.tables.stretches[first, FIRST])
+        begin = int(own.tables.stretches[first, NodeStretch.FIRST])
         expected = own.tables.nodes[:, begin : begin + len(nodes) // 2]
         assert np.abs(np.array(nodes) - expected.ravel()).max() <= 50  # 5e-8 m: Newton's last digits
     assert np.abs(np.array(told["fastest"]) - own.fastest).max() < 1e-3

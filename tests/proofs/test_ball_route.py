@@ -6,6 +6,8 @@ import mpmath
 import numpy as np
 import pytest
 
+from benchdragon.kernels.curve import CurveKind, RouteRow
+
 pytest.importorskip("flint")
 from flint import arb
 
@@ -69,7 +71,18 @@ def test_a_spiral_is_known_with_thirty_digits() -> None:
 def test_a_clothoid_is_known_with_thirty_digits(bend: float, change: float) -> None:
     zero, length = arb(0), arb(2.5)
     row = Row(
-        kernel.CLOTHOID, zero, zero, arb(0.3), arb(bend), arb(change), zero, length, 1, 0.0, zero, 0.0
+        CurveKind.CLOTHOID,
+        zero,
+        zero,
+        arb(0.3),
+        arb(bend),
+        arb(change),
+        zero,
+        length,
+        1,
+        0.0,
+        zero,
+        0.0,
     )
     with mpmath.workdps(45):
         for u in (0.0, 0.625, 2.5, 2.75):  # the last lies beyond the end
@@ -99,8 +112,8 @@ def test_what_a_heading_turns_through_is_the_integral_of_the_bend(route: Route) 
 
 def test_rows_begin_where_the_one_before_ends() -> None:
     rows = ROUTES[1].rows.copy()
-    rows[2:, kernel.X] += 3e-10
-    rows[2, kernel.ANGLE] += 4e-10
+    rows[2:, RouteRow.X] += 3e-10
+    rows[2, RouteRow.ANGLE] += 4e-10
     balls = BallRoute.stored(rows).rows
     for before, row in pairwise(balls):
         for one, other in zip(before.pose(before.end), row.pose(row.start), strict=True):
@@ -127,6 +140,6 @@ def test_the_radius_of_a_parameter_is_part_of_its_pose() -> None:
 
 def test_a_kind_that_is_not_enclosed_is_refused() -> None:
     rows = ROUTES[0].rows.copy()
-    rows[1, kernel.KIND] = 9.0
+    rows[1, RouteRow.KIND] = 9.0
     with pytest.raises(InputError, match=r"curve of kind 9\.0 cannot be proved"):
         BallRoute.stored(rows)

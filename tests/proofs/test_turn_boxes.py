@@ -12,7 +12,7 @@ from flint import arb
 
 from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.chain import Placements, empty_placements
-from benchdragon.kernels.curve import S_START
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.proofs import turn_chain
 from benchdragon.proofs.mean_value import Box, Form, UnboundedError, angle_of, either
 from benchdragon.proofs.turn_boxes import Turns, Witness
@@ -121,7 +121,7 @@ def chain(family: str, numbers: np.ndarray, head: float, backwards: bool) -> Pla
     turn = turn_of(family, numbers.tolist())
     assert turn is not None
     rows = turn.rows(lead=60.0, trail=60.0)
-    at = np.array([head + float(rows[-1 if backwards else 1, S_START])])
+    at = np.array([head + float(rows[-1 if backwards else 1, RouteRow.S_START])])
     places = empty_placements(len(LINKS) + 1, 1)
     assert motion_bounds.place_chain(rows, np.array(LINKS), at, 0, 1, places)
     return places

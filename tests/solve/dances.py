@@ -18,7 +18,7 @@ from benchdragon.kernels.random_dance_bound import (
     stretch_count,
     table_sizes,
 )
-from benchdragon.kernels.random_numbers import ASIDE
+from benchdragon.kernels.random_numbers import Random
 from benchdragon.kernels.stray_chain import place_along
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
@@ -70,7 +70,7 @@ def laid(plan: Plan, draw: Draw) -> Laid:
     start, end = walk.head_position(list(plan.span(walk))).tolist()
     aside = np.empty(0)
     if draw.deviations.aside or draw.deviations.stray:
-        aside = draw.deviations.aside * draw.noise(ASIDE, len(dragon) + 1)
+        aside = draw.deviations.aside * draw.noise(Random.ASIDE, len(dragon) + 1)
     if not draw.deviations.stray:
         return Laid(dragon, route.rows, aside, start, end)
     low = start - WAYS * float(dragon.links.sum()) - stray_line.STRAY_LENGTH

@@ -11,6 +11,7 @@ from benchdragon.errors import InputError, UnsureError
 from benchdragon.kernels import random_dance_look, random_dance_question, random_numbers
 from benchdragon.kernels import random_dance_memory as told
 from benchdragon.kernels.memory import held
+from benchdragon.kernels.random_dance_memory import DanceGiven, DanceSought, DanceTold
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve.random_dance import answered
 from benchdragon.solve.tolerance import CASES, Deviations, Draw, needed_pitch, touches
@@ -74,11 +75,16 @@ def test_a_dance_in_which_a_bench_cannot_follow_touches(
 
 
 def test_a_line_that_strays_goes_no_farther_than_its_route() -> None:
-    limits = {told.WHAT: told.TOUCHES, told.GUESS: 1.0, told.SEED: 1, told.DANCE: 0}
-    limits |= dict.fromkeys(range(told.BY, told.LIMITS), 0.0) | {told.STRAY: 0.01}
+    limits = {
+        DanceGiven.WHAT: DanceSought.TOUCHES,
+        DanceGiven.GUESS: 1.0,
+        DanceGiven.SEED: 1,
+        DanceGiven.DANCE: 0,
+    }
+    limits |= dict.fromkeys(range(DanceGiven.BY, told.DANCE_LIMITS), 0.0) | {DanceGiven.STRAY: 0.01}
     length = BENT.build().route.length
-    assert not answered(BENT, limits | {told.LAST: length})
-    assert answered(BENT, limits | {told.LAST: length + 1e-6})
+    assert not answered(BENT, limits | {DanceGiven.LAST: length})
+    assert answered(BENT, limits | {DanceGiven.LAST: length + 1e-6})
 
 
 def test_a_dance_too_long_to_be_searched_is_refused() -> None:
@@ -153,7 +159,7 @@ def test_plain_python_in_blocks_of_any_size_answers_as_the_engine_does(
     monkeypatch.setattr(random_dance_question, "FEW_PARTNERS", 0.2)
     monkeypatch.setattr(random_dance_question, "MORE_PARTNERS", 64)
     for steps, work in ((100, 200_000), (7, 0.0)):
-        monkeypatch.setattr(told, "STEPS", steps)
+        monkeypatch.setattr(told, "STEPS_TOGETHER", steps)
         monkeypatch.setattr(random_dance_question, "STEP_WORK", work)
         for draw, (pitch, touch) in zip(draws, wanted, strict=True):
             assert needed_pitch(TINY, draw, EXACT) == pytest.approx(pitch, abs=1e-7)
@@ -173,7 +179,7 @@ def test_a_graze_between_evaluations_counts(monkeypatch: pytest.MonkeyPatch) -> 
     weigh = random_dance_look.weigh
 
     def spied(dance: Any) -> None:
-        found.append(dance.figures[told.LOW])
+        found.append(dance.figures[DanceTold.LOW])
         weigh(dance)
 
     monkeypatch.setattr(random_dance_look, "weigh", spied)

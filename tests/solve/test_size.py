@@ -11,7 +11,7 @@ from benchdragon.analysis.contact import first_contact, least_clearance
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.kernels import size_memory, size_question
 from benchdragon.kernels.memory import group_at
-from benchdragon.kernels.size_bracket import NOW, ROOT, SHIFT, SIZE, UNDECIDED
+from benchdragon.kernels.size_bracket import Bracket, SizeVerdict
 from benchdragon.model.answer import Answer
 from benchdragon.paper.traversal import pitch_curve, traversed_pitch
 from benchdragon.plans.schema import Plan, checked, read_plan
@@ -144,8 +144,8 @@ def undecided(monkeypatch: pytest.MonkeyPatch, low: float, high: float) -> None:
     real = size_question.gone_on
 
     def gone_on(block: int, left: float) -> int:
-        size = group_at(size_memory.Sought, block + size_memory.BASE).state[NOW]
-        return UNDECIDED if low < size < high else real(block, left)
+        size = group_at(size_memory.Sought, block + size_memory.BASE).state[Bracket.NOW]
+        return SizeVerdict.UNDECIDED if low < size < high else real(block, left)
 
     in_python(monkeypatch)
     monkeypatch.setattr(size_question, "gone_on", gone_on)
@@ -203,8 +203,8 @@ def test_the_unsafe_end_of_a_bracket_is_where_the_pair_was_seen_to_touch(
 
     def off(block: int) -> int:
         state = group_at(size_memory.Sought, block + size_memory.BASE).state
-        if offsets and state[SHIFT] > 0.0:
-            state[[SIZE, ROOT, NOW]] += offsets.pop()
+        if offsets and state[Bracket.SHIFT] > 0.0:
+            state[[Bracket.SIZE, Bracket.ROOT, Bracket.NOW]] += offsets.pop()
         return real(block)
 
     in_python(monkeypatch)

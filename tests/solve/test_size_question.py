@@ -18,11 +18,12 @@ from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.hosts.serving import VARIABLE
 from benchdragon.kernels import memory, search_room, size_memory
 from benchdragon.kernels import size_question as kernel
-from benchdragon.kernels.curve import X, Y
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.kernels.memory import group_at, held
-from benchdragon.kernels.question import CLOSED, close_question
-from benchdragon.kernels.size_bracket import FAILS, NOW, PASSES, TRIALS, UNDECIDED, VALUE
-from benchdragon.kernels.size_search import FAILED, GROW, MEET_FRONT, NOBODY
+from benchdragon.kernels.question import QuestionEnding, close_question
+from benchdragon.kernels.search_room import RoomEnding, RoomSize
+from benchdragon.kernels.size_bracket import Bracket, SizeVerdict
+from benchdragon.kernels.size_search import NO_MEETING, KnownMeeting, Meet, SizeGoal
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.progress import silent
 from benchdragon.solve import size_question
@@ -72,11 +73,11 @@ def test_a_trial_is_the_search_for_contact_of_that_walk(plan: str, name: str) ->
             walk, start, end = family.walk(size)
             contact = first_contact(walk, start, end, margin=0.05)
         except BenchDragonError:
-            assert result == FAILS
+            assert result == SizeVerdict.FAILS
             continue
         results.add(result)
-        assert result == (PASSES if contact is None else FAILS)
-    assert results == {PASSES, FAILS}
+        assert result == (SizeVerdict.PASSES if contact is None else SizeVerdict.FAILS)
+    assert results == {SizeVerdict.PASSES, SizeVerdict.FAILS}
 
 
 def test_a_route_of_more_rows_than_there_is_room_for_is_laid_with_more(
@@ -94,7 +95,7 @@ def test_a_route_of_more_rows_than_there_is_room_for_is_laid_with_more(
     monkeypatch.setattr(size_question, "kernel_family", short)
     with asked(plan, "pitch") as search:
         before = held()
-        assert search.trial(1.7) == result == PASSES
+        assert search.trial(1.7) == result == SizeVerdict.PASSES
         assert before < held()
 
 
@@ -102,10 +103,10 @@ def test_a_search_may_be_asked_again_and_again() -> None:
     answers = []
     with asked(read_plan("spiral-in", [*DISC, FEW]), "pitch") as search:
         for _turn in range(2):
-            assert search.trial(0.3) == FAILS
+            assert search.trial(0.3) == SizeVerdict.FAILS
             search.limit(0.55)
             answers.append(search.state.tolist())
-    assert not math.isnan(answers[0][VALUE])
+    assert not math.isnan(answers[0][Bracket.VALUE])
     np.testing.assert_array_equal(answers[0], answers[1])
 
 
@@ -115,26 +116,32 @@ def test_a_walk_that_cannot_be_followed_fails_only_if_it_is_seen_to(
     """Round circles of 9 m a bench with 17.9 m between its handles all but stands square."""
     plan = read_plan(EIGHT, ["dragon.benches=3"])
     with asked(plan, "length") as search:
-        assert search.trial(18.6) == FAILS
+        assert search.trial(18.6) == SizeVerdict.FAILS
     in_python(monkeypatch)
     monkeypatch.setattr(kernel, "falls_soon", lambda *_place: False)
     with asked(plan, "length") as search:
-        assert search.trial(18.6) == UNDECIDED
+        assert search.trial(18.6) == SizeVerdict.UNDECIDED
 
 
 def test_a_walk_too_long_to_be_searched_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     plan = read_plan("spiral-in", [*DISC, "dragon.benches=3", "walk.end=40"])
     with asked(plan, "pitch") as search:
-        assert search.trial(0.6) == PASSES
+        assert search.trial(0.6) == SizeVerdict.PASSES
     monkeypatch.setattr(tables, "MOST_CELLS", 20)
     with asked(plan, "pitch") as search:
-        assert search.trial(0.6) == UNDECIDED
+        assert search.trial(0.6) == SizeVerdict.UNDECIDED
 
 
 def test_a_border_beside_what_could_not_be_decided_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
     def made_up(block: int, _left: float) -> int:
-        size = group_at(size_memory.Sought, block + size_memory.BASE).state[NOW]
-        return FAILS if size < 0.43 else PASSES if size > undecided else UNDECIDED
+        size = group_at(size_memory.Sought, block + size_memory.BASE).state[Bracket.NOW]
+        return (
+            SizeVerdict.FAILS
+            if size < 0.43
+            else SizeVerdict.PASSES
+            if size > undecided
+            else SizeVerdict.UNDECIDED
+        )
 
     in_python(monkeypatch)
     monkeypatch.setattr(kernel, "gone_on", made_up)
@@ -148,9 +155,9 @@ def test_a_border_beside_what_could_not_be_decided_is_none(monkeypatch: pytest.M
 def test_a_walk_that_ends_past_its_route_fails() -> None:
     plan = read_plan("spiral-in", [FEW, *DISC, "route.pitch=1.5", "route.start_turn=6", "walk.end=60"])
     with asked(plan, "pitch") as search:
-        assert search.trial(1.5) == PASSES
-        assert search.trial(0.9) == FAILS
-        assert search._meetings[FAILED, MEET_FRONT] == NOBODY
+        assert search.trial(1.5) == SizeVerdict.PASSES
+        assert search.trial(0.9) == SizeVerdict.FAILS
+        assert search._meetings[KnownMeeting.FAILED, Meet.FRONT] == NO_MEETING
 
 
 def test_what_is_near_a_meeting_is_as_far_from_the_start_or_from_the_end() -> None:
@@ -167,8 +174,8 @@ def test_a_dragon_that_stands_still_passes_only_if_its_benches_keep_apart() -> N
         "spiral-in", ["disc.radius=4.5", "walk.start=20", "walk.end=20", "walk.position=200"]
     )
     with asked(plan, "width") as search:
-        assert search.trial(0.3) == PASSES
-        assert search.trial(0.6) == FAILS
+        assert search.trial(0.3) == SizeVerdict.PASSES
+        assert search.trial(0.6) == SizeVerdict.FAILS
     found = limit(plan, "width")
     assert found.status == "found"
     assert 0.3 < found.value < 0.6
@@ -184,7 +191,7 @@ def test_a_plan_that_fails_is_mended_by_the_pair_that_met() -> None:
     """From a pitch that fails, a few trials: the pair that met there leads to the limit."""
     with asked(read_plan("spiral-in", [*DISC, FEW]), "pitch") as search:
         search.limit(0.43)
-    assert search.state[TRIALS] <= 3
+    assert search.state[Bracket.TRIALS] <= 3
 
 
 SMALL = [*DISC, "dragon.benches=5", "route.start_turn=10", "walk.end=12", "dragon.width=1.5"]
@@ -207,10 +214,10 @@ def test_room_grows_within_the_engine_and_answers_stay_the_same(
         with asked(plan, "width") as search:
             before = held()
             found = [search.trial(size) for size in (1.5, 3.6)]
-            answers.append((found, search._meetings[FAILED].tolist()))
+            answers.append((found, search._meetings[KnownMeeting.FAILED].tolist()))
             most.append((before, held()))
     assert answers[0] == answers[1]
-    assert answers[0][0] == [PASSES, FAILS]
+    assert answers[0][0] == [SizeVerdict.PASSES, SizeVerdict.FAILS]
     assert most[1][0] < 0.2 * most[0][0]
     assert most[1][1] > 2 * most[1][0]
 
@@ -237,10 +244,10 @@ def test_a_question_that_is_closed_answers_no_more() -> None:
         assert close_question(handle)
         for stale in (handle, 0, -1, 10**9 * handle + 7):
             assert not close_question(stale)
-            assert not kernel.seek_size(stale, GROW, 0.3, 0.0)
-            assert kernel.step_size(stale, math.inf) == CLOSED
-        assert other.trial(1.5) == PASSES  # it is another's, still
-        assert kernel.step_size(other._handle, math.inf) == CLOSED
+            assert not kernel.seek_size(stale, SizeGoal.GROW, 0.3, 0.0)
+            assert kernel.step_size(stale, math.inf) == QuestionEnding.CLOSED
+        assert other.trial(1.5) == SizeVerdict.PASSES  # it is another's, still
+        assert kernel.step_size(other._handle, math.inf) == QuestionEnding.CLOSED
         with pytest.raises(ValueError, match="closed"):
             search.trial(1.5)
 
@@ -284,8 +291,8 @@ def test_a_route_far_from_the_origin_is_the_same_however_often_it_is_walked(
     with asked(plan, "width") as search:
         rows = sought_by(search).walk.rows
         before = rows.copy()
-        assert np.abs(before[:, [X, Y]]).max() < 1_000.0
-        assert [search.trial(size) for size in (0.2, 0.3)] == [PASSES, PASSES]
+        assert np.abs(before[:, [RouteRow.X, RouteRow.Y]]).max() < 1_000.0
+        assert [search.trial(size) for size in (0.2, 0.3)] == [SizeVerdict.PASSES, SizeVerdict.PASSES]
         np.testing.assert_array_equal(rows, before)
 
 
@@ -300,10 +307,10 @@ def test_pairs_of_a_step_stay_known_when_room_is_made(monkeypatch: pytest.Monkey
         sought, block = sought_by(search), memory.recall(search._handle)
         meeting, sizes = sought.room.meeting, sought.sizes
         meeting.first[:2], meeting.second[:2] = (1, 0), (3, 4)
-        sizes[search_room.OF_PAIRS] *= 3
-        assert search_room.make_step(block, size_memory.ROOM_SLOT, sizes) == search_room.ROOMY
+        sizes[RoomSize.PAIRS] *= 3
+        assert search_room.make_step(block, size_memory.SIZE_ROOM_SLOT, sizes) == RoomEnding.ROOMY
         wider = sought_by(search).room.meeting
-        assert len(wider.first) == len(wider.other) == sizes[search_room.OF_PAIRS]
+        assert len(wider.first) == len(wider.other) == sizes[RoomSize.PAIRS]
         assert (wider.first[:2].tolist(), wider.second[:2].tolist()) == ([1, 0], [3, 4])
         assert (wider.place == -1).all()
 

@@ -17,9 +17,9 @@ from benchdragon.errors import InputError
 from benchdragon.kernels import size_square
 from benchdragon.kernels.box import corner
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.obstacle_search import TOO_OFTEN
-from benchdragon.kernels.size_bracket import FAILS, PASSES, UNDECIDED
-from benchdragon.kernels.turn_trial import APART, BESIDE, KINDS
+from benchdragon.kernels.obstacle_search import ObstacleEnding
+from benchdragon.kernels.size_bracket import SizeVerdict
+from benchdragon.kernels.turn_trial import TURN_MEASURES, TurnMeasure
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.progress import silent
@@ -120,9 +120,9 @@ def test_a_size_of_which_an_obstacle_leaves_it_open_does_not_pass(
     plan = read_plan("spiral-in", [*COIL, "dragon.benches=3", "walk.end=9", WELL])
     in_python(monkeypatch)
     with SizeQuestion(PlanFamily(plan, question("pitch"), 0.0), silent) as search:
-        assert search.trial(0.55) == PASSES
-        monkeypatch.setattr(size_square, "stepped", lambda *_step: TOO_OFTEN)
-        assert search.trial(0.55) == UNDECIDED
+        assert search.trial(0.55) == SizeVerdict.PASSES
+        monkeypatch.setattr(size_square, "stepped", lambda *_step: ObstacleEnding.TOO_OFTEN)
+        assert search.trial(0.55) == SizeVerdict.UNDECIDED
 
 
 SHORT = [*COIL, "dragon.benches=2", "walk.end=3"]
@@ -135,19 +135,19 @@ def test_a_second_obstacle_fails_a_size_as_the_first_does_wherever_a_dance_is(x:
     for things in ([well], [far, well]):
         among = PlanFamily(plan.with_value("obstacle", things), question("pitch"), 0.0)
         with SizeQuestion(among, silent) as search:
-            assert search.trial(0.55) == FAILS
+            assert search.trial(0.55) == SizeVerdict.FAILS
             assert search.blocked(0.55) == len(things) - 1
 
 
 def test_beside_obstacles_no_size_far_from_the_plans_own_passes() -> None:
     far = {"kind": "circle", "centre": [600.0, 0.0], "radius": 1.0}
     plan = read_plan("spiral-in", [*SHORT, "walk.end=1"])
-    for things, result in ((None, PASSES), ([far], FAILS)):
+    for things, result in ((None, SizeVerdict.PASSES), ([far], SizeVerdict.FAILS)):
         among = PlanFamily(
             plan.with_values({"obstacle": things} if things else {}), question("pitch"), 0.0
         )
         with SizeQuestion(among, silent) as search:
-            assert search.trial(5.4) == PASSES
+            assert search.trial(5.4) == SizeVerdict.PASSES
             assert search.trial(5.6) == result
 
 
@@ -158,7 +158,7 @@ def test_rounds_past_an_obstacle_are_searched_once_for_a_size() -> None:
         route = {"kind": "formation", "name": "figure-eight", "radius": 6.0, "rounds": rounds}
         told = {"schema": 1, "dragon": {"benches": 1}, "route": route, "obstacle": [post]}
         with SizeQuestion(PlanFamily(checked(told, "plan"), question("width"), 0.0), silent) as search:
-            assert search.trial(0.3) == PASSES
+            assert search.trial(0.3) == SizeVerdict.PASSES
             evaluations.append(search.evaluations)
     assert 0 < evaluations[1] == evaluations[0]
 
@@ -188,9 +188,9 @@ def test_what_touches_keeps_no_margin_of_a_turn() -> None:
     plan = read_plan(
         "turn", ["dragon.benches=12", 'obstacle=[{kind="line", points=[[0, -2], [0, 2]]}]']
     )
-    exact, _clearance = _exact_figures(plan, [-1.0] * KINDS, ())
-    assert exact[BESIDE] > 0.0
-    assert exact[APART] < 0.0
+    exact, _clearance = _exact_figures(plan, [-1.0] * TURN_MEASURES, ())
+    assert exact[TurnMeasure.BESIDE] > 0.0
+    assert exact[TurnMeasure.APART] < 0.0
 
 
 SQUARE = [

@@ -13,7 +13,7 @@ from benchdragon import BenchDragonError, InputError
 from benchdragon.cli.main import run
 from benchdragon.errors import NoSolutionError
 from benchdragon.figures.walk import bench_corners
-from benchdragon.kernels.turn_trial import APART, BEND, BESIDE, KINDS, LONG, REACH, WAY
+from benchdragon.kernels.turn_trial import TURN_MEASURES, TurnMeasure
 from benchdragon.model.answer import Answer
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Motion
@@ -100,8 +100,9 @@ def test_the_front_of_the_report_is_shorter_everywhere_than_it_was() -> None:
 def test_what_a_limit_is_exceeded_by_is_told() -> None:
     limited = plan("limits.acceleration=2", "limits.total_acceleration=3", "walk.speed=1.5")
     with TurnQuestion(TurnFamily(limited, TurnGoal("way", 1.6, 13.0, 14.0))) as question:
-        exact = np.zeros(KINDS)
-        exact[[0, 3, 4, APART, BESIDE, REACH, BEND, LONG, WAY]] = (
+        exact = np.zeros(TURN_MEASURES)
+        exact[[0, 3, 4, TurnMeasure.APART, TurnMeasure.BESIDE, TurnMeasure.REACH, TurnMeasure.BEND,
+        TurnMeasure.LONG, TurnMeasure.WAY]] = (
             1.4, 1.5, 0.8, -0.15, 0.06, 4.6, 0.65, 12.0, 14.7,
         )  # fmt: skip
         found = question.exceeded(exact.tolist())

@@ -19,7 +19,7 @@ from benchdragon.cli.main import run
 from benchdragon.errors import UnsureError
 from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.curve import S_START
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve.turn import best_turn
 from benchdragon.solve.turn_certificate import (
@@ -66,7 +66,7 @@ def ratio(numbers: np.ndarray, witness: Any) -> float:
         turn.rows(lead=60.0, trail=60.0),
         plan().dragon.build().links[: max(witness.handle, 1)],
     )
-    at = np.array([witness.head + float(rows[-1 if witness.backwards else 1, S_START])])
+    at = np.array([witness.head + float(rows[-1 if witness.backwards else 1, RouteRow.S_START])])
     places = empty_placements(len(links) + 1, 1)
     assert motion_bounds.place_chain(rows, links, at, 0, 1, places)
     return float(places.ratio[witness.handle, 0])
@@ -166,7 +166,7 @@ def greatest_ratio(numbers: np.ndarray) -> float:
     turn = turn_of("arc-line-arc", numbers.tolist())
     assert turn is not None
     rows, links = turn.rows(lead=60.0, trail=60.0), plan().dragon.build().links[:12]
-    at = np.linspace(float(rows[1, S_START]), float(rows[-1, S_START]) + 10.0, 400)
+    at = np.linspace(float(rows[1, RouteRow.S_START]), float(rows[-1, RouteRow.S_START]) + 10.0, 400)
     places = empty_placements(13, 400)
     assert motion_bounds.place_chain(rows, links, at, 0, 400, places)
     return float(places.ratio.max())

@@ -18,7 +18,9 @@ from benchdragon.kernels import turn_descent as descent
 from benchdragon.kernels import turn_question as kernel
 from benchdragon.kernels import turn_trial as trial
 from benchdragon.kernels.memory import held
-from benchdragon.kernels.question import CLOSED
+from benchdragon.kernels.question import QuestionEnding
+from benchdragon.kernels.turn_question import TurnSought
+from benchdragon.kernels.turn_trial import PeakRow, TurnMeasure
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
@@ -34,10 +36,15 @@ POST = 'obstacle=[{kind="circle", name="post", centre=[1.2, 0.6], radius=0.2}]'
 @pytest.fixture(autouse=True)
 def short(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Plain Python searches less; and all that the engine holds for questions is given back."""
-    for name, value in {"STREWN": 3, "STARTS": 2, "MOST_STEPS": (1, 1), "STEPS": (0.3, 0.15)}.items():
+    for name, value in {
+        "STREWN": 3,
+        "STARTS": 2,
+        "MOST_DESCENT_STEPS": (1, 1),
+        "RATE_STEPS": (0.3, 0.15),
+    }.items():
         monkeypatch.setattr(kernel, name, value)
     monkeypatch.setattr(trial, "NARROWED", 22)
-    monkeypatch.setattr(descent, "NARROWED", 12)
+    monkeypatch.setattr(descent, "NARROWINGS", 12)
     before = held()
     yield
     assert held() == before
@@ -60,16 +67,16 @@ def test_what_is_seen_of_a_turn_is_what_exact_figures_say(settings: list[str], g
         seen = question.near([4.45, 4.45, *inner], silent, "")
         assert math.isfinite(seen.exceeds)
         exact, _clearance = _exact_figures(family.with_turn(seen.x), seen.figures, list(QUANTITIES))
-        for kind in range(trial.BESIDE + 1):
+        for kind in range(TurnMeasure.BESIDE + 1):
             near = 1e-5 if kind < trial.RATES else 1e-4
-            if kind != trial.APART and np.isfinite(seen.figures[kind] + exact[kind]):
+            if kind != TurnMeasure.APART and np.isfinite(seen.figures[kind] + exact[kind]):
                 assert seen.figures[kind] == pytest.approx(exact[kind], abs=near)
         turn = family.turn(seen.x)
-        assert seen.figures[trial.LONG] == pytest.approx(turn.length, abs=1e-12)
-        assert seen.figures[trial.WAY] == pytest.approx(turn.way(family.disc), abs=1e-12)
-        assert seen.figures[trial.BEND] == pytest.approx(1.0 / turn.least_radius, abs=1e-12)
+        assert seen.figures[TurnMeasure.LONG] == pytest.approx(turn.length, abs=1e-12)
+        assert seen.figures[TurnMeasure.WAY] == pytest.approx(turn.way(family.disc), abs=1e-12)
+        assert seen.figures[TurnMeasure.BEND] == pytest.approx(1.0 / turn.least_radius, abs=1e-12)
         reach = max(turn.extent, turn.entry_radius, turn.exit_radius)
-        assert seen.figures[trial.REACH] == pytest.approx(reach, abs=1e-4)
+        assert seen.figures[TurnMeasure.REACH] == pytest.approx(reach, abs=1e-4)
         found = question.exceeded(seen.figures)
         assert found["radius"] == pytest.approx(family.narrowest / turn.least_radius - 1.0, abs=1e-12)
         found.pop(goal.objective, None)
@@ -87,7 +94,7 @@ def test_benches_on_the_wrong_side_of_an_obstacle_are_too_near_by_all_of_that(ki
     family.obstacles = [made]
     with TurnQuestion(family) as question:
         seen = question.near([4.45, 4.45, 0.0], silent, "")
-        nearest = seen.figures[trial.BESIDE]
+        nearest = seen.figures[TurnMeasure.BESIDE]
     if kind == "circle":
         assert 1.0 < nearest < 1.5, "a bench is over its middle"
     elif kind == "polygon":
@@ -103,25 +110,26 @@ def test_a_step_goes_to_the_best_point_of_all_lines(seed: int) -> None:
     unknowns, peaks = int(rng.integers(1, 6)), int(rng.integers(2, 30))
     low, x = np.zeros(unknowns), rng.uniform(0.0, 1.0, unknowns)
     x[0] = 0.0
-    told = np.array([0.0] * 9 + [trial.WAY] + [1.0] * trial.RATES)
-    known = np.zeros((trial.MOST_KEPT, trial.PEAK))
-    known[:peaks, trial.KIND] = rng.choice([trial.WAY, 0], peaks)
-    known[0, trial.KIND] = trial.WAY
-    known[:peaks, trial.MEASURE] = rng.normal(0.0, 0.05, peaks)
+    told = np.array([0.0] * 9 + [TurnMeasure.WAY] + [1.0] * trial.RATES)
+    known = np.zeros((trial.MOST_KEPT, trial.PEAK_COLUMNS))
+    known[:peaks, PeakRow.KIND] = rng.choice([TurnMeasure.WAY, 0], peaks)
+    known[0, PeakRow.KIND] = TurnMeasure.WAY
+    known[:peaks, PeakRow.MEASURE] = rng.normal(0.0, 0.05, peaks)
     slopes = rng.normal(0.0, 1.0, (trial.MOST_KEPT, trial.UNKNOWNS))
     state = np.array([peaks, 0.0, 0.0, 0.05, 1.0])
-    size = descent.COLUMNS
+    size = descent.STEP_UNKNOWNS
     point = descent.Descent(
-        x, x.copy(), np.zeros(size), known, slopes, np.zeros((descent.MOST_LINES, descent.LINE)),
+        x, x.copy(), np.zeros(size), known, slopes, np.zeros((descent.MOST_LINES,
+        descent.LINE_COLUMNS)),
         np.zeros((size, size + 1)), state,
     )  # fmt: skip
     tried = Limits(told, low, np.ones(unknowns))
     promised = descent.best_move(tried, point)  # type: ignore[arg-type]
     above, least = [], []
     for n in range(peaks):
-        best = known[n, trial.KIND] == trial.WAY
+        best = known[n, PeakRow.KIND] == TurnMeasure.WAY
         above.append([*slopes[n, :unknowns], -1.0 * best, -1.0 * (not best)])
-        least.append(-known[n, trial.MEASURE])
+        least.append(-known[n, PeakRow.MEASURE])
     ranges = [(max(-0.05, -at), min(0.05, 1.0 - at)) for at in x]
     bounds = [*ranges, (None, None), (0.0, None)]
     solved = linprog([0.0] * unknowns + [1.0, descent.HARD], above, least, bounds=bounds)
@@ -167,11 +175,11 @@ def test_a_question_that_is_closed_answers_no_more() -> None:
     question = TurnQuestion(family)
     handle = question._handle
     question.close()
-    some = [np.zeros(count) for count in (kernel.FIGURES, 3, trial.KINDS)]
+    some = [np.zeros(count) for count in (kernel.TURN_FIGURES, 3, trial.TURN_MEASURES)]
     assert not kernel.read_turn(handle, *some)
-    assert not kernel.seek_turn(handle, kernel.NEAR, some[1], some[2])
+    assert not kernel.seek_turn(handle, TurnSought.NEAR, some[1], some[2])
     assert not kernel.judge_turn(handle, some[2], some[2])
-    assert kernel.step_turn(handle, math.inf) == CLOSED
+    assert kernel.step_turn(handle, math.inf) == QuestionEnding.CLOSED
 
 
 ASKED = """

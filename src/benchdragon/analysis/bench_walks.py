@@ -121,7 +121,7 @@ def bench_walks(
 
     Turnings change where the front handle passes a place at which the route changes its side, paces
     where its speed passes STILL, `people.hurry_from` and `people.run_from` between times STEP apart:
-    both to `kernels.bench_walks.TOLERANCE` seconds. A threshold that is crossed and crossed back
+    both to `kernels.bench_walks.TIME_TOLERANCE` seconds. A threshold that is crossed and crossed back
     between two samples is missed. Stretches shorter than SHORTEST are joined to a neighbour. `apart`,
     m, is what no two benches that are not neighbours come nearer than, if that is known: see `Tightest`
     for what is established without.
@@ -190,8 +190,8 @@ def _seen(walk: Walk, line: kernel.Line, times: FloatArray, progress: Progress) 
     """The walk sampled at these times, s."""
     count = len(walk.dragon)
     known = kernel.Known(
-        np.empty((count, kernel.PIECE_COLUMNS)),
-        np.zeros((count, kernel.BENCH_COLUMNS)),
+        np.empty((count, kernel.PACE_PIECE_COLUMNS)),
+        np.zeros((count, kernel.BENCH_ROW_COLUMNS)),
         np.zeros(1, dtype=np.int64),
         np.empty(LANES),
         empty_placements(count + 1, LANES),
@@ -204,11 +204,11 @@ def _seen(walk: Walk, line: kernel.Line, times: FloatArray, progress: Progress) 
         budget.spend(work)
         room = max(int(known.tally[0]), count) + passed
         if room > len(known.pieces):
-            budget.hold(8 * room * kernel.PIECE_COLUMNS)
-            more = np.empty((room - len(known.pieces), kernel.PIECE_COLUMNS))
+            budget.hold(8 * room * kernel.PACE_PIECE_COLUMNS)
+            more = np.empty((room - len(known.pieces), kernel.PACE_PIECE_COLUMNS))
             known = known._replace(pieces=np.concatenate([known.pieces, more]))
         if not kernel.look_at_benches(
-            line, seen, first, REACH, nearness.STRAIGHT, walk.dragon.lever, known
+            line, seen, first, REACH, nearness.OTHER_COIL, walk.dragon.lever, known
         ):
             walk.placement(known.at[:1])  # raises
         progress(first / len(times), "")
@@ -217,7 +217,7 @@ def _seen(walk: Walk, line: kernel.Line, times: FloatArray, progress: Progress) 
 
 def _stretches(bends: Bends, line: kernel.Line, end: float, known: kernel.Known) -> list[list[Stretch]]:
     """The stretches of each bench, from 0, of a walk up to its end, s."""
-    out = np.empty((len(known.pieces), kernel.STRETCH_COLUMNS))
+    out = np.empty((len(known.pieces), kernel.PACE_STRETCH_COLUMNS))
     found: list[list[Stretch]] = [[] for _bench in range(len(line.links))]
     for row in out[: kernel.tell_stretches(line.rows, bends.turned, end, known, out)].tolist():
         bench, start, until, turning, pace, way, angle, *speeds = row

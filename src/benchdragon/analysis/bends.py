@@ -4,13 +4,13 @@ from typing import Literal, NamedTuple, Self
 
 import numpy as np
 
-from benchdragon.kernels.bends import LEFT, RIGHT, find_bends
+from benchdragon.kernels.bends import Bend, find_bends
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.curves import Route
 
 Turning = Literal["left", "right", "straight"]
-TURNINGS: dict[int, Turning] = {LEFT: "left", RIGHT: "right"}
+TURNINGS: dict[int, Turning] = {Bend.LEFT: "left", Bend.RIGHT: "right"}
 
 
 class Bends(NamedTuple):

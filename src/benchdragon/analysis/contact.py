@@ -23,10 +23,10 @@ from benchdragon.analysis.distance import tightest_pairs
 from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
-from benchdragon.kernels.contact_memory import BEST, BETWEEN, FARTHER, FLOOR_AT, SEEN
+from benchdragon.kernels.contact_memory import ContactEnding, ContactGoal, ContactTold
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.time_of_impact import CLEAR, FIRST_TOUCH, FOUND, LEAST, TOUCH_END
+from benchdragon.kernels.time_of_impact import Ending, Goal
 from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
 from benchdragon.progress import Progress, silent
@@ -99,10 +99,10 @@ def _windows(search: ContactSearch, most: int, *, sure: bool = False) -> list[Wi
     windows: list[Window] = []
     while len(windows) < most and not (sure and windows and windows[-1].opens.status == "found"):
         touching = bool(windows) and windows[-1].closes is None
-        ending = search.find(TOUCH_END if touching else FIRST_TOUCH)
-        if ending == CLEAR:
+        ending = search.find(Goal.TOUCH_END if touching else Goal.FIRST_TOUCH)
+        if ending == Ending.CLEAR:
             break
-        found = search.moment("found" if ending == FOUND else "undecided")
+        found = search.moment("found" if ending == Ending.FOUND else "undecided")
         _take_down(windows, found, touching=touching)
     return windows
 
@@ -197,8 +197,8 @@ def least_clearance(
     with contact_search(walk, start, end, 0.0, progress, tolerances=tolerances) as search:
         if len(walk.dragon) < 3:
             return NONE
-        if search.find(LEAST, (within,)) == FARTHER:
-            bracket = math.inf, float(search.figures[FLOOR_AT]), math.inf
+        if search.find(Goal.LEAST, (within,)) == ContactEnding.FARTHER:
+            bracket = math.inf, float(search.figures[ContactTold.FLOOR_AT]), math.inf
             return search.answer(bracket, "m", "found", False)
         return _clearance(search)
 
@@ -216,7 +216,7 @@ def seen_clearance(walk: Walk, start: float, end: float, floor: float) -> Answer
     with contact_search(walk, start, end, 0.0, silent) as search:
         if len(walk.dragon) < 3:
             return NONE
-        search.find(SEEN)
+        search.find(ContactGoal.SEEN)
         return _clearance(search, floor)
 
 
@@ -229,8 +229,8 @@ def refined(n: int) -> Iterator[None]:
 
 def _clearance(search: ContactSearch, floor: float | None = None) -> Answer:
     """The least clearance as it was found, or above what is known from elsewhere, m."""
-    best = float(search.figures[BEST])
-    least = float(search.figures[FLOOR_AT]) if floor is None else min(floor, best)
+    best = float(search.figures[ContactTold.BEST])
+    least = float(search.figures[ContactTold.FLOOR_AT]) if floor is None else min(floor, best)
     upper = upper_end(best or search.witness().gap, search.off)
     return search.answer((best, max(least - search.off, 0.0), upper), "m", "found")
 
@@ -272,6 +272,6 @@ def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
         for i in inner.tolist():
             about = motion.head_s[[i - 1, i + 1]].tolist(), float(clearance[i]), float(motion.head_s[i])
             first, second = (number - 1 for number in tightest[i].benches)
-            search.find(BETWEEN, (within, *about[0], *about[1:], first, second))
+            search.find(ContactGoal.BETWEEN, (within, *about[0], *about[1:], first, second))
             minima.append(_clearance(search))
     return ClearanceCurve(at, clearance, np.array([near.benches for near in tightest]), minima)

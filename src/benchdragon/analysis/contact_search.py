@@ -22,10 +22,11 @@ from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import contact_memory as told
 from benchdragon.kernels import contact_question as kernel
+from benchdragon.kernels.contact_memory import ContactEnding, ContactGiven, ContactTold
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.family import UNKNOWN
 from benchdragon.kernels.nearness import NEARNESS
-from benchdragon.kernels.question import MORE
+from benchdragon.kernels.question import QuestionEnding
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
@@ -95,14 +96,14 @@ class ContactSearch(EngineQuestion):
         seen, ways = seen_from(walk, origin), spans or [(start, end)]
         slack = SLACK if slack is None else slack
         dragon, limits = walk.dragon, _limits(margin, slack, start, end)
-        asked = told.Asked(
+        asked = told.ContactAsked(
             seen.route.rows, dragon.links, dragon.sizes, np.array([dragon.lever]), np.array(ways),
             limits, np.array(tolerances, dtype=np.float64), tables.beginnings(),
         )  # fmt: skip
         handle = kernel.open_contact(asked)
         if handle < 0:
             raise tables.too_many_kinds(dragon.sizes)
-        near, figures = np.empty(NEARNESS), np.zeros(told.FIGURES)
+        near, figures = np.empty(NEARNESS), np.zeros(told.CONTACT_FIGURES)
         super().__init__(handle, kernel.step_contact, kernel.read_contact, figures, near)
         self.walk, self.origin, self._near = seen, origin, near
         self.start, self.end, self.progress, self.spans, self.slack = start, end, progress, ways, slack
@@ -117,17 +118,17 @@ class ContactSearch(EngineQuestion):
             UnsureError: if it could not be shown that it can, or rounding hides too much.
         """
         kernel.seek_contact(self._handle, goal, np.array(said, dtype=np.float64))
-        while (ending := self.step()) == MORE:
-            (at,) = self.tell(told.WALKED)
+        while (ending := self.step()) == QuestionEnding.MORE:
+            (at,) = self.tell(ContactTold.WALKED)
             self.progress((at - self.start) / (self.end - self.start), "")
-        if ending == told.STOPPED:
-            raise self.stopped(*self.tell(told.SOUND_TO, told.UNTIL))
-        if ending == told.UNSHOWN:
+        if ending == ContactEnding.STOPPED:
+            raise self.stopped(*self.tell(ContactTold.SOUND_TO, ContactTold.UNTIL))
+        if ending == ContactEnding.UNSHOWN:
             raise UnsureError(_("it could not be shown that the dragon stands all along"))
-        if ending == told.ENDLESS:
+        if ending == ContactEnding.ENDLESS:
             text = _("the walk is too long to be searched: more than {most} cells of its route")
             raise UnsureError(text.format(most=tables.MOST_CELLS))
-        if ending == told.BLURRED:
+        if ending == ContactEnding.BLURRED:
             checked_off(self.off)
         return ending
 
@@ -147,11 +148,11 @@ class ContactSearch(EngineQuestion):
     @property
     def off(self) -> float:
         """Error bound of the distances that mattered so far, m."""
-        return max(float(self.figures[told.OFF_BY]), self.slack)
+        return max(float(self.figures[ContactTold.OFF_BY]), self.slack)
 
     def witness(self) -> Witness:
         """The witness: how the benches found are placed."""
-        (s,) = self.tell(told.LATE)
+        (s,) = self.tell(ContactTold.LATE)
         return witness_of(nearness_of(self._near.tolist()), self.origin, self.times.at(s), s)
 
     def answer(
@@ -159,12 +160,14 @@ class ContactSearch(EngineQuestion):
     ) -> Answer:
         """An answer of a value, the ends of its bracket and a unit; with a witness if it was `seen`."""
         witness = self.witness() if seen else None
-        marched, seconds = int(self.figures[told.MARCHED]), clock.perf_counter() - self._began
+        marched, seconds = int(self.figures[ContactTold.MARCHED]), clock.perf_counter() - self._began
         return Answer(*bracket, unit, status, witness, assumed_within(self.off), marched, seconds)
 
     def moment(self, status: Status) -> Answer:
         """The time at which the benches are placed as found."""
-        early, late, behind, ahead = self.tell(told.EARLY, told.LATE, told.EARLY_LEAD, told.LATE_LEAD)
+        early, late, behind, ahead = self.tell(
+            ContactTold.EARLY, ContactTold.LATE, ContactTold.EARLY_LEAD, ContactTold.LATE_LEAD
+        )
         value, lower, upper, known = self.times.told(early, late, status, (behind, ahead))
         return self.answer((value, lower, upper), "s", known)
 
@@ -172,17 +175,17 @@ class ContactSearch(EngineQuestion):
 def _limits(margin: float, slack: float, start: float, end: float) -> FloatArray:
     """The question's limits, as arguments of the engine."""
     named = {
-        told.MARGIN: margin,
-        told.LEAST_OFF: slack,
-        told.WIDTH: WIDTH,
-        told.MOST: MOST_EVALUATIONS,
-        told.MOST_LEAST: MOST_LEAST_EVALUATIONS,
-        told.BYTES: budget.memory(),
-        told.BEGIN: start,
-        told.END: end,
-        told.MOST_KINDS: tables.MOST_SIZES,
-        told.REFINING: budget.aside_most(REFINING),
-        told.REFINING_ON: budget.aside_most(REFINING_ON),
+        ContactGiven.MARGIN: margin,
+        ContactGiven.LEAST_OFF: slack,
+        ContactGiven.WIDTH: WIDTH,
+        ContactGiven.MOST: MOST_EVALUATIONS,
+        ContactGiven.MOST_LEAST: MOST_LEAST_EVALUATIONS,
+        ContactGiven.BYTES: budget.memory(),
+        ContactGiven.BEGIN: start,
+        ContactGiven.END: end,
+        ContactGiven.MOST_KINDS: tables.MOST_SIZES,
+        ContactGiven.REFINING: budget.aside_most(REFINING),
+        ContactGiven.REFINING_ON: budget.aside_most(REFINING_ON),
     }
     return tables.in_columns(named)
 

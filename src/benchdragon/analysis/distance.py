@@ -15,6 +15,7 @@ from benchdragon.i18n import N_
 from benchdragon.kernels import box as kernel
 from benchdragon.kernels import local_minima
 from benchdragon.kernels import nearness as near
+from benchdragon.kernels.box import Box
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.grid import filled_grid, pairs_near
@@ -99,8 +100,8 @@ def nearness_at(walk: Walk, s: float, i: int, j: int) -> Nearness:
 
 def pairs_within(table: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
     """Rows of all pairs that are not neighbours and may be within `reach` metres: a superset."""
-    radius = np.hypot(table[:, kernel.HALF_LENGTH], table[:, kernel.HALF_WIDTH])
-    widest, places = float(radius.max()), np.ascontiguousarray(table[:, [kernel.CX, kernel.CY]])
+    radius = np.hypot(table[:, Box.HALF_LENGTH], table[:, Box.HALF_WIDTH])
+    widest, places = float(radius.max()), np.ascontiguousarray(table[:, [Box.CX, Box.CY]])
     grid = filled_grid(places, widest + reach)
     first, second = pairs_near(grid, places, places, 0, 2.0 * widest + reach)
     apart = np.hypot(*(places[first] - places[second]).T)

@@ -9,6 +9,7 @@ from typing import Any, Self
 from benchdragon import budget
 from benchdragon.kernels import question as kernel
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.question import QuestionEnding, Told
 
 
 def _closed(handle: int, thread: int) -> None:
@@ -74,11 +75,11 @@ class EngineQuestion:
         """
         ending = self._step(self._handle, budget.left(), *said)
         self._read(self._handle, *self._told)
-        if ending == kernel.CLOSED:
+        if ending == QuestionEnding.CLOSED:
             raise ValueError("this question was closed")
-        budget.spend(self.figures[kernel.SPENT])
-        if ending == kernel.OVER_MEMORY:
-            budget.hold(self.figures[kernel.WANTED])
-        if ending in (kernel.OVER_MEMORY, kernel.OUT_OF_MEMORY):
+        budget.spend(self.figures[Told.SPENT])
+        if ending == QuestionEnding.OVER_MEMORY:
+            budget.hold(self.figures[Told.WANTED])
+        if ending in (QuestionEnding.OVER_MEMORY, QuestionEnding.OUT_OF_MEMORY):
             raise MemoryError
         return ending

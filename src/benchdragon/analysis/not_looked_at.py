@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from benchdragon.analysis.room import levels_asked
 from benchdragon.i18n import N_, _
-from benchdragon.kernels.curve import U_BACK
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.model.walk import Walk
 from benchdragon.number_format import known
 from benchdragon.plans.routes import RUN_UP, DrawnRoute
@@ -101,7 +101,7 @@ def not_looked_at(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Not
 
 def runs_on(walk: Walk) -> bool:
     """Whether a straight line that the plan does not draw leads to the start of the route."""
-    return float(walk.route.rows[0, U_BACK]) == -math.inf
+    return float(walk.route.rows[0, RouteRow.U_BACK]) == -math.inf
 
 
 def given_from(plan: Plan, walk: Walk) -> float:

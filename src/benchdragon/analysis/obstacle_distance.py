@@ -6,7 +6,7 @@ import numpy as np
 
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.kernels import obstacle_contact as kernel
-from benchdragon.kernels.box import BOX_COLUMNS, CX, CY
+from benchdragon.kernels.box import BOX_COLUMNS, Box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.base_curve import Point
@@ -35,7 +35,7 @@ def box_distances(placed: Placement, index: int, obstacle: Obstacle) -> tuple[Fl
     """
     table = boxes(placed, index)
     out, which = nearest_boxes(table, obstacle)
-    out[obstacle.forbids(table[:, [CX, CY]])] = -math.inf
+    out[obstacle.forbids(table[:, [Box.CX, Box.CY]])] = -math.inf
     return out, which
 
 

@@ -24,11 +24,12 @@ from benchdragon.errors import UnsureError, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import obstacle_memory
 from benchdragon.kernels import obstacle_question as kernel
-from benchdragon.kernels import obstacle_search as ended
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.question import MORE
-from benchdragon.kernels.time_of_impact import FIRST_TOUCH, LEAST
-from benchdragon.kernels.walk_search import ASTRAY
+from benchdragon.kernels.obstacle_memory import ObstacleFound, ObstacleGiven, ObstacleTold
+from benchdragon.kernels.obstacle_search import ObstacleEnding
+from benchdragon.kernels.question import QuestionEnding
+from benchdragon.kernels.time_of_impact import Goal
+from benchdragon.kernels.walk_search import WalkEnding
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
@@ -70,22 +71,25 @@ class ObstacleSearch(EngineQuestion):
         origin, dragon = origin_at(walk, first), walk.dragon
         near, (x, y) = seen_from(walk, origin), origin
         named = {
-            obstacle_memory.SORT: obstacle.sort,
-            obstacle_memory.RADIUS: obstacle.radius,
-            obstacle_memory.MARGIN: obstacle.margin,
-            obstacle_memory.HEAD_FIRST: first,
-            obstacle_memory.HEAD_LAST: last,
-            obstacle_memory.LEAST_OFF: SLACK,
-            obstacle_memory.WIDTH: WIDTH,
-            obstacle_memory.MOST: MOST_EVALUATIONS,
-            obstacle_memory.MOST_LEAST: MOST_LEAST_EVALUATIONS,
+            ObstacleGiven.SORT: obstacle.sort,
+            ObstacleGiven.RADIUS: obstacle.radius,
+            ObstacleGiven.MARGIN: obstacle.margin,
+            ObstacleGiven.HEAD_FIRST: first,
+            ObstacleGiven.HEAD_LAST: last,
+            ObstacleGiven.LEAST_OFF: SLACK,
+            ObstacleGiven.WIDTH: WIDTH,
+            ObstacleGiven.MOST: MOST_EVALUATIONS,
+            ObstacleGiven.MOST_LEAST: MOST_LEAST_EVALUATIONS,
         }
         outline = np.array([(at[0] - x, at[1] - y) for at in obstacle.outline.tolist()])
         handle = kernel.open_obstacle(
             near.route.rows, dragon.links, dragon.sizes, outline, repeats_of(near), in_columns(named)
         )
         super().__init__(
-            handle, kernel.step_obstacle, kernel.read_obstacle, np.zeros(obstacle_memory.FIGURES)
+            handle,
+            kernel.step_obstacle,
+            kernel.read_obstacle,
+            np.zeros(obstacle_memory.OBSTACLE_FIGURES),
         )
         self._walk, self._obstacle, self._heads, self._origin = walk, obstacle, (first, last), origin
         self._times, self._began = HeadTimes(walk, first, start, end), began
@@ -93,11 +97,11 @@ class ObstacleSearch(EngineQuestion):
     @property
     def evaluations(self) -> int:
         """Benches placed in searches."""
-        return int(self.figures[obstacle_memory.MADE])
+        return int(self.figures[ObstacleTold.MADE])
 
     def ways(self) -> FloatArray:
         """How each size of bench is walked, a row each: see kernels/obstacle_memory.py."""
-        ways = np.empty((len(self._walk.dragon), obstacle_memory.WAYS))
+        ways = np.empty((len(self._walk.dragon), obstacle_memory.SIZE_WAY_COLUMNS))
         return ways[: kernel.read_ways(self._handle, ways)]
 
     def touches(self) -> list[Answer]:
@@ -110,7 +114,7 @@ class ObstacleSearch(EngineQuestion):
             WalkError: if the dragon cannot walk on to the end.
             UnsureError: if it could not be shown that it can, or benches graze too often.
         """
-        found = self._found(FIRST_TOUCH, 0.0)
+        found = self._found(Goal.FIRST_TOUCH, 0.0)
         return [self._touch(row) for row in found]
 
     def least_distance(self, tolerances: Sequence[float]) -> Answer:
@@ -122,25 +126,25 @@ class ObstacleSearch(EngineQuestion):
         """
         for n, tolerance in enumerate(tolerances):
             with refined(n):
-                found = self._found(LEAST, tolerance)
-                if self.figures[obstacle_memory.CLOSED_IN]:
+                found = self._found(Goal.LEAST, tolerance)
+                if self.figures[ObstacleTold.CLOSED_IN]:
                     return self._distance(found[0])
-        found = self._found(LEAST, math.inf)
+        found = self._found(Goal.LEAST, math.inf)
         return self._distance(found[0])
 
     def _found(self, goal: int, narrow: float) -> list[list[float]]:
         """Rows of touches or distances: see kernels/obstacle_memory.py."""
         kernel.seek_obstacle(self._handle, goal, narrow)
-        while (ending := self.step()) == MORE:
+        while (ending := self.step()) == QuestionEnding.MORE:
             pass
-        if ending == ASTRAY:
+        if ending == WalkEnding.ASTRAY:
             raise self._stopped()
-        if ending == ended.TOO_OFTEN:
+        if ending == ObstacleEnding.TOO_OFTEN:
             text = _("benches come within rounding of {name} too often to be followed on")
             raise UnsureError(text.format(name=self._obstacle.name))
-        if ending == ended.TOO_FAR_OFF:
-            checked_off(float(self.figures[obstacle_memory.ABOUT]))
-        found = np.empty((int(self.figures[obstacle_memory.COUNT]), obstacle_memory.FOUND_COLUMNS))
+        if ending == ObstacleEnding.TOO_FAR_OFF:
+            checked_off(float(self.figures[ObstacleTold.ABOUT]))
+        found = np.empty((int(self.figures[ObstacleTold.COUNT]), obstacle_memory.FOUND_COLUMNS))
         kernel.read_found(self._handle, 0, found)
         rows: list[list[float]] = found.tolist()
         return rows
@@ -149,13 +153,13 @@ class ObstacleSearch(EngineQuestion):
         """Why a bench could not be followed past the end of what its search had shown."""
         error = self._walk.first_failure(np.linspace(*self._heads, SAMPLES))
         text = _("past s = {s} m it could not be shown that every bench follows without a leap")
-        return error or UnsureError(text.format(s=f"{self.figures[obstacle_memory.SOUND]:.6g}"))
+        return error or UnsureError(text.format(s=f"{self.figures[ObstacleTold.SOUND]:.6g}"))
 
     def _touch(self, row: list[float]) -> Answer:
         """Times between which a touch begins, and how the bench then stands."""
-        sure: Status = "found" if row[obstacle_memory.SURE] else "undecided"
+        sure: Status = "found" if row[ObstacleFound.SURE] else "undecided"
         value, early, late, status = self._times.told(
-            row[obstacle_memory.LOW_END], row[obstacle_memory.HIGH_END], sure
+            row[ObstacleFound.LOW_END], row[ObstacleFound.HIGH_END], sure
         )
         if status == "found" and late - early > NARROW:
             value = late  # a graze came before: then it surely touches
@@ -163,16 +167,16 @@ class ObstacleSearch(EngineQuestion):
 
     def _distance(self, row: list[float]) -> Answer:
         bracket = (
-            row[obstacle_memory.VALUE],
-            row[obstacle_memory.LOW_END],
-            row[obstacle_memory.HIGH_END],
+            row[ObstacleFound.VALUE],
+            row[ObstacleFound.LOW_END],
+            row[ObstacleFound.HIGH_END],
         )
         return self._answer(bracket, "m", "found", row)
 
     def _answer(
         self, bracket: tuple[float, float, float], unit: str, status: Status, row: list[float]
     ) -> Answer:
-        assumed, made = assumed_within(float(self.figures[obstacle_memory.ABOUT])), self.evaluations
+        assumed, made = assumed_within(float(self.figures[ObstacleTold.ABOUT])), self.evaluations
         seconds = clock.perf_counter() - self._began
         return Answer(*bracket, unit, status, self._witness(row), assumed, made, seconds)
 
@@ -183,12 +187,12 @@ class ObstacleSearch(EngineQuestion):
         venue the point is the corner that is farthest out, and the gap minus how far.
         """
         s, gap, bench = (
-            row[obstacle_memory.HEAD],
-            row[obstacle_memory.GAP],
-            int(row[obstacle_memory.WHO]) + 1,
+            row[ObstacleFound.HEAD],
+            row[ObstacleFound.GAP],
+            int(row[ObstacleFound.WHO]) + 1,
         )
         if math.isnan(gap):
             raise self._stopped()
-        point = row[obstacle_memory.AT_X] + self._origin[0], row[obstacle_memory.AT_Y] + self._origin[1]
-        feature, time = FEATURES[int(row[obstacle_memory.FEATURE])], self._times.at(s)
+        point = row[ObstacleFound.AT_X] + self._origin[0], row[ObstacleFound.AT_Y] + self._origin[1]
+        feature, time = FEATURES[int(row[ObstacleFound.FEATURE])], self._times.at(s)
         return Witness(time, s, (bench,), point, gap, ((bench, feature),), None, self._obstacle.name)

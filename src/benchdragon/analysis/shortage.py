@@ -11,6 +11,7 @@ import numpy as np
 from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.kernels import box as kernel
+from benchdragon.kernels.box import Box
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
@@ -79,15 +80,15 @@ class _Seen:
     def apart(self, beside: float, ahead: float) -> list[float]:
         """How far the two are apart at each time with so much room on both sides and ahead, m."""
         table = self.boards.copy()
-        table[:, :, kernel.HALF_WIDTH] += beside
+        table[:, :, Box.HALF_WIDTH] += beside
         if self.headed:
-            table[:, 0, kernel.HALF_LENGTH] += 0.5 * ahead
-            table[:, 0, kernel.CX] += 0.5 * ahead * table[:, 0, kernel.UX]
-            table[:, 0, kernel.CY] += 0.5 * ahead * table[:, 0, kernel.UY]
+            table[:, 0, Box.HALF_LENGTH] += 0.5 * ahead
+            table[:, 0, Box.CX] += 0.5 * ahead * table[:, 0, Box.UX]
+            table[:, 0, Box.CY] += 0.5 * ahead * table[:, 0, Box.UY]
         count, flat = len(table), table.reshape(-1, kernel.BOX_COLUMNS)
         if self.obstacle is not None:
             out = nearest_boxes(flat, self.obstacle)[0] - self.obstacle.radius
-            out[self.obstacle.forbids(flat[:, [kernel.CX, kernel.CY]])] = -np.inf
+            out[self.obstacle.forbids(flat[:, [Box.CX, Box.CY]])] = -np.inf
             return list(out.tolist())
         gap, out = np.empty(count), np.empty(count)
         first = np.arange(0, 2 * count, 2)

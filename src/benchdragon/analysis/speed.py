@@ -22,8 +22,10 @@ from benchdragon.kernels import speed_memory as told
 from benchdragon.kernels import speed_question as kernel
 from benchdragon.kernels import speed_search as peak
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.question import MORE
-from benchdragon.kernels.speed_question import STEP
+from benchdragon.kernels.drive import DriveRate
+from benchdragon.kernels.question import QuestionEnding
+from benchdragon.kernels.speed_memory import SpeedTold
+from benchdragon.kernels.speed_question import FIRST_CHAIN_STEP, SpeedEnding
 from benchdragon.model.answer import ROUNDING, Answer, Witness
 from benchdragon.model.profile import SpeedProfile, Stretches
 from benchdragon.model.walk import Walk
@@ -57,14 +59,16 @@ class Quantity:
 QUANTITIES = {
     quantity.name: quantity
     for quantity in (
-        Quantity("speed", drive.SPEEDS, 1, "m/s", N_("speed of a handle")),
-        Quantity("turning_rate", drive.TURNING, 1, "rad/s", N_("turning rate of a bench")),
+        Quantity("speed", DriveRate.SPEEDS, 1, "m/s", N_("speed of a handle")),
+        Quantity("turning_rate", DriveRate.TURNING, 1, "rad/s", N_("turning rate of a bench")),
         Quantity(
-            "lateral_acceleration", drive.ACROSS, 2, "m/s^2", N_("lateral acceleration of a handle")
+            "lateral_acceleration", DriveRate.ACROSS, 2, "m/s^2", N_("lateral acceleration of a handle")
         ),
-        Quantity("total_acceleration", drive.TOTAL, 2, "m/s^2", N_("total acceleration of a handle")),
         Quantity(
-            "acceleration", drive.ALONG, 2, "m/s^2", N_("acceleration of a handle along the route")
+            "total_acceleration", DriveRate.TOTAL, 2, "m/s^2", N_("total acceleration of a handle")
+        ),
+        Quantity(
+            "acceleration", DriveRate.ALONG, 2, "m/s^2", N_("acceleration of a handle along the route")
         ),
     )
 }
@@ -186,7 +190,7 @@ class PeakQuestion(EngineQuestion):
             walk.route.rows, walk.dragon.links, np.array(kinds), group, driven, np.array(tolerances),
             np.array(limits), np.array([walk.dragon.extent, head, *ROOM]),
         )  # fmt: skip
-        super().__init__(handle, kernel.step_peak, kernel.read_peak, np.zeros(told.FIGURES))
+        super().__init__(handle, kernel.step_peak, kernel.read_peak, np.zeros(told.SPEED_FIGURES))
 
     def bound(
         self, at: FloatArray, first: int, last: int, square: float, limits: FloatArray,
@@ -207,22 +211,22 @@ def sought(
         InputError: for a tolerance that is not between 1e-12 and 1.
         WalkError: if the dragon cannot stand at some position that was sampled.
     """
-    quantities, ending = list(QUANTITIES.values()), MORE
+    quantities, ending = list(QUANTITIES.values()), QuestionEnding.MORE
     drives, kept = _new(walk, stretches)
     with PeakQuestion(walk, drives, asked, head) as question:
-        while ending == MORE:
+        while ending == QuestionEnding.MORE:
             try:
                 ending = question.step()
             except OverBudgetError:
-                if not question.figures[told.GIVEN_UP]:
+                if not question.figures[SpeedTold.GIVEN_UP]:
                     raise
-                ending = kernel.DONE
+                ending = SpeedEnding.DONE
                 budget.allow(TOLD)
-            share, number = question.tell(told.SHARE, told.QUANTITY)
+            share, number = question.tell(SpeedTold.SHARE, SpeedTold.QUANTITY)
             progress(share, _(quantities[int(number)].text) if head else "")
-        if ending == kernel.FALLEN:
-            raise failure_within(walk, *question.tell(told.LOW, told.HIGH))
-        found = question.tell(*range(told.VALUE, told.QUANTITY))
+        if ending == SpeedEnding.FALLEN:
+            raise failure_within(walk, *question.tell(SpeedTold.LOW, SpeedTold.HIGH))
+        found = question.tell(*range(SpeedTold.VALUE, SpeedTold.QUANTITY))
     value, least, most, s, row, x, y, stretch, placed, lower, upper, decides = found
     time = stretches.time(kept[int(stretch)], s)
     seen = Peak(value, most, time, s, int(row), int(placed), least, (x, y))
@@ -248,7 +252,7 @@ def witness_of(walk: Walk, quantity: Quantity, found: Peak) -> Witness:
     time, row = walk.time_at(found.s), found.row
     return Witness(
         time if math.isfinite(time) else None, found.s, (min(row + 1, len(walk.dragon)),), found.point,
-        math.nan, handle=None if quantity.kind == drive.TURNING else row,
+        math.nan, handle=None if quantity.kind == DriveRate.TURNING else row,
     )  # fmt: skip
 
 
@@ -263,7 +267,10 @@ def fastest_handle(speeds: Sequence[float]) -> int:
 
 def failure_within(walk: Walk, low: float, high: float) -> Exception:
     """Why a dragon does not stand with its head somewhere in low..high, m."""
-    end, step = max(low, min(high, walk.route.length)), STEP * min(walk.dragon.links.tolist())
+    end, step = (
+        max(low, min(high, walk.route.length)),
+        FIRST_CHAIN_STEP * min(walk.dragon.links.tolist()),
+    )
     count, per = math.ceil((end - low) / step), max(2, PLACES // (len(walk.dragon) + 1))
     for n in range(0, count + 1, per - 1):
         at = [min(low + step * k, end) for k in range(n, n + per)]

@@ -9,6 +9,7 @@ from benchdragon.kernels.box_hierarchy import Kinds
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.kinds import find_kinds
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search_room import Beginning
 from benchdragon.kernels.workspace import Benches
 from benchdragon.model.walk import Walk
 
@@ -32,13 +33,13 @@ def in_columns(told: dict[int, float]) -> FloatArray:
 def beginnings() -> IntArray:
     """The initial sizes of searches' workspaces, for the engine: see kernels/search_room.py."""
     named = {
-        search_room.A_CELL: A_CELL,
-        search_room.AT_FIRST: AT_FIRST,
-        search_room.FIRST_PAIRS: PAIRS,
-        search_room.FIRST_MEMBERS: MEMBERS,
-        search_room.FIRST_DOUBTS: DOUBTS,
-        search_room.MOST_CELLS: MOST_CELLS,
-        search_room.PLACES: PLACES,
+        Beginning.A_CELL: A_CELL,
+        Beginning.AT_FIRST: AT_FIRST,
+        Beginning.FIRST_PAIRS: PAIRS,
+        Beginning.FIRST_MEMBERS: MEMBERS,
+        Beginning.FIRST_DOUBTS: DOUBTS,
+        Beginning.MOST_CELLS: MOST_CELLS,
+        Beginning.PLACES: PLACES,
     }
     return np.array([named[n] for n in range(search_room.BEGINNINGS)], dtype=np.int64)
 

@@ -12,7 +12,7 @@ from flint import arb
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.kernels.route_parts import FIRST, LAST
+from benchdragon.kernels.route_parts import RoutePart
 from benchdragon.kernels.turn_families import LEAD
 from benchdragon.model.walk import Walk
 from benchdragon.plans.routes import PartsRoute, SpiralInRoute, TurnRoute
@@ -158,7 +158,10 @@ def _turn(plan: Plan, route: TurnRoute, walk: Walk) -> Told | None:
         return None
     entering, leaving = (2 * arb.pi() * radius / pitch for radius in ends)
     first, last = walk.route.parts[0], walk.route.parts[-1]  # where they begin and end decides nothing
-    spirals = Part(pitch, arb(first[FIRST]), entering), Part(pitch, leaving, arb(last[LAST]))
+    spirals = (
+        Part(pitch, arb(first[RoutePart.FIRST]), entering),
+        Part(pitch, leaving, arb(last[RoutePart.LAST])),
+    )
     return Told([spirals[0], *pieces, spirals[1]], NOWHERE, arb(LEAD))
 
 

@@ -68,7 +68,8 @@ def compiled_entries() -> dict[str, Callable[..., object]]:
     entries.compiler = compiled
     for path in sorted(built.KERNELS.glob("*.py")):
         importlib.import_module(f"benchdragon.kernels.{path.stem}")
-    importlib.import_module("benchdragon.engine.memory")  # declared to numba
+    for told in ("memory", "numbered"):  # declared to numba
+        importlib.import_module(f"benchdragon.engine.{told}")
     modules = {name: importlib.import_module(name.rpartition(".")[0]) for name in entries.ENTRIES}
     return {name: getattr(module, name.rpartition(".")[2]) for name, module in modules.items()}
 

@@ -11,7 +11,7 @@ from benchdragon.analysis.findings import named
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.explain.bench_text import Basis, BenchText, Halt, Landmark, bench_lines
-from benchdragon.kernels.box import CX, CY, UX, UY
+from benchdragon.kernels.box import Box
 from benchdragon.plans.cues import cue_name
 from benchdragon.plans.schema import Plan
 
@@ -47,6 +47,6 @@ def landmark_of(plan: Plan, found: BenchWalk, ground: Ground) -> Landmark:
 
 def _edge(found: BenchWalk, ground: Ground, side: Sequence[float]) -> int:
     """Over which edge the way out is nearest that leads over a side of the venue (a box)."""
-    x, y = side[UY], -side[UX]
-    inwards = x * (side[CX] - found.box[CX]) + y * (side[CY] - found.box[CY]) < 0.0
+    x, y = side[Box.UY], -side[Box.UX]
+    inwards = x * (side[Box.CX] - found.box[Box.CX]) + y * (side[Box.CY] - found.box[Box.CY]) < 0.0
     return ground.edge((-x, -y) if inwards else (x, y))

@@ -6,8 +6,8 @@ from dataclasses import fields
 from benchdragon.explain.text import number, signed
 from benchdragon.i18n import _
 from benchdragon.kernels.binomial import tails
-from benchdragon.kernels.random_dance_look import TOLERANCE
-from benchdragon.kernels.random_numbers import ASIDE, HEIGHT, PLAY
+from benchdragon.kernels.random_dance_look import PITCH_TOLERANCE
+from benchdragon.kernels.random_numbers import Random
 from benchdragon.plans.schema import Plan
 from benchdragon.solve.tolerance import CONFIDENCE, Draw, Tolerance, needed_pitch
 
@@ -41,8 +41,8 @@ def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
     )
     drawn = draw.dragon(plain)
     n = min(1, len(plain) - 1)
-    height = found.deviations.height * float(draw.noise(HEIGHT, len(plain))[n])
-    play = found.deviations.play * float(draw.noise(PLAY, len(plain))[n])
+    height = found.deviations.height * float(draw.noise(Random.HEIGHT, len(plain))[n])
+    play = found.deviations.play * float(draw.noise(Random.PLAY, len(plain))[n])
     length = float(drawn.length[n])
     front, rear = float(plain.front_inset[n]), float(plain.rear_inset[n])
     needed = needed_pitch(plan, draw, found.exact)
@@ -61,13 +61,14 @@ def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
         ),
         _("Its front, handle {handle}, stays {aside} m beside the route that is walked, from "
           "start to end.").format(
-            handle=n, aside=number(found.deviations.aside * float(draw.noise(ASIDE, len(plain) + 1)[n]))
+            handle=n, aside=number(found.deviations.aside * float(draw.noise(Random.ASIDE,
+            len(plain) + 1)[n]))
         ),
         _(
             "Walked with several pitches, dance 1 is free of contact with {pitch} m, and touches "
             "with {less} m less. That it is free of contact with all larger ones is taken for "
             "granted."
-        ).format(pitch=number(needed), less=number(TOLERANCE)),
+        ).format(pitch=number(needed), less=number(PITCH_TOLERANCE)),
     ]  # fmt: skip
 
 

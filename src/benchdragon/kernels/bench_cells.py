@@ -13,32 +13,52 @@ from typing import NamedTuple
 from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
 from benchdragon.kernels.chain import Placements, place_head, place_next, rates_in_slot
-from benchdragon.kernels.curve import S_START, FloatArray, length_at, place
-from benchdragon.kernels.drive import ACROSS, SPEEDS, TOTAL, TURNING, most_of_handle
+from benchdragon.kernels.curve import FloatArray, RouteRow, length_at, place
+from benchdragon.kernels.drive import DriveRate, most_of_handle
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.motion_bounds import bound_handles, curvature_range, magnitude, scaled
+from benchdragon.kernels.motion_bounds import (
+    HandleBound,
+    bound_handles,
+    curvature_range,
+    magnitude,
+    scaled,
+)
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.rate_rounding import Errors, bend_errors, rate_errors
 from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended, Status
 from benchdragon.kernels.swept_boxes import EDGE
 
-# Columns of what a bench does while its front handle walks through a cell.
-REAR = 0  # route position of its rear handle at the cell's start, m
-SLOW = 1  # least ratio of speeds, rear handle over front handle
-FAST = 2  # greatest
-FADE = 3  # least d log(ratio) per metre of the front handle's way, 1/m
-GROW = 4  # greatest
-SWAY = 5  # greatest turning rate, rad/m
-CELL_COLUMNS = 6
+
+class Cell(Numbered):
+    """Columns of what a bench does while its front handle walks through a cell."""
+
+    REAR = 0  # route position of its rear handle at the cell's start, m
+    SLOW = 1  # least ratio of speeds, rear handle over front handle
+    FAST = 2  # greatest
+    FADE = 3  # least d log(ratio) per metre of the front handle's way, 1/m
+    GROW = 4  # greatest
+    SWAY = 5  # greatest turning rate, rad/m
+
+
+CELL_COLUMNS = len(Cell)
 # Of these, ratios are as they were computed: exactly they may be more by the share `off` of the cells.
 
 # After so many cells of one length the next are tried at twice that.
 STEADY = 8
-# How cutting is resumed: where it is, and the length of cells there, m; cells so far, and how many of
-# that length.
-AT, WIDTH = 0, 1
-CELLS, RUN = 0, 1
+
+
+class CutMeasure(Numbered):
+    """How cutting is resumed: where it is, and the length of cells there, m."""
+
+    AT, WIDTH = 0, 1
+
+
+class CutCount(Numbered):
+    """How cutting is resumed: cells so far, and how many of that length."""
+
+    CELLS, RUN = 0, 1
 
 
 class Cells(NamedTuple):
@@ -51,7 +71,7 @@ class Cells(NamedTuple):
     benches: Stack  # what benches of each kind do there, (cells + 1, kinds, CELL_COLUMNS)
 
 
-class Kinds(NamedTuple):
+class CellKinds(NamedTuple):
     """The links of a dragon, each once."""
 
     links: Table  # m, (kinds, 1)
@@ -105,7 +125,7 @@ def place_bench(rows: FloatArray, link: FloatArray, front: int, t: int, shop: Wo
         places.failed[0, t] = place_next(rows, link[0], 0, t, places)
     if places.failed[0, t] == Status.OK:
         _, _, places.tx[1, t], places.ty[1, t] = place(rows, row[1, t], u[1, t])
-        rears[t] = rows[row[1, t], S_START] + length_at(rows, row[1, t], u[1, t])
+        rears[t] = rows[row[1, t], RouteRow.S_START] + length_at(rows, row[1, t], u[1, t])
         weigh_bench(rows, link, t, shop)
 
 
@@ -151,8 +171,8 @@ def move_on(shop: Workshop, kinds: int) -> None:
 @kernel
 def leave_open(benches: FloatArray, c: int, g: int) -> None:
     """Say that nothing bounds benches of kind g in cell c."""
-    benches[c, g, SLOW], benches[c, g, FADE] = 0.0, -math.inf
-    benches[c, g, FAST] = benches[c, g, GROW] = benches[c, g, SWAY] = math.inf
+    benches[c, g, Cell.SLOW], benches[c, g, Cell.FADE] = 0.0, -math.inf
+    benches[c, g, Cell.FAST] = benches[c, g, Cell.GROW] = benches[c, g, Cell.SWAY] = math.inf
 
 
 @kernel
@@ -170,17 +190,17 @@ def bound_kind(
     places, bounds, rears, benches = shop.places, shop.bounds, shop.rears, cells.benches
     errors = shop.errors
     a, b = g, g + links.shape[0] + 1
-    benches[c, g, REAR], benches[c + 1, g, REAR] = rears[a], rears[b]
+    benches[c, g, Cell.REAR], benches[c + 1, g, Cell.REAR] = rears[a], rears[b]
     if places.failed[0, a] != Status.OK or places.failed[0, b] != Status.OK:
         return True
     bound_handles(rows, links[g], places, a, b, bounds)
-    fast = bounds[1, motion_bounds.SPEED]
-    benches[c, g, SLOW], benches[c, g, FAST] = bounds[1, motion_bounds.SLOWEST], fast
+    fast = bounds[1, HandleBound.SPEED]
+    benches[c, g, Cell.SLOW], benches[c, g, Cell.FAST] = bounds[1, HandleBound.SLOWEST], fast
     off = max(growth_error(shop, a), growth_error(shop, b))
-    benches[c, g, FADE] = bounds[1, motion_bounds.GROWTH_LOW] - off
-    benches[c, g, GROW] = bounds[1, motion_bounds.GROWTH_HIGH] + off
+    benches[c, g, Cell.FADE] = bounds[1, HandleBound.GROWTH_LOW] - off
+    benches[c, g, Cell.GROW] = bounds[1, HandleBound.GROWTH_HIGH] + off
     sway = max(errors.turn[0, a], errors.turn[0, b])
-    benches[c, g, SWAY] = bounds[1, motion_bounds.TURNING_RATE] + sway
+    benches[c, g, Cell.SWAY] = bounds[1, HandleBound.TURNING_RATE] + sway
     cells.off[c] = max(cells.off[c], errors.ratio[1, a], errors.ratio[1, b])
     return fast > max(1.0, max(places.ratio[1, a], places.ratio[1, b]) * (1.0 + loss))
 
@@ -203,12 +223,12 @@ def bound_cell(
         leave_open(cells.benches, c, g)
         if shop.held[g] > 0:
             finer = bound_kind(rows, links, shop, loss, cells, c, g) or finer
-            cells.fastest[c] = max(cells.fastest[c], cells.benches[c, g, FAST])
+            cells.fastest[c] = max(cells.fastest[c], cells.benches[c, g, Cell.FAST])
     return finer
 
 
 @kernel
-def hold(rows: FloatArray, kinds: Kinds, shop: Workshop, s: float, longest: float) -> None:
+def hold(rows: FloatArray, kinds: CellKinds, shop: Workshop, s: float, longest: float) -> None:
     """Hold the kinds that come through the next cell, from s, m, on; place those that are new."""
     count = kinds.links.shape[0]
     for g in range(count):
@@ -220,7 +240,7 @@ def hold(rows: FloatArray, kinds: Kinds, shop: Workshop, s: float, longest: floa
 
 @kernel
 def cut_cells(
-    rows: Table, kinds: Kinds, shop: Workshop, cuts: Cuts, cells: Cells, reached: Vector,
+    rows: Table, kinds: CellKinds, shop: Workshop, cuts: Cuts, cells: Cells, reached: Vector,
     done: IntVector, budget: int,
 ) -> Ended:  # fmt: skip
     """Cut the route from reached[AT], m, into cells.
@@ -229,26 +249,33 @@ def cut_cells(
     reached[AT]. To be called again, after MORE (so many cells as `budget` were made) as it is, after
     ROOM with larger cells.
     """
-    first, links = done[CELLS], kinds.links
+    first, links = done[CutCount.CELLS], kinds.links
     if first == 0:
-        place_border(rows, links, shop, reached[AT], 0)
-        cells.borders[0] = reached[AT]
-    while reached[AT] < cuts.end:
-        c, s = done[CELLS], reached[AT]
+        place_border(rows, links, shop, reached[CutMeasure.AT], 0)
+        cells.borders[0] = reached[CutMeasure.AT]
+    while reached[CutMeasure.AT] < cuts.end:
+        c, s = done[CutCount.CELLS], reached[CutMeasure.AT]
         if c + 1 >= cells.borders.shape[0]:
             return Ended.ROOM
         if c - first >= budget:
             return Ended.MORE
         hold(rows, kinds, shop, s, cuts.longest)
-        cells.borders[c + 1] = min(s + reached[WIDTH], cuts.end)
+        cells.borders[c + 1] = min(s + reached[CutMeasure.WIDTH], cuts.end)
         place_border(rows, links, shop, cells.borders[c + 1], 1)
-        if bound_cell(rows, links, shop, cuts.loss, cells, c) and reached[WIDTH] > cuts.shortest:
-            reached[WIDTH], done[RUN] = 0.5 * reached[WIDTH], 0
+        if (
+            bound_cell(rows, links, shop, cuts.loss, cells, c)
+            and reached[CutMeasure.WIDTH] > cuts.shortest
+        ):
+            reached[CutMeasure.WIDTH], done[CutCount.RUN] = 0.5 * reached[CutMeasure.WIDTH], 0
             continue
         move_on(shop, links.shape[0])
-        reached[AT], done[CELLS], done[RUN] = cells.borders[c + 1], c + 1, done[RUN] + 1
-        if done[RUN] >= STEADY and 2.0 * reached[WIDTH] <= cuts.longest:
-            reached[WIDTH], done[RUN] = 2.0 * reached[WIDTH], 0
+        reached[CutMeasure.AT], done[CutCount.CELLS], done[CutCount.RUN] = (
+            cells.borders[c + 1],
+            c + 1,
+            done[CutCount.RUN] + 1,
+        )
+        if done[CutCount.RUN] >= STEADY and 2.0 * reached[CutMeasure.WIDTH] <= cuts.longest:
+            reached[CutMeasure.WIDTH], done[CutCount.RUN] = 2.0 * reached[CutMeasure.WIDTH], 0
     return Ended.DONE
 
 
@@ -263,13 +290,13 @@ def rear_range(
     """
     ahead, left = low - borders[ca], borders[ca + 1] - low
     back = max(
-        benches[ca, g, REAR] + benches[ca, g, SLOW] * ahead,
-        benches[ca + 1, g, REAR] - benches[ca, g, FAST] * left,
+        benches[ca, g, Cell.REAR] + benches[ca, g, Cell.SLOW] * ahead,
+        benches[ca + 1, g, Cell.REAR] - benches[ca, g, Cell.FAST] * left,
     )
     ahead, left = high - borders[cb], borders[cb + 1] - high
     front = min(
-        benches[cb, g, REAR] + benches[cb, g, FAST] * ahead,
-        benches[cb + 1, g, REAR] - benches[cb, g, SLOW] * left,
+        benches[cb, g, Cell.REAR] + benches[cb, g, Cell.FAST] * ahead,
+        benches[cb + 1, g, Cell.REAR] - benches[cb, g, Cell.SLOW] * left,
     )
     return back - EDGE, front + EDGE
 
@@ -300,21 +327,21 @@ def bench_in_cells(
     benches: FloatArray, g: int, ca: int, cb: int
 ) -> tuple[float, float, float, float, float]:
     """SLOW, FAST, FADE, GROW and SWAY of a bench of kind g anywhere in cells ca..cb."""
-    slow, fast, sway = benches[ca, g, SLOW], benches[ca, g, FAST], benches[ca, g, SWAY]
-    fade, grow = benches[ca, g, FADE], benches[ca, g, GROW]
+    slow, fast, sway = benches[ca, g, Cell.SLOW], benches[ca, g, Cell.FAST], benches[ca, g, Cell.SWAY]
+    fade, grow = benches[ca, g, Cell.FADE], benches[ca, g, Cell.GROW]
     for c in range(ca + 1, cb + 1):
-        slow, fast = min(slow, benches[c, g, SLOW]), max(fast, benches[c, g, FAST])
-        fade, grow = min(fade, benches[c, g, FADE]), max(grow, benches[c, g, GROW])
-        sway = max(sway, benches[c, g, SWAY])
+        slow, fast = min(slow, benches[c, g, Cell.SLOW]), max(fast, benches[c, g, Cell.FAST])
+        fade, grow = min(fade, benches[c, g, Cell.FADE]), max(grow, benches[c, g, Cell.GROW])
+        sway = max(sway, benches[c, g, Cell.SWAY])
     return slow, fast, fade, grow, sway
 
 
 @kernel
 def greatest_fast(benches: FloatArray, g: int, ca: int, cb: int) -> float:
     """FAST of a bench of kind g anywhere in cells ca..cb."""
-    fast = benches[ca, g, FAST]
+    fast = benches[ca, g, Cell.FAST]
     for c in range(ca + 1, cb + 1):
-        fast = max(fast, benches[c, g, FAST])
+        fast = max(fast, benches[c, g, Cell.FAST])
     return fast
 
 
@@ -344,14 +371,18 @@ def bound_by_cells(
     # By what share rounding may have hidden more of each ratio. Speeds are compared as computed and
     # widened afterwards; for the rest each ratio is widened at once.
     off = cells.off[cb]
-    wider = 0.0 if quantity == SPEEDS else off
+    wider = 0.0 if quantity == DriveRate.SPEEDS else off
     for i in range(links + 1):
-        bend = greatest_bend(cells.bends, ca, cb) if quantity in (ACROSS, TOTAL) else 0.0
-        size = swayed if quantity == TURNING else fastest
+        bend = (
+            greatest_bend(cells.bends, ca, cb)
+            if quantity in (DriveRate.ACROSS, DriveRate.TOTAL)
+            else 0.0
+        )
+        size = swayed if quantity == DriveRate.TURNING else fastest
         bound = motion_bounds.ROUNDED_UP * most_of_handle(size, fade, grow, bend, drive, quantity)
-        calm = quantity == SPEEDS and bound <= enough and cells.fastest[cb] <= 1.0
+        calm = quantity == DriveRate.SPEEDS and bound <= enough and cells.fastest[cb] <= 1.0
         exactly = bound
-        if quantity == SPEEDS:
+        if quantity == DriveRate.SPEEDS:
             exactly *= 1.0 + off * (links if calm else i)
         most = max(most, exactly)
         if bound > enough:
@@ -361,7 +392,7 @@ def bound_by_cells(
         if i == links or calm:  # where all is calm, no handle is faster than the one before
             break
         slow, least, greatest, sway = 0.0, 0.0, 0.0, 0.0
-        if quantity in (SPEEDS, ACROSS):
+        if quantity in (DriveRate.SPEEDS, DriveRate.ACROSS):
             fast = greatest_fast(benches, group[i], ca, cb)
         else:
             slow, fast, least, greatest, sway = bench_in_cells(benches, group[i], ca, cb)

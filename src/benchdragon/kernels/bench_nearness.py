@@ -4,42 +4,63 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels import box
 from benchdragon.kernels.arrays import IntTable, Table, Vector
-from benchdragon.kernels.bench_walks import AT, FLOOR, LEVEL, NEAREST, NOBODY, PARTNER, Known, Line
+from benchdragon.kernels.bench_walks import LEVEL_DISTANCES, NOBODY, BenchRow, Known, Line
+from benchdragon.kernels.box import Box, boxes_at, corner, nearest_corner, nearest_each, offset, set_box
 from benchdragon.kernels.box import box_distance as apart
-from benchdragon.kernels.box import boxes_at, corner, nearest_corner, nearest_each, offset, set_box
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.local_minima import local_minimum
 from benchdragon.kernels.nearness import foot
+from benchdragon.kernels.numbered import Numbered
 
 # How far other benches are looked for, m, at all times; and at the end for those beside.
-REACH, BESIDE = 1.5, 1.5
+REACH, BESIDE_REACH = 1.5, 1.5
 # Benches farther apart than this, m, in a straight line are of another coil once they come within
 # REACH: nearer than half of that, which takes a bend of more than half a turn. The others are next in
 # line and near at all times, which tells a bearer nothing.
-STRAIGHT = 2.0 * REACH
+OTHER_COIL = 2.0 * REACH
 # How often the time about a least distance is narrowed.
-SHRINKS = 6
-# Columns of tightest moments: number of the other bench, 0 for none; its side, of those below; bounds
-# of how near it comes, m; where the head then is, m; numbers of the times before and after; and where
-# the bench's front handle is, m.
-OTHER, WHERE, LOWER, UPPER, HEAD, EARLY, LATE, PLACE_X, PLACE_Y = 0, 1, 2, 3, 4, 5, 6, 7, 8
-TIGHTEST_COLUMNS = 9
-# Columns of what is nearest to a bench: how near, m, when, s, and its number.
-NEAR, WHEN, NUMBER, NEAR_COLUMNS = 0, 1, 2, 3
-ON_LEFT, ON_RIGHT, AT_FRONT, AT_REAR = 0, 1, 2, 3
+TIME_SHRINKS = 6
+
+
+class TightMoment(Numbered):
+    """Columns of tightest moments.
+
+    Number of the other bench, 0 for none; its side, of those below; bounds of how near it comes, m;
+    where the head then is, m; numbers of the times before and after; and where the bench's front
+    handle is, m.
+    """
+
+    OTHER, WHERE, LOWER, UPPER, HEAD, EARLY, LATE, PLACE_X, PLACE_Y = range(9)
+
+
+TIGHTEST_COLUMNS = len(TightMoment)
+
+
+class Neighbour(Numbered):
+    """Columns of what is nearest to a bench: how near, m, when, s, and its number."""
+
+    NEAR, WHEN, NUMBER = range(3)
+
+
+NEAR_COLUMNS = len(Neighbour)
+
+
+class NearSide(Numbered):
+    """Where the bench is that comes nearest."""
+
+    ON_LEFT, ON_RIGHT, AT_FRONT, AT_REAR = range(4)
 
 
 @kernel
 def side_of(boxes: FloatArray, k: int, x: float, y: float) -> int:
     """On which side of box k a point lies that is outside of it."""
     along, across = offset(boxes, k, x, y)
-    if abs(along) - boxes[k, box.HALF_LENGTH] > abs(across) - boxes[k, box.HALF_WIDTH]:
-        return AT_FRONT if along > 0.0 else AT_REAR
-    return ON_LEFT if across > 0.0 else ON_RIGHT
+    if abs(along) - boxes[k, Box.HALF_LENGTH] > abs(across) - boxes[k, Box.HALF_WIDTH]:
+        return NearSide.AT_FRONT if along > 0.0 else NearSide.AT_REAR
+    return NearSide.ON_LEFT if across > 0.0 else NearSide.ON_RIGHT
 
 
 @kernel
@@ -64,28 +85,33 @@ def find_tightest(
     """
     at, places, benches = known.at, known.places, known.benches
     for k in range(first, stop):
-        other, n = int(benches[k, PARTNER]), int(benches[k, AT])
-        out[k, OTHER] = other + 1
+        other, n = int(benches[k, BenchRow.PARTNER]), int(benches[k, BenchRow.AT])
+        out[k, TightMoment.OTHER] = other + 1
         if other == NOBODY:
             continue
         early, late = max(n - 1, 0), min(n + 1, heads.shape[0] - 1)
         i, j, head = min(k, other), max(k, other), heads[n]
         if heads[early] < heads[late]:
             lowest, where = local_minimum(
-                line.rows, line.links, line.sizes, i, j, heads[early], heads[late], SHRINKS, at, places,
+                line.rows, line.links, line.sizes, i, j, heads[early], heads[late], TIME_SHRINKS, at,
+                places,
                 boxes,
             )  # fmt: skip
-            if lowest < benches[k, NEAREST] - LEVEL:
+            if lowest < benches[k, BenchRow.NEAREST] - LEVEL_DISTANCES:
                 head = where
         at[0] = head
         march(line.rows, line.links[: j + 1], at, 0, 1, places)
         set_box(line.sizes, k, places.x, places.y, 0, boxes, 0)
         set_box(line.sizes, other, places.x, places.y, 0, boxes, 1)
         upper = max(apart(boxes, 0, 1), 0.0)
-        out[k, WHERE], out[k, UPPER], out[k, HEAD] = nearest_side(boxes), upper, head
-        out[k, LOWER] = min(max(benches[k, FLOOR], least, 0.0), upper)
-        out[k, EARLY], out[k, LATE] = early, late
-        out[k, PLACE_X], out[k, PLACE_Y] = places.x[k, 0], places.y[k, 0]
+        out[k, TightMoment.WHERE], out[k, TightMoment.UPPER], out[k, TightMoment.HEAD] = (
+            nearest_side(boxes),
+            upper,
+            head,
+        )
+        out[k, TightMoment.LOWER] = min(max(benches[k, BenchRow.FLOOR], least, 0.0), upper)
+        out[k, TightMoment.EARLY], out[k, TightMoment.LATE] = early, late
+        out[k, TightMoment.PLACE_X], out[k, TightMoment.PLACE_Y] = places.x[k, 0], places.y[k, 0]
 
 
 @entry
@@ -110,10 +136,10 @@ def most_abreast(boxes: FloatArray, k: int, hand: float) -> int:
     for j in range(boxes.shape[0]):
         if abs(j - k) < 2:
             continue
-        along, across = offset(boxes, k, boxes[j, box.CX], boxes[j, box.CY])
+        along, across = offset(boxes, k, boxes[j, Box.CX], boxes[j, Box.CY])
         along, across = abs(along), hand * across
-        level = along <= boxes[k, box.HALF_LENGTH] + 0.5 * boxes[j, box.HALF_LENGTH]
-        beside = BESIDE + boxes[k, box.HALF_WIDTH] + boxes[j, box.HALF_WIDTH]
+        level = along <= boxes[k, Box.HALF_LENGTH] + 0.5 * boxes[j, Box.HALF_LENGTH]
+        beside = BESIDE_REACH + boxes[k, Box.HALF_WIDTH] + boxes[j, Box.HALF_WIDTH]
         if not level or not 0.0 < across <= beside:
             continue
         follows = j == last + 1
@@ -147,6 +173,6 @@ def see_near(
         nearest_each(sizes, x, y, t, reach, -math.inf, distance, partner)
         for k in range(count):
             least[t] = min(least[t], distance[t, k])
-            if distance[t, k] < near[k, NEAR]:
-                near[k, NEAR], near[k, WHEN] = distance[t, k], times[t]
-                near[k, NUMBER] = partner[t, k] + 1
+            if distance[t, k] < near[k, Neighbour.NEAR]:
+                near[k, Neighbour.NEAR], near[k, Neighbour.WHEN] = distance[t, k], times[t]
+                near[k, Neighbour.NUMBER] = partner[t, k] + 1

@@ -14,34 +14,58 @@ from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.bends import turned_by
 from benchdragon.kernels.box import nearest_each
 from benchdragon.kernels.chain import Placements, march
-from benchdragon.kernels.curve import S_START, FloatArray, length_at
+from benchdragon.kernels.curve import FloatArray, RouteRow, length_at
 from benchdragon.kernels.entries import allocates, entry, kernel
+from benchdragon.kernels.numbered import Numbered
 
 # How exactly it is timed when something is passed, s, and how often it is looked for at most: some ten
 # looks do, and where more would be needed the nearest so far is told.
-TOLERANCE, MOST_LOOKS = 1e-6, 100
+TIME_TOLERANCE, MOST_TIME_LOOKS = 1e-6, 100
 # A time in units of its last place, and the smallest normal number: nearer to a root is not told.
-ROUNDING, LEAST = 4.0 * 2.0**-52, 2.0**-1022
+TIME_ROUNDING, LEAST = 4.0 * 2.0**-52, 2.0**-1022
 # Handles placed for a place or a speed that is passed, for each before it in line: some looks.
 LOOKS = 8
 # Stretches shorter than this, s, nobody can follow: each is joined to the longer of its neighbours.
 SHORTEST = 1.0
 # Distances that differ by less than this, m, count as equal, and the sooner is told: in a steady coil
 # they stay the same for long, and rounding must not choose the moment.
-LEVEL = 1e-6
+LEVEL_DISTANCES = 1e-6
 
-# Columns of pieces, of which the first are those that benches begin with: when it begins, s, where the
-# handle then is, m, how fast, m/s, to which side the route bends, which pace it is, the least and the
-# greatest speed seen, and the row of the next; then what joining adds: the piece before.
-TIME, WAY, SPEED, SIDE, PACE, SLOW, FAST, NEXT, BEFORE = 0, 1, 2, 3, 4, 5, 6, 7, 8
-PIECE_COLUMNS = 9
-# Columns of benches: row of the last piece; where the handle was last, m, and how fast, m/s; the least
-# distance of another coil, m, whose, from 0, or -1, and at which time; and what none comes nearer than.
-LAST, END_WAY, END_SPEED, NEAREST, PARTNER, AT, FLOOR = 0, 1, 2, 3, 4, 5, 6
-BENCH_COLUMNS = 7
-# Columns of stretches: of a bench, from 0, from start to end, s, so far, m, by so much, rad.
-BENCH, START, END, TURN, STEPS, FAR, ANGLE, LOW, HIGH = 0, 1, 2, 3, 4, 5, 6, 7, 8
-STRETCH_COLUMNS = 9
+
+class PacePiece(Numbered):
+    """Columns of pieces, of which the first are those that benches begin with.
+
+    When it begins, s, where the handle then is, m, how fast, m/s, to which side the route bends, which
+    pace it is, the least and the greatest speed seen, and the row of the next; then what joining adds:
+    the piece before.
+    """
+
+    TIME, WAY, SPEED, SIDE, PACE, SLOW, FAST, NEXT, BEFORE = range(9)
+
+
+PACE_PIECE_COLUMNS = len(PacePiece)
+
+
+class BenchRow(Numbered):
+    """Columns of benches.
+
+    Row of the last piece; where the handle was last, m, and how fast, m/s; the least distance of
+    another coil, m, whose, from 0, or -1, and at which time; and what none comes nearer than.
+    """
+
+    LAST, END_WAY, END_SPEED, NEAREST, PARTNER, AT, FLOOR = range(7)
+
+
+BENCH_ROW_COLUMNS = len(BenchRow)
+
+
+class PaceStretch(Numbered):
+    """Columns of stretches: of a bench, from 0, from start to end, s, so far, m, by so much, rad."""
+
+    BENCH, START, END, TURN, STEPS, FAR, ANGLE, LOW, HIGH = range(9)
+
+
+PACE_STRETCH_COLUMNS = len(PaceStretch)
 NOBODY = -1
 
 
@@ -121,7 +145,7 @@ def state_at(line: Line, seen: Seen, known: Known, k: int, t: int, time: float) 
     at[0] = seen.heads[t] + (seen.paces[t] + 0.5 * rate * ahead) * ahead
     march(line.rows, line.links[: max(k, 1)], at, 0, 1, places)
     j, u = places.row[k, 0], places.u[k, 0]
-    s = line.rows[j, S_START] + length_at(line.rows, j, u)
+    s = line.rows[j, RouteRow.S_START] + length_at(line.rows, j, u)
     return s, places.ratio[k, 0] * (seen.paces[t] + rate * ahead)
 
 
@@ -134,9 +158,9 @@ def moment(line: Line, seen: Seen, known: Known, k: int, t: int, fast: bool, aim
     x1, x2 = seen.times[t], seen.times[t + 1]
     f1, f2 = value_at(seen, k, t, fast) - aim, value_at(seen, k, t + 1, fast) - aim
     x3, f3, best = x2, f2, x2
-    for _look in range(MOST_LOOKS):
+    for _look in range(MOST_TIME_LOOKS):
         best = x1 if abs(f1) < abs(f2) else x2
-        wide, near = abs(x2 - x1), abs(best) * ROUNDING + TOLERANCE
+        wide, near = abs(x2 - x1), abs(best) * TIME_ROUNDING + TIME_TOLERANCE
         if min(abs(f1), abs(f2)) <= LEAST or (f1 < 0.0) == (f2 < 0.0) or wide < near:
             break
         share = 0.5
@@ -164,9 +188,17 @@ def add_piece(known: Known, time: float, s: float, speed: float) -> int:
     """A new piece of no side and no pace yet; its row."""
     pieces, row = known.pieces, known.tally[0]
     known.tally[0] = row + 1
-    pieces[row, TIME], pieces[row, WAY], pieces[row, SPEED] = time, s, speed
-    pieces[row, SIDE] = pieces[row, PACE] = math.nan
-    pieces[row, SLOW], pieces[row, FAST], pieces[row, NEXT] = math.inf, -math.inf, -1.0
+    pieces[row, PacePiece.TIME], pieces[row, PacePiece.WAY], pieces[row, PacePiece.SPEED] = (
+        time,
+        s,
+        speed,
+    )
+    pieces[row, PacePiece.SIDE] = pieces[row, PacePiece.PACE] = math.nan
+    pieces[row, PacePiece.SLOW], pieces[row, PacePiece.FAST], pieces[row, PacePiece.NEXT] = (
+        math.inf,
+        -math.inf,
+        -1.0,
+    )
     return row
 
 
@@ -176,16 +208,16 @@ def link_pieces(known: Known, k: int, first: int) -> None:
     pieces, benches = known.pieces, known.benches
     for n in range(first, known.tally[0]):
         m = n
-        while m > first and pieces[m, TIME] < pieces[m - 1, TIME]:
-            for column in range(PIECE_COLUMNS):
+        while m > first and pieces[m, PacePiece.TIME] < pieces[m - 1, PacePiece.TIME]:
+            for column in range(PACE_PIECE_COLUMNS):
                 held = pieces[m, column]
                 pieces[m, column] = pieces[m - 1, column]
                 pieces[m - 1, column] = held
             m -= 1
     for n in range(first, known.tally[0]):
-        last = int(benches[k, LAST])
-        pieces[last, NEXT], benches[k, LAST] = n, n
-        for column in (SIDE, PACE):
+        last = int(benches[k, BenchRow.LAST])
+        pieces[last, PacePiece.NEXT], benches[k, BenchRow.LAST] = n, n
+        for column in (PacePiece.SIDE, PacePiece.PACE):
             if pieces[n, column] != pieces[n, column]:
                 pieces[n, column] = pieces[last, column]
 
@@ -207,9 +239,9 @@ def pass_gates(line: Line, seen: Seen, known: Known, k: int, t: int) -> bool:
             s, speed = state_at(line, seen, known, k, t, time)
             row = add_piece(known, time, s, speed)
             if fast:
-                pieces[row, PACE] = n
+                pieces[row, PacePiece.PACE] = n
             else:
-                pieces[row, SIDE] = line.sides[n - 1]
+                pieces[row, PacePiece.SIDE] = line.sides[n - 1]
     link_pieces(known, k, first)
     return True
 
@@ -217,9 +249,12 @@ def pass_gates(line: Line, seen: Seen, known: Known, k: int, t: int) -> bool:
 @kernel
 def see_speed(known: Known, k: int, s: float, speed: float) -> None:
     """Note where handle k is, m, and how fast it is, m/s, in its last piece."""
-    pieces, row = known.pieces, int(known.benches[k, LAST])
-    pieces[row, SLOW], pieces[row, FAST] = min(pieces[row, SLOW], speed), max(pieces[row, FAST], speed)
-    known.benches[k, END_WAY], known.benches[k, END_SPEED] = s, speed
+    pieces, row = known.pieces, int(known.benches[k, BenchRow.LAST])
+    pieces[row, PacePiece.SLOW], pieces[row, PacePiece.FAST] = (
+        min(pieces[row, PacePiece.SLOW], speed),
+        max(pieces[row, PacePiece.FAST], speed),
+    )
+    known.benches[k, BenchRow.END_WAY], known.benches[k, BenchRow.END_SPEED] = s, speed
 
 
 @entry
@@ -237,10 +272,10 @@ def look_at_benches(
     for k in range(count if first == 0 else 0):
         speed = value_at(seen, k, 0, True)
         row = add_piece(known, seen.times[0], seen.s[k, 0], speed)
-        known.pieces[row, SIDE] = line.sides[count_up_to(line.bends, seen.s[k, 0]) - 1]
-        known.pieces[row, PACE] = count_up_to(line.gates, speed)
-        known.benches[k, LAST], known.benches[k, PARTNER] = row, NOBODY
-        known.benches[k, NEAREST] = known.benches[k, FLOOR] = math.inf
+        known.pieces[row, PacePiece.SIDE] = line.sides[count_up_to(line.bends, seen.s[k, 0]) - 1]
+        known.pieces[row, PacePiece.PACE] = count_up_to(line.gates, speed)
+        known.benches[k, BenchRow.LAST], known.benches[k, BenchRow.PARTNER] = row, NOBODY
+        known.benches[k, BenchRow.NEAREST] = known.benches[k, BenchRow.FLOOR] = math.inf
         see_speed(known, k, seen.s[k, 0], speed)
     for k in range(count):
         for t in range(seen.times.shape[0] - 1):
@@ -272,14 +307,14 @@ def see_nearest(
             farthest = max(farthest, moved[k])
         for k in range(count):
             near = distance[t, k]
-            if near < benches[k, NEAREST] - LEVEL:
-                benches[k, NEAREST], benches[k, PARTNER] = near, partner[t, k]
-                benches[k, AT] = first + t
+            if near < benches[k, BenchRow.NEAREST] - LEVEL_DISTANCES:
+                benches[k, BenchRow.NEAREST], benches[k, BenchRow.PARTNER] = near, partner[t, k]
+                benches[k, BenchRow.AT] = first + t
             floor = min(near, reach)
             if t > 0:
                 floor = 0.5 * (floor + min(distance[t - 1, k], reach) - moved[k] - farthest)
             if t > 0 or times == 1:
-                benches[k, FLOOR] = min(benches[k, FLOOR], floor)
+                benches[k, BenchRow.FLOOR] = min(benches[k, BenchRow.FLOOR], floor)
 
 
 @kernel
@@ -304,19 +339,22 @@ def place_of_least(tree: FloatArray) -> int:
 @kernel
 def alike(line: FloatArray, one: int, other: int) -> bool:
     """Whether two pieces are of one side and one pace."""
-    return bool(line[one, SIDE] == line[other, SIDE] and line[one, PACE] == line[other, PACE])
+    return bool(
+        line[one, PacePiece.SIDE] == line[other, PacePiece.SIDE]
+        and line[one, PacePiece.PACE] == line[other, PacePiece.PACE]
+    )
 
 
 @kernel
 def absorb(line: FloatArray, tree: FloatArray, n: int) -> None:
     """Join the piece after piece n to it."""
-    gone = int(line[n, NEXT])
-    after = int(line[gone, NEXT])
-    line[n, NEXT], line[after, BEFORE] = after, n
-    line[n, SLOW] = min(line[n, SLOW], line[gone, SLOW])
-    line[n, FAST] = max(line[n, FAST], line[gone, FAST])
+    gone = int(line[n, PacePiece.NEXT])
+    after = int(line[gone, PacePiece.NEXT])
+    line[n, PacePiece.NEXT], line[after, PacePiece.BEFORE] = after, n
+    line[n, PacePiece.SLOW] = min(line[n, PacePiece.SLOW], line[gone, PacePiece.SLOW])
+    line[n, PacePiece.FAST] = max(line[n, PacePiece.FAST], line[gone, PacePiece.FAST])
     set_least(tree, gone, math.inf)
-    set_least(tree, n, line[after, TIME] - line[n, TIME])
+    set_least(tree, n, line[after, PacePiece.TIME] - line[n, PacePiece.TIME])
 
 
 @kernel
@@ -329,20 +367,23 @@ def join_short(line: FloatArray, tree: FloatArray, count: int) -> int:
     for n in range(tree.shape[0]):
         tree[n] = math.inf
     for n in range(count):
-        line[n, NEXT], line[n, BEFORE] = n + 1, n - 1
-        set_least(tree, n, line[n + 1, TIME] - line[n, TIME])
+        line[n, PacePiece.NEXT], line[n, PacePiece.BEFORE] = n + 1, n - 1
+        set_least(tree, n, line[n + 1, PacePiece.TIME] - line[n, PacePiece.TIME])
     left, leaves = count, tree.shape[0] // 2
     while left > 1 and tree[1] < SHORTEST:
         n = place_of_least(tree)
-        low, high = int(line[n, BEFORE]), int(line[n, NEXT])
+        low, high = int(line[n, PacePiece.BEFORE]), int(line[n, PacePiece.NEXT])
         if low < 0 or (high < count and tree[leaves + high] > tree[leaves + low]):
-            line[n, SIDE], line[n, PACE] = line[high, SIDE], line[high, PACE]
+            line[n, PacePiece.SIDE], line[n, PacePiece.PACE] = (
+                line[high, PacePiece.SIDE],
+                line[high, PacePiece.PACE],
+            )
         else:
             n = low
         absorb(line, tree, n)
         left -= 1
         # It may be like the neighbour on the side that it did not go to.
-        low, high = int(line[n, BEFORE]), int(line[n, NEXT])
+        low, high = int(line[n, PacePiece.BEFORE]), int(line[n, PacePiece.NEXT])
         if low >= 0 and alike(line, low, n):
             n, high = low, n
         if high < count and alike(line, n, high):
@@ -356,16 +397,20 @@ def line_of(known: Known, k: int, end: float, line: FloatArray) -> int:
     """Fill a line with the pieces of bench k, those that are alike joined, and its end; how many."""
     pieces, count, row = known.pieces, 0, k
     while row >= 0:
-        for column in range(PIECE_COLUMNS):
+        for column in range(PACE_PIECE_COLUMNS):
             line[count, column] = pieces[row, column]
         if count > 0 and alike(line, count - 1, count):
-            line[count - 1, SLOW] = min(line[count - 1, SLOW], line[count, SLOW])
-            line[count - 1, FAST] = max(line[count - 1, FAST], line[count, FAST])
+            line[count - 1, PacePiece.SLOW] = min(
+                line[count - 1, PacePiece.SLOW], line[count, PacePiece.SLOW]
+            )
+            line[count - 1, PacePiece.FAST] = max(
+                line[count - 1, PacePiece.FAST], line[count, PacePiece.FAST]
+            )
         else:
             count += 1
-        row = int(pieces[row, NEXT])
-    line[count, TIME], line[count, WAY] = end, known.benches[k, END_WAY]
-    line[count, SPEED] = known.benches[k, END_SPEED]
+        row = int(pieces[row, PacePiece.NEXT])
+    line[count, PacePiece.TIME], line[count, PacePiece.WAY] = end, known.benches[k, BenchRow.END_WAY]
+    line[count, PacePiece.SPEED] = known.benches[k, BenchRow.END_SPEED]
     return count
 
 
@@ -377,20 +422,34 @@ def tell_stretches(rows: Table, turned: Vector, end: float, known: Known, out: T
     There are no more than pieces. `turned` is that of `find_bends`, `end` that of the dance, s.
     """
     most, told = known.tally[0] - known.benches.shape[0] + 1, 0
-    line = np.empty((most + 2, PIECE_COLUMNS))
+    line = np.empty((most + 2, PACE_PIECE_COLUMNS))
     for k in range(known.benches.shape[0]):
         count, leaves = line_of(known, k, end, line), 1
         while leaves < count:
             leaves *= 2
         left = join_short(line, np.empty(2 * leaves), count)
-        n, angle = 0, turned_by(rows, turned, line[0, WAY])
+        n, angle = 0, turned_by(rows, turned, line[0, PacePiece.WAY])
         for _piece in range(left):
-            after = int(line[n, NEXT])
-            turned_to = turned_by(rows, turned, line[after, WAY])
-            out[told, BENCH], out[told, START], out[told, END] = k, line[n, TIME], line[after, TIME]
-            out[told, TURN], out[told, STEPS] = line[n, SIDE], line[n, PACE]
-            out[told, FAR], out[told, ANGLE] = line[after, WAY] - line[n, WAY], turned_to - angle
-            out[told, LOW] = min(line[n, SLOW], line[n, SPEED], line[after, SPEED])
-            out[told, HIGH] = max(line[n, FAST], line[n, SPEED], line[after, SPEED])
+            after = int(line[n, PacePiece.NEXT])
+            turned_to = turned_by(rows, turned, line[after, PacePiece.WAY])
+            out[told, PaceStretch.BENCH], out[told, PaceStretch.START], out[told, PaceStretch.END] = (
+                k,
+                line[n, PacePiece.TIME],
+                line[after, PacePiece.TIME],
+            )
+            out[told, PaceStretch.TURN], out[told, PaceStretch.STEPS] = (
+                line[n, PacePiece.SIDE],
+                line[n, PacePiece.PACE],
+            )
+            out[told, PaceStretch.FAR], out[told, PaceStretch.ANGLE] = (
+                line[after, PacePiece.WAY] - line[n, PacePiece.WAY],
+                turned_to - angle,
+            )
+            out[told, PaceStretch.LOW] = min(
+                line[n, PacePiece.SLOW], line[n, PacePiece.SPEED], line[after, PacePiece.SPEED]
+            )
+            out[told, PaceStretch.HIGH] = max(
+                line[n, PacePiece.FAST], line[n, PacePiece.SPEED], line[after, PacePiece.SPEED]
+            )
             n, angle, told = after, turned_to, told + 1
     return told

@@ -7,7 +7,7 @@ logarithm and no gamma function, and no digit lost in either tail.
 from benchdragon.kernels.entries import entry, kernel
 
 # Halvings of the probabilities from 0 to 1 until a double has no more in between.
-HALVINGS = 100
+PROBABILITY_HALVINGS = 100
 
 
 @entry
@@ -39,7 +39,7 @@ def tails(hits: int, count: int, risk: float) -> tuple[float, float]:
 def risk_at(hits: int, count: int, side: int, chance: float) -> float:
     """The probability with which one tail of so many hits has that chance: side 0 the lower one."""
     low, high = 0.0, 1.0
-    for _ in range(HALVINGS):
+    for _ in range(PROBABILITY_HALVINGS):
         middle = 0.5 * (low + high)
         if not low < middle < high:
             break

@@ -12,15 +12,22 @@ from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.links import link_of
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import IntArray
 
-CX = 0  # centre, m
-CY = 1
-UX = 2  # unit vector along the bench, towards its front
-UY = 3
-HALF_LENGTH = 4  # m
-HALF_WIDTH = 5
-BOX_COLUMNS = 6
+
+class Box(Numbered):
+    """Columns of a table of boxes, one row a bench."""
+
+    CX = 0  # centre, m
+    CY = 1
+    UX = 2  # unit vector along the bench, towards its front
+    UY = 3
+    HALF_LENGTH = 4  # m
+    HALF_WIDTH = 5
+
+
+BOX_COLUMNS = len(Box)
 # m; the longest that is still a bench and the shortest link that chords of 1e-12 m can resolve.
 LONGEST_BENCH, SHORTEST_LINK = 1e4, 1e-3
 
@@ -40,9 +47,9 @@ def place_box(
     link = link_of(sizes, n)
     ux, uy = (x[i, t] - x[i + 1, t]) / link, (y[i, t] - y[i + 1, t]) / link
     ahead = sizes[2, n] - 0.5 * sizes[0, n]
-    out[k, CX], out[k, CY] = x[i, t] + ahead * ux, y[i, t] + ahead * uy
-    out[k, UX], out[k, UY] = ux, uy
-    out[k, HALF_LENGTH], out[k, HALF_WIDTH] = 0.5 * sizes[0, n], 0.5 * sizes[1, n]
+    out[k, Box.CX], out[k, Box.CY] = x[i, t] + ahead * ux, y[i, t] + ahead * uy
+    out[k, Box.UX], out[k, Box.UY] = ux, uy
+    out[k, Box.HALF_LENGTH], out[k, Box.HALF_WIDTH] = 0.5 * sizes[0, n], 0.5 * sizes[1, n]
 
 
 @kernel
@@ -66,11 +73,11 @@ def box_gap(boxes: Table, i: int, j: int) -> float:
 
     Never larger than the distance, and negative exactly when the boxes overlap.
     """
-    dx, dy = boxes[j, CX] - boxes[i, CX], boxes[j, CY] - boxes[i, CY]
-    ux, uy, vx, vy = boxes[i, UX], boxes[i, UY], boxes[j, UX], boxes[j, UY]
+    dx, dy = boxes[j, Box.CX] - boxes[i, Box.CX], boxes[j, Box.CY] - boxes[i, Box.CY]
+    ux, uy, vx, vy = boxes[i, Box.UX], boxes[i, Box.UY], boxes[j, Box.UX], boxes[j, Box.UY]
     c, s = abs(ux * vx + uy * vy), abs(ux * vy - uy * vx)
-    a, b = boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH]
-    p, q = boxes[j, HALF_LENGTH], boxes[j, HALF_WIDTH]
+    a, b = boxes[i, Box.HALF_LENGTH], boxes[i, Box.HALF_WIDTH]
+    p, q = boxes[j, Box.HALF_LENGTH], boxes[j, Box.HALF_WIDTH]
     along_i = abs(dx * ux + dy * uy) - a - p * c - q * s
     across_i = abs(dy * ux - dx * uy) - b - p * s - q * c
     along_j = abs(dx * vx + dy * vy) - p - a * c - b * s
@@ -81,16 +88,16 @@ def box_gap(boxes: Table, i: int, j: int) -> float:
 @kernel
 def corner(boxes: Table, i: int, k: int) -> tuple[float, float]:
     """Corner k of box i, m."""
-    a, b = ALONG[k] * boxes[i, HALF_LENGTH], ACROSS[k] * boxes[i, HALF_WIDTH]
-    ux, uy = boxes[i, UX], boxes[i, UY]
-    return boxes[i, CX] + a * ux - b * uy, boxes[i, CY] + a * uy + b * ux
+    a, b = ALONG[k] * boxes[i, Box.HALF_LENGTH], ACROSS[k] * boxes[i, Box.HALF_WIDTH]
+    ux, uy = boxes[i, Box.UX], boxes[i, Box.UY]
+    return boxes[i, Box.CX] + a * ux - b * uy, boxes[i, Box.CY] + a * uy + b * ux
 
 
 @kernel
 def offset(boxes: Table, j: int, x: float, y: float) -> tuple[float, float]:
     """Point (x, y) in box j's own frame, m: ahead of its centre, and to its left."""
-    dx, dy = x - boxes[j, CX], y - boxes[j, CY]
-    ux, uy = boxes[j, UX], boxes[j, UY]
+    dx, dy = x - boxes[j, Box.CX], y - boxes[j, Box.CY]
+    ux, uy = boxes[j, Box.UX], boxes[j, Box.UY]
     return dx * ux + dy * uy, dy * ux - dx * uy
 
 
@@ -99,7 +106,7 @@ def corner_distance(boxes: FloatArray, i: int, k: int, j: int) -> float:
     """Distance from corner k of box i to box j, m; inside, minus the depth below the nearest side."""
     x, y = corner(boxes, i, k)
     along, across = offset(boxes, j, x, y)
-    ahead, aside = abs(along) - boxes[j, HALF_LENGTH], abs(across) - boxes[j, HALF_WIDTH]
+    ahead, aside = abs(along) - boxes[j, Box.HALF_LENGTH], abs(across) - boxes[j, Box.HALF_WIDTH]
     if ahead <= 0.0 or aside <= 0.0:
         return max(ahead, aside)
     return math.hypot(ahead, aside)
@@ -167,16 +174,18 @@ def inside(sides: FloatArray, first: int, last: int, x: float, y: float) -> bool
     """
     odd = False
     for n in range(first, last):
-        rise = sides[n, HALF_LENGTH] * sides[n, UY]
-        if (sides[n, CY] - rise > y) != (sides[n, CY] + rise > y):
-            odd = odd != (sides[n, CX] + (y - sides[n, CY]) * sides[n, UX] / sides[n, UY] > x)
+        rise = sides[n, Box.HALF_LENGTH] * sides[n, Box.UY]
+        if (sides[n, Box.CY] - rise > y) != (sides[n, Box.CY] + rise > y):
+            odd = odd != (
+                sides[n, Box.CX] + (y - sides[n, Box.CY]) * sides[n, Box.UX] / sides[n, Box.UY] > x
+            )
     return odd
 
 
 @kernel
 def half_diagonal(boxes: FloatArray, i: int) -> float:
     """The radius of the circle around box i, m."""
-    a, b = boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH]
+    a, b = boxes[i, Box.HALF_LENGTH], boxes[i, Box.HALF_WIDTH]
     return math.sqrt(a * a + b * b)
 
 
@@ -204,7 +213,7 @@ def in_a_line(sizes: FloatArray, front: FloatArray, rear: FloatArray) -> None:
 def centres(boxes: FloatArray, cx: FloatArray, cy: FloatArray) -> None:
     """Fill cx and cy with the centres of the first boxes, m: columns of their own are read faster."""
     for i in range(cx.shape[0]):
-        cx[i], cy[i] = boxes[i, CX], boxes[i, CY]
+        cx[i], cy[i] = boxes[i, Box.CX], boxes[i, Box.CY]
 
 
 @kernel

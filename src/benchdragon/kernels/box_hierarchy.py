@@ -8,58 +8,98 @@ import math
 from typing import NamedTuple
 
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
-from benchdragon.kernels.box import BOX_COLUMNS, CX, CY
+from benchdragon.kernels.box import BOX_COLUMNS, Box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import IntArray
 
 # A box that is near another is cut into so many parts.
 PARTS = 4
 
-# Columns of the table of boxes, after those of kernels/box.py.
-RADIUS = BOX_COLUMNS
-HULL_COLUMNS = BOX_COLUMNS + 1
-# Columns of the tree, a row a box: rows below groups * cells are whole cells, group by group.
-STATE = 0  # UNKNOWN, WANTED or BOXED
-CHILD = 1  # row of the first of its parts, 0 if it was not cut
-PARTNER = 2  # 1 + the number of the latest entry of its partners, 0 without one
-GROUP = 3
-NUMBER = 4  # counted in boxes of its level from the first cell on
-LEVEL = 5  # how many of its kind a cell has
-TREE_COLUMNS = 6
-UNKNOWN, WANTED, BOXED = 0, 1, 2
-# Columns of the list of partners.
-ROW = 0  # the partner's
-NEXT = 1  # as PARTNER
 
-# What is counted, a row of whole numbers.
-GROUPS = 0
-CELLS = 1  # known so far
-ROWS = 2  # in use
-ENTRIES = 3  # partners
-LOW = 4  # number of the first cell, counted from the route's start
-TODO = 5  # boxes to be made
-NEAR = 6  # pairs that are near
-DOUBTS = 7  # kinds and cells through which it is not sure that such benches can walk
-MIXED = 8  # 1 once cells lie in different clear spans
-REAR = 9  # least number of a partner, in cells times PARTS
-BORDERS = 10  # benches placed at borders of cells
-COUNTS = 11
-# What is measured, a row of floats, m.
-REACH = 0  # nearer than this is near
-CELL = 1  # length of a cell
-END = 2  # of the route
-MEASURES = 3
-# Columns of the table of groups.
-ARM = 0  # how far its benches reach from the middle of a cell that their front handle is in, m
-HIND = 1  # route position of its rearmost bench at first, m: none ever comes behind that
-WIDEST = 2  # greatest radius of its boxes, m
-ALONE = 3  # 1 if its benches can meet no other: they must follow too, and no span spares their cells
-FOREMOST = 4  # the links before its first bench, m
-REARMOST = 5  # those before its last: none, if only the head is of it
-FIRST = 6  # route position of the first of its parts that have partners, m
-WAYS = 7  # and on: at most the way back to a bench of each group, m
+class Hull(Box):
+    """Columns of the table of boxes, after those of kernels/box.py."""
+
+    RADIUS = BOX_COLUMNS
+
+
+HULL_COLUMNS = len(Hull)
+
+
+class Node(Numbered):
+    """Columns of the tree, a row a box.
+
+    Rows below groups * cells are whole cells, group by group.
+    """
+
+    STATE = 0  # UNKNOWN, WANTED or BOXED
+    CHILD = 1  # row of the first of its parts, 0 if it was not cut
+    PARTNER = 2  # 1 + the number of the latest entry of its partners, 0 without one
+    GROUP = 3
+    NUMBER = 4  # counted in boxes of its level from the first cell on
+    LEVEL = 5  # how many of its kind a cell has
+
+
+TREE_COLUMNS = len(Node)
+
+
+class NodeState(Numbered):
+    """What is known of a box of the tree."""
+
+    UNKNOWN, WANTED, BOXED = range(3)
+
+
+class Partner(Numbered):
+    """Columns of the list of partners."""
+
+    ROW = 0  # the partner's
+    NEXT = 1  # as PARTNER
+
+
+class BoxCount(Numbered):
+    """What is counted, a row of whole numbers."""
+
+    GROUPS = 0
+    CELLS = 1  # known so far
+    ROWS = 2  # in use
+    ENTRIES = 3  # partners
+    LOW = 4  # number of the first cell, counted from the route's start
+    TODO = 5  # boxes to be made
+    NEAR = 6  # pairs that are near
+    DOUBTS = 7  # kinds and cells through which it is not sure that such benches can walk
+    MIXED = 8  # 1 once cells lie in different clear spans
+    REAR = 9  # least number of a partner, in cells times PARTS
+    BORDERS = 10  # benches placed at borders of cells
+
+
+BOX_COUNTS = len(BoxCount)
+
+
+class BoxMeasure(Numbered):
+    """What is measured, a row of floats, m."""
+
+    REACH = 0  # nearer than this is near
+    CELL = 1  # length of a cell
+    END = 2  # of the route
+
+
+MEASURES = len(BoxMeasure)
+
+
+class BenchGroup(Numbered):
+    """Columns of the table of groups."""
+
+    ARM = 0  # how far its benches reach from the middle of a cell that their front handle is in, m
+    HIND = 1  # route position of its rearmost bench at first, m: none ever comes behind that
+    WIDEST = 2  # greatest radius of its boxes, m
+    # 1 if its benches can meet no other: they must follow too, and no span spares their cells
+    ALONE = 3
+    FOREMOST = 4  # the links before its first bench, m
+    REARMOST = 5  # those before its last: none, if only the head is of it
+    FIRST = 6  # route position of the first of its parts that have partners, m
+    WAYS = 7  # and on: at most the way back to a bench of each group, m
 
 
 class Kinds(NamedTuple):
@@ -74,7 +114,7 @@ class Hierarchy(NamedTuple):
 
     counts: IntVector
     measures: Vector
-    groups: Table  # (groups, WAYS + groups)
+    groups: Table  # (groups, BenchGroup.WAYS + groups)
     spans: (
         Table  # for each pair of groups its clear spans, m, (pairs * rows, 2); empty where end <= start
     )
@@ -102,10 +142,10 @@ def has_room(ground: Hierarchy) -> bool:
     """Whether all that was counted found room."""
     counts = ground.counts
     return (
-        counts[ROWS] <= ground.tree.shape[0]
-        and counts[ENTRIES] <= ground.partners.shape[0]
-        and counts[NEAR] <= ground.near.shape[0]
-        and counts[DOUBTS] <= ground.doubts.shape[0]
+        counts[BoxCount.ROWS] <= ground.tree.shape[0]
+        and counts[BoxCount.ENTRIES] <= ground.partners.shape[0]
+        and counts[BoxCount.NEAR] <= ground.near.shape[0]
+        and counts[BoxCount.DOUBTS] <= ground.doubts.shape[0]
     )
 
 
@@ -113,30 +153,30 @@ def has_room(ground: Hierarchy) -> bool:
 def add_row(tree: IntArray, hulls: FloatArray, row: int, group: int, number: int, level: int) -> None:
     """Begin a row of the tree, not boxed yet."""
     if row < tree.shape[0]:
-        tree[row, STATE], tree[row, CHILD], tree[row, PARTNER] = UNKNOWN, 0, 0
-        tree[row, GROUP], tree[row, NUMBER], tree[row, LEVEL] = group, number, level
-        hulls[row, CX] = hulls[row, CY] = math.nan
+        tree[row, Node.STATE], tree[row, Node.CHILD], tree[row, Node.PARTNER] = NodeState.UNKNOWN, 0, 0
+        tree[row, Node.GROUP], tree[row, Node.NUMBER], tree[row, Node.LEVEL] = group, number, level
+        hulls[row, Box.CX] = hulls[row, Box.CY] = math.nan
 
 
 @kernel
 def mark(counts: IntArray, tree: IntArray, todo: IntArray, row: int) -> None:
     """Put a row on the list of boxes to be made, once."""
-    if tree[row, STATE] == UNKNOWN:
-        tree[row, STATE], todo[counts[TODO]] = WANTED, row
-        counts[TODO] += 1
+    if tree[row, Node.STATE] == NodeState.UNKNOWN:
+        tree[row, Node.STATE], todo[counts[BoxCount.TODO]] = NodeState.WANTED, row
+        counts[BoxCount.TODO] += 1
 
 
 @kernel
 def split(counts: IntArray, tree: IntArray, hulls: FloatArray, todo: IntArray, row: int) -> None:
     """Give a box its parts, once, and want them boxed; beyond the room they are only counted."""
-    if tree[row, CHILD]:
+    if tree[row, Node.CHILD]:
         return
-    base = counts[ROWS]
-    counts[ROWS] = base + PARTS
+    base = counts[BoxCount.ROWS]
+    counts[BoxCount.ROWS] = base + PARTS
     if base + PARTS > tree.shape[0]:
         return
-    tree[row, CHILD] = base
+    tree[row, Node.CHILD] = base
     for n in range(PARTS):
-        number = tree[row, NUMBER] * PARTS + n
-        add_row(tree, hulls, base + n, tree[row, GROUP], number, tree[row, LEVEL] * PARTS)
+        number = tree[row, Node.NUMBER] * PARTS + n
+        add_row(tree, hulls, base + n, tree[row, Node.GROUP], number, tree[row, Node.LEVEL] * PARTS)
         mark(counts, tree, todo, base + n)

@@ -11,8 +11,21 @@ from typing import NamedTuple
 
 from benchdragon.kernels import box_hierarchy as of
 from benchdragon.kernels.arrays import IntVector, Vector
-from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal
-from benchdragon.kernels.box_hierarchy import Grids, Hierarchy, Kinds, has_room, split
+from benchdragon.kernels.box import Box, box_distance, box_gap, half_diagonal
+from benchdragon.kernels.box_hierarchy import (
+    BenchGroup,
+    BoxCount,
+    BoxMeasure,
+    Grids,
+    Hierarchy,
+    Hull,
+    Kinds,
+    Node,
+    NodeState,
+    Partner,
+    has_room,
+    split,
+)
 from benchdragon.kernels.cells_to_box import add_cell, mark_behind, mark_new, may_meet
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
@@ -44,7 +57,7 @@ def count_borders(ground: Hierarchy, places: Placements, count: int) -> None:
     """Count the benches at the first borders that stand."""
     for t in range(count):
         if not places.failed[0, t]:
-            ground.counts[of.BORDERS] += 1
+            ground.counts[BoxCount.BORDERS] += 1
 
 
 @kernel
@@ -66,33 +79,33 @@ def sweep_batch(
     sweep_cells(rows, link, kinds.sizes, k, places, some, targets, ground.hulls, sound)
     for n in range(boxes):
         row = targets[n]
-        if sound[n] == 0.0 and ground.tree[row, of.LEVEL] == 1:
-            doubt = ground.counts[of.DOUBTS]
-            ground.counts[of.DOUBTS] = doubt + 1
+        if sound[n] == 0.0 and ground.tree[row, Node.LEVEL] == 1:
+            doubt = ground.counts[BoxCount.DOUBTS]
+            ground.counts[BoxCount.DOUBTS] = doubt + 1
             if doubt < ground.doubts.shape[0]:
                 ground.doubts[doubt, 0] = k
-                ground.doubts[doubt, 1] = ground.tree[row, of.NUMBER]
+                ground.doubts[doubt, 1] = ground.tree[row, Node.NUMBER]
 
 
 @kernel
 def box_group(rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, k: int) -> None:
     """Widen what is wanted of the group of kind k by benches of that kind, some borders at a time."""
-    tree, at, low = ground.tree, sweeper.at, ground.counts[of.LOW]
-    hind, end = ground.groups[kinds.group[k], of.HIND], ground.measures[of.END]
+    tree, at, low = ground.tree, sweeper.at, ground.counts[BoxCount.LOW]
+    hind, end = ground.groups[kinds.group[k], BenchGroup.HIND], ground.measures[BoxMeasure.END]
     slots, boxes, last = 0, 0, -2
-    for n in range(ground.counts[of.TODO]):
+    for n in range(ground.counts[BoxCount.TODO]):
         row = ground.todo[n]
-        if tree[row, of.GROUP] != kinds.group[k]:
+        if tree[row, Node.GROUP] != kinds.group[k]:
             continue
         if slots + 2 > LANES:
             sweep_batch(rows, kinds, ground, sweeper, k, slots, boxes)
             slots, boxes, last = 0, 0, -2
-        level = tree[row, of.LEVEL]
-        number, size = tree[row, of.NUMBER] + low * level, ground.measures[of.CELL] / level
+        level = tree[row, Node.LEVEL]
+        number, size = tree[row, Node.NUMBER] + low * level, ground.measures[BoxMeasure.CELL] / level
         joined = (
             last >= 0
-            and tree[last, of.LEVEL] == level
-            and tree[last, of.NUMBER] + 1 == tree[row, of.NUMBER]
+            and tree[last, Node.LEVEL] == level
+            and tree[last, Node.NUMBER] + 1 == tree[row, Node.NUMBER]
         )
         if not joined:
             at[slots] = min(max(number * size, hind), end)
@@ -112,22 +125,24 @@ def box_marked(
     for k in range(kinds.group.shape[0]):
         box_group(rows, kinds, ground, sweeper, k)
     hulls, tree = ground.hulls, ground.tree
-    for n in range(ground.counts[of.TODO]):
+    for n in range(ground.counts[BoxCount.TODO]):
         row = ground.todo[n]
-        tree[row, of.STATE] = of.BOXED
-        hulls[row, of.RADIUS] = half_diagonal(hulls, row)
-        if tree[row, of.LEVEL] == 1 and not math.isnan(hulls[row, CX]):
-            g = tree[row, of.GROUP]
-            ground.groups[g, of.WIDEST] = max(ground.groups[g, of.WIDEST], hulls[row, of.RADIUS])
-            put(grid, row, hulls[row, CX], hulls[row, CY])
-    ground.counts[of.TODO] = 0
+        tree[row, Node.STATE] = NodeState.BOXED
+        hulls[row, Hull.RADIUS] = half_diagonal(hulls, row)
+        if tree[row, Node.LEVEL] == 1 and not math.isnan(hulls[row, Box.CX]):
+            g = tree[row, Node.GROUP]
+            ground.groups[g, BenchGroup.WIDEST] = max(
+                ground.groups[g, BenchGroup.WIDEST], hulls[row, Hull.RADIUS]
+            )
+            put(grid, row, hulls[row, Box.CX], hulls[row, Box.CY])
+    ground.counts[BoxCount.TODO] = 0
 
 
 @kernel
 def boxes_near(hulls: FloatArray, i: int, j: int, reach: float) -> bool:
     """Whether two boxes are within reach, m; no box is near anything."""
-    dx, dy = hulls[i, CX] - hulls[j, CX], hulls[i, CY] - hulls[j, CY]
-    most = hulls[i, of.RADIUS] + hulls[j, of.RADIUS] + reach
+    dx, dy = hulls[i, Box.CX] - hulls[j, Box.CX], hulls[i, Box.CY] - hulls[j, Box.CY]
+    most = hulls[i, Hull.RADIUS] + hulls[j, Hull.RADIUS] + reach
     if not dx * dx + dy * dy <= most * most:
         return False
     return box_gap(hulls, i, j) <= reach and box_distance(hulls, i, j) <= reach
@@ -136,34 +151,43 @@ def boxes_near(hulls: FloatArray, i: int, j: int, reach: float) -> bool:
 @kernel
 def far_enough(tree: IntArray, i: int, j: int, cell: float, way: float) -> bool:
     """Whether a bench in box i may have one in box j behind it with another between them."""
-    return (tree[i, of.NUMBER] + 1 - tree[j, of.NUMBER]) * cell / tree[i, of.LEVEL] >= way
+    return (tree[i, Node.NUMBER] + 1 - tree[j, Node.NUMBER]) * cell / tree[i, Node.LEVEL] >= way
 
 
 @kernel
 def add_overlap(counts: IntArray, near: IntArray, i: int, j: int) -> None:
     """Note a pair of rows that are near; beyond the room it is only counted."""
-    n = counts[of.NEAR]
+    n = counts[BoxCount.NEAR]
     if n < near.shape[0]:
         near[n, 0], near[n, 1] = i, j
-    counts[of.NEAR] = n + 1
+    counts[BoxCount.NEAR] = n + 1
 
 
 @kernel
 def find_overlaps(ground: Hierarchy, grid: Grid, found: IntArray, i: int) -> None:
     """Note all boxes of cells not beyond that of row i that are near it."""
-    tree, hulls, groups = ground.tree, ground.hulls, ground.counts[of.GROUPS]
-    a, c, reach, widest = tree[i, of.GROUP], tree[i, of.NUMBER], ground.measures[of.REACH], 0.0
-    if math.isnan(hulls[i, CX]):
+    tree, hulls, groups = ground.tree, ground.hulls, ground.counts[BoxCount.GROUPS]
+    a, c, reach, widest = (
+        tree[i, Node.GROUP],
+        tree[i, Node.NUMBER],
+        ground.measures[BoxMeasure.REACH],
+        0.0,
+    )
+    if math.isnan(hulls[i, Box.CX]):
         return
     for b in range(groups):
-        if ground.groups[a, of.WAYS + b] < math.inf:
-            widest = max(widest, ground.groups[b, of.WIDEST])
-    far = hulls[i, of.RADIUS] + widest + reach
-    for n in range(gather(grid, hulls[i, CX], hulls[i, CY], far, found)):
+        if ground.groups[a, BenchGroup.WAYS + b] < math.inf:
+            widest = max(widest, ground.groups[b, BenchGroup.WIDEST])
+    far = hulls[i, Hull.RADIUS] + widest + reach
+    for n in range(gather(grid, hulls[i, Box.CX], hulls[i, Box.CY], far, found)):
         j = found[n]
-        b, d = tree[j, of.GROUP], tree[j, of.NUMBER]
-        way = ground.groups[a, of.WAYS + b]
-        if d > c or not way < math.inf or not far_enough(tree, i, j, ground.measures[of.CELL], way):
+        b, d = tree[j, Node.GROUP], tree[j, Node.NUMBER]
+        way = ground.groups[a, BenchGroup.WAYS + b]
+        if (
+            d > c
+            or not way < math.inf
+            or not far_enough(tree, i, j, ground.measures[BoxMeasure.CELL], way)
+        ):
             continue
         if may_meet(ground.span_of, c, d, a * groups + b) and boxes_near(hulls, i, j, reach):
             add_overlap(ground.counts, ground.near, i, j)
@@ -172,7 +196,7 @@ def find_overlaps(ground: Hierarchy, grid: Grid, found: IntArray, i: int) -> Non
 @kernel
 def split_overlapping(ground: Hierarchy) -> None:
     """Cut all boxes that are in pairs."""
-    for n in range(ground.counts[of.NEAR]):
+    for n in range(ground.counts[BoxCount.NEAR]):
         for side in range(2):
             split(ground.counts, ground.tree, ground.hulls, ground.todo, ground.near[n, side])
 
@@ -180,11 +204,11 @@ def split_overlapping(ground: Hierarchy) -> None:
 @kernel
 def overlapping_parts(ground: Hierarchy, i: int, j: int, every: bool) -> bool:
     """Whether any parts of boxes i and j are near; if `every`, all such pairs are noted."""
-    tree, reach = ground.tree, ground.measures[of.REACH]
-    way, found = ground.groups[tree[i, of.GROUP], of.WAYS + tree[j, of.GROUP]], False
-    for p in range(tree[i, of.CHILD], tree[i, of.CHILD] + of.PARTS):
-        for q in range(tree[j, of.CHILD], tree[j, of.CHILD] + of.PARTS):
-            if far_enough(tree, p, q, ground.measures[of.CELL], way) and boxes_near(
+    tree, reach = ground.tree, ground.measures[BoxMeasure.REACH]
+    way, found = ground.groups[tree[i, Node.GROUP], BenchGroup.WAYS + tree[j, Node.GROUP]], False
+    for p in range(tree[i, Node.CHILD], tree[i, Node.CHILD] + of.PARTS):
+        for q in range(tree[j, Node.CHILD], tree[j, Node.CHILD] + of.PARTS):
+            if far_enough(tree, p, q, ground.measures[BoxMeasure.CELL], way) and boxes_near(
                 ground.hulls, p, q, reach
             ):
                 if not every:
@@ -198,14 +222,18 @@ def overlapping_parts(ground: Hierarchy, i: int, j: int, every: bool) -> bool:
 def add_candidates(ground: Hierarchy, i: int, j: int) -> None:
     """Make part j a partner of part i."""
     counts, tree, groups = ground.counts, ground.tree, ground.groups
-    n, g, size = counts[of.ENTRIES], tree[i, of.GROUP], ground.measures[of.CELL] / of.PARTS
-    counts[of.ENTRIES] = n + 1
-    begin = (tree[i, of.NUMBER] + counts[of.LOW] * of.PARTS) * size
-    groups[g, of.FIRST] = min(groups[g, of.FIRST], begin)
-    counts[of.REAR] = min(counts[of.REAR], tree[j, of.NUMBER])
+    n, g, size = (
+        counts[BoxCount.ENTRIES],
+        tree[i, Node.GROUP],
+        ground.measures[BoxMeasure.CELL] / of.PARTS,
+    )
+    counts[BoxCount.ENTRIES] = n + 1
+    begin = (tree[i, Node.NUMBER] + counts[BoxCount.LOW] * of.PARTS) * size
+    groups[g, BenchGroup.FIRST] = min(groups[g, BenchGroup.FIRST], begin)
+    counts[BoxCount.REAR] = min(counts[BoxCount.REAR], tree[j, Node.NUMBER])
     if n < ground.partners.shape[0]:
-        ground.partners[n, of.ROW], ground.partners[n, of.NEXT] = j, tree[i, of.PARTNER]
-        tree[i, of.PARTNER] = n + 1
+        ground.partners[n, Partner.ROW], ground.partners[n, Partner.NEXT] = j, tree[i, Node.PARTNER]
+        tree[i, Node.PARTNER] = n + 1
 
 
 @kernel
@@ -213,27 +241,27 @@ def extend_hierarchy(
     rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, grids: Grids, upto: float
 ) -> bool:
     """Know the route up to position `upto`, m, and all partners there; False for want of room."""
-    counts, old = ground.counts, ground.counts[of.CELLS]
-    wanted = math.floor(upto / ground.measures[of.CELL]) + 1 - counts[of.LOW]
+    counts, old = ground.counts, ground.counts[BoxCount.CELLS]
+    wanted = math.floor(upto / ground.measures[BoxMeasure.CELL]) + 1 - counts[BoxCount.LOW]
     hind = math.inf
-    for g in range(counts[of.GROUPS]):
-        hind = min(hind, ground.groups[g, of.HIND])
+    for g in range(counts[BoxCount.GROUPS]):
+        hind = min(hind, ground.groups[g, BenchGroup.HIND])
     if wanted <= old:
         return True
     for _ in range(old, wanted):
-        if counts[of.CELLS] == ground.middles.shape[0]:
+        if counts[BoxCount.CELLS] == ground.middles.shape[0]:
             return False
         c = add_cell(rows, ground, hind)
         mark_new(ground, grids.middles, grids.found, c)
         put(grids.middles, c, ground.middles[c, 0], ground.middles[c, 1])
     box_marked(rows, kinds, ground, sweeper, grids.boxes)
-    for g in range(counts[of.GROUPS]):
+    for g in range(counts[BoxCount.GROUPS]):
         for c in range(old, wanted):
-            if ground.tree[g * ground.middles.shape[0] + c, of.STATE] == of.BOXED:
+            if ground.tree[g * ground.middles.shape[0] + c, Node.STATE] == NodeState.BOXED:
                 mark_behind(ground, grids.middles, grids.found, g * ground.middles.shape[0] + c)
     box_marked(rows, kinds, ground, sweeper, grids.boxes)
-    counts[of.NEAR] = 0
-    for g in range(counts[of.GROUPS]):
+    counts[BoxCount.NEAR] = 0
+    for g in range(counts[BoxCount.GROUPS]):
         for c in range(old, wanted):
             find_overlaps(ground, grids.boxes, grids.found, g * ground.middles.shape[0] + c)
     return has_room(ground) and refine_hierarchy(
@@ -247,7 +275,7 @@ def refine_hierarchy(
 ) -> bool:
     """From pairs of cells that are near to partners; False for want of room. So many cells are new."""
     counts, near = ground.counts, ground.near
-    cells = counts[of.NEAR]
+    cells = counts[BoxCount.NEAR]
     split_overlapping(ground)
     if not has_room(ground):
         return False
@@ -256,10 +284,10 @@ def refine_hierarchy(
         overlapping_parts(ground, near[n, 0], near[n, 1], True)
     if not has_room(ground):
         return False
-    pairs = counts[of.NEAR] - cells
+    pairs = counts[BoxCount.NEAR] - cells
     for n in range(pairs):
         near[n, 0], near[n, 1] = near[cells + n, 0], near[cells + n, 1]
-    counts[of.NEAR] = pairs
+    counts[BoxCount.NEAR] = pairs
     finer = 0 < pairs <= SPARSE * fresh
     if finer:
         split_overlapping(ground)
@@ -269,5 +297,5 @@ def refine_hierarchy(
     for n in range(pairs):
         if not finer or overlapping_parts(ground, near[n, 0], near[n, 1], False):
             add_candidates(ground, near[n, 0], near[n, 1])
-    counts[of.NEAR] = 0
+    counts[BoxCount.NEAR] = 0
     return has_room(ground)

@@ -11,37 +11,50 @@ import math
 import numpy as np
 
 from benchdragon.kernels import box_hierarchy as of
-from benchdragon.kernels import workspace
-from benchdragon.kernels.box import CX, CY, half_diagonal, set_box
-from benchdragon.kernels.box_hierarchy import Hierarchy, Kinds
+from benchdragon.kernels.box import Box, half_diagonal, set_box
+from benchdragon.kernels.box_hierarchy import (
+    BenchGroup,
+    BoxCount,
+    BoxMeasure,
+    Hierarchy,
+    Hull,
+    Kinds,
+    Node,
+    Partner,
+)
 from benchdragon.kernels.broad_phase import BoxScratch, boxes_near, extend_hierarchy
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.continuation import certify_stride
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, kernel
 from benchdragon.kernels.grid import gather, put
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.swept_boxes import EDGE, add_pair, first_behind
-from benchdragon.kernels.workspace import Benches, Walk, Workspace, place_samples
+from benchdragon.kernels.workspace import Benches, Course, Walk, WalkTally, Workspace, place_samples
 
 # Head's walk, m, that is prepared at a time: at least this share of the route known, or so much. What
 # may end soon wastes less of a short stride, what goes on to the end fills more lanes in a long one.
 SHARE, SHORT_STRIDE, LONG_STRIDE = 0.01, 4.0, 12.0
 # Looked at between two calls: so many steps without a pair.
 STEPS_A_CALL = 4096
-# How looking for the next step ended.
-STEP = 0
-DONE = 1  # no pair comes near up to the end
-WAIT = 2  # nothing yet: call again
-STOPPED = 3  # it cannot be shown that all benches follow past SOUND
-NARROW = 4  # more room is wanted, see the counts
+
+
+class NextStep(Numbered):
+    """How looking for the next step ended."""
+
+    STEP = 0
+    DONE = 1  # no pair comes near up to the end
+    WAIT = 2  # nothing yet: call again
+    STOPPED = 3  # it cannot be shown that all benches follow past SOUND
+    NARROW = 4  # more room is wanted, see the counts
 
 
 @kernel
 def group_span_end(ground: Hierarchy, a: int, b: int, s: float) -> float:
     """The end of the clear span of groups a and b that began by route position s, m; s without one."""
-    groups, end = ground.counts[of.GROUPS], s
+    groups, end = ground.counts[BoxCount.GROUPS], s
     each = ground.spans.shape[0] // (groups * groups)
     for n in range(each):
         row = (a * groups + b) * each + n
@@ -54,8 +67,8 @@ def group_span_end(ground: Hierarchy, a: int, b: int, s: float) -> float:
 def clear_end(ground: Hierarchy, head: int, s: float) -> float:
     """Up to where the head, of group `head`, surely meets no other, standing at s, m; s if nowhere."""
     end = math.inf
-    for b in range(ground.counts[of.GROUPS]):
-        if ground.groups[head, of.WAYS + b] < math.inf:
+    for b in range(ground.counts[BoxCount.GROUPS]):
+        if ground.groups[head, BenchGroup.WAYS + b] < math.inf:
             end = min(end, group_span_end(ground, head, b, s))
     return end if end < math.inf else s
 
@@ -71,13 +84,13 @@ def prepare(walk: Walk, room: Workspace, upto: float, whole: IntArray, numbers: 
         numbers[6, 0], places, whole[2, 0], whole[2, 1], numbers[6, 1], numbers[7, 0, :1]
     )
     if not extend_hierarchy(walk.rows, walk.kinds, room.ground, sweeper, room.grids, upto):
-        return NARROW
-    way[workspace.UPTO] = upto
-    tally[workspace.SLOT] = tally[workspace.SLOTS] = 0
+        return NextStep.NARROW
+    way[Course.UPTO] = upto
+    tally[WalkTally.SLOT] = tally[WalkTally.SLOTS] = 0
     if certify_stride(walk, room, sweeper):
-        return STEP
-    way[workspace.SOUND] = way[workspace.AT]
-    return STOPPED
+        return NextStep.STEP
+    way[Course.SOUND] = way[Course.AT]
+    return NextStep.STOPPED
 
 
 @kernel
@@ -85,15 +98,15 @@ def prepare(walk: Walk, room: Workspace, upto: float, whole: IntArray, numbers: 
 def next_stride(walk: Walk, room: Workspace, least: float) -> int:
     """Prepare the walk past SOUND, `least` metres or more; STEP, or DONE, STOPPED or NARROW."""
     ground, kinds, way = room.ground, walk.kinds, room.course.way
-    if way[workspace.SOUND] < way[workspace.UPTO]:
-        return STOPPED
-    if way[workspace.UPTO] >= way[workspace.GOAL]:
-        return DONE
-    known = way[workspace.AT] - ground.counts[of.LOW] * ground.measures[of.CELL]
-    upto = way[workspace.AT] + max(least, SHARE * known)
-    if ground.counts[of.MIXED] == 0:
-        upto = max(upto, clear_end(ground, kinds.group[walk.benches.kind[0]], way[workspace.AT]))
-    upto = min(upto, way[workspace.GOAL])
+    if way[Course.SOUND] < way[Course.UPTO]:
+        return NextStep.STOPPED
+    if way[Course.UPTO] >= way[Course.GOAL]:
+        return NextStep.DONE
+    known = way[Course.AT] - ground.counts[BoxCount.LOW] * ground.measures[BoxMeasure.CELL]
+    upto = way[Course.AT] + max(least, SHARE * known)
+    if ground.counts[BoxCount.MIXED] == 0:
+        upto = max(upto, clear_end(ground, kinds.group[walk.benches.kind[0]], way[Course.AT]))
+    upto = min(upto, way[Course.GOAL])
     return prepare(walk, room, upto, np.empty((3, 2, LANES), dtype=np.int64), np.empty((8, 2, LANES)))
 
 
@@ -118,22 +131,24 @@ def next_block(walk: Walk, room: Workspace) -> int:
     """Place dragons at the borders of the next steps; STEP, or STOPPED if they do not stand."""
     way, tally, counts = room.course.way, room.course.tally, room.ground.counts
     block, benches = room.block, walk.benches
-    cells = way[workspace.AT] < way[workspace.KNOWN]
-    end = way[workspace.KNOWN] if cells else way[workspace.SOUND]
-    size, slots, count = room.ground.measures[of.CELL] / of.PARTS, 1, block.at.shape[0]
-    block.at[0] = way[workspace.AT]
+    cells = way[Course.AT] < way[Course.KNOWN]
+    end = way[Course.KNOWN] if cells else way[Course.SOUND]
+    size, slots, count = room.ground.measures[BoxMeasure.CELL] / of.PARTS, 1, block.at.shape[0]
+    block.at[0] = way[Course.AT]
     while slots < count and block.at[slots - 1] < end:
-        at = way[workspace.AT] + slots * size
+        at = way[Course.AT] + slots * size
         # What rounding leaves of the last step is joined to it.
         block.at[slots] = end if at > end - 1e-3 * size else at
         slots += 1
-    back = (counts[of.REAR] + counts[of.LOW] * of.PARTS) * size - EDGE if cells else -math.inf
-    tally[workspace.BENCHES] = benches_reaching(benches, block.at[slots - 1], back)
-    tally[workspace.SLOT], tally[workspace.SLOTS] = 0, slots - 1
-    if tally[workspace.BENCHES] < 3:
-        return STEP
-    links = benches.links if not cells else benches.links[: tally[workspace.BENCHES] - 1]
-    return STEP if place_samples(walk.rows, links, block, tally, slots) else STOPPED
+    back = (
+        (counts[BoxCount.REAR] + counts[BoxCount.LOW] * of.PARTS) * size - EDGE if cells else -math.inf
+    )
+    tally[WalkTally.BENCHES] = benches_reaching(benches, block.at[slots - 1], back)
+    tally[WalkTally.SLOT], tally[WalkTally.SLOTS] = 0, slots - 1
+    if tally[WalkTally.BENCHES] < 3:
+        return NextStep.STEP
+    links = benches.links if not cells else benches.links[: tally[WalkTally.BENCHES] - 1]
+    return NextStep.STEP if place_samples(walk.rows, links, block, tally, slots) else NextStep.STOPPED
 
 
 @kernel
@@ -146,22 +161,22 @@ def candidates_of_step(
     s[i, t] are their front handles' route positions, m. Counts on where first, second are full.
     """  # fmt: skip
     counts, tree, partners = ground.counts, ground.tree, ground.partners
-    size = ground.measures[of.CELL] / of.PARTS
-    low, most = counts[of.LOW] * of.PARTS, counts[of.CELLS] * of.PARTS
+    size = ground.measures[BoxMeasure.CELL] / of.PARTS
+    low, most = counts[BoxCount.LOW] * of.PARTS, counts[BoxCount.CELLS] * of.PARTS
     cells, found = ground.middles.shape[0], 0
     for i in range(count - 2):
         since, g = found, kinds.group[benches.kind[i]]
         a = math.floor((s[i, t] - EDGE) / size) - low
         b = math.floor((s[i, t + 1] + EDGE) / size) - low
         for c in range(max(a, 0), min(b, most - 1) + 1):
-            child = tree[g * cells + c // of.PARTS, of.CHILD]
-            n = tree[child + c % of.PARTS, of.PARTNER] if child else 0
+            child = tree[g * cells + c // of.PARTS, Node.CHILD]
+            n = tree[child + c % of.PARTS, Node.PARTNER] if child else 0
             while n:
-                row, n = partners[n - 1, of.ROW], partners[n - 1, of.NEXT]
-                back = (tree[row, of.NUMBER] + low) * size - EDGE
+                row, n = partners[n - 1, Partner.ROW], partners[n - 1, Partner.NEXT]
+                back = (tree[row, Node.NUMBER] + low) * size - EDGE
                 j = first_behind(s, t, back + size + 2.0 * EDGE, i + 2, count)
                 while j < count and s[j, t + 1] >= back:
-                    if kinds.group[benches.kind[j]] == tree[row, of.GROUP]:
+                    if kinds.group[benches.kind[j]] == tree[row, Node.GROUP]:
                         found = add_pair(first, second, since, found, i, j)
                     j += 1
     return found
@@ -177,17 +192,17 @@ def candidates_by_grid(benches: Benches, room: Workspace, t: int) -> int:
     hulls, count, travel, found = crowd.hulls, benches.kind.shape[0], 0.0, 0
     for i in range(count + 1):
         travel = max(travel, block.s[i, t + 1] - block.s[i, t])
-    near, widest = room.ground.measures[of.REACH] + 2.0 * benches.lever[0] * travel, 0.0
+    near, widest = room.ground.measures[BoxMeasure.REACH] + 2.0 * benches.lever[0] * travel, 0.0
     for b in range(crowd.grid.heads.shape[0]):
         crowd.grid.heads[b] = 0
     for i in range(count):
         set_box(benches.sizes, i, block.places.x, block.places.y, t, hulls, i)
-        hulls[i, of.RADIUS] = half_diagonal(hulls, i)
-        widest = max(widest, hulls[i, of.RADIUS])
+        hulls[i, Hull.RADIUS] = half_diagonal(hulls, i)
+        widest = max(widest, hulls[i, Hull.RADIUS])
     for j in range(2, count):
-        put(crowd.grid, j - 2, hulls[j - 2, CX], hulls[j - 2, CY])
-        far = hulls[j, of.RADIUS] + widest + near
-        for n in range(gather(crowd.grid, hulls[j, CX], hulls[j, CY], far, crowd.found)):
+        put(crowd.grid, j - 2, hulls[j - 2, Box.CX], hulls[j - 2, Box.CY])
+        far = hulls[j, Hull.RADIUS] + widest + near
+        for n in range(gather(crowd.grid, hulls[j, Box.CX], hulls[j, Box.CY], far, crowd.found)):
             i = crowd.found[n]
             if boxes_near(hulls, i, j, near):
                 if found < first.shape[0]:
@@ -200,10 +215,10 @@ def candidates_by_grid(benches: Benches, room: Workspace, t: int) -> int:
 def step_pairs(walk: Walk, room: Workspace) -> int:
     """Pairs of the next step of the block; how many."""
     way, tally, s, meeting = room.course.way, room.course.tally, room.block.s, room.meeting
-    t, count = tally[workspace.SLOT], tally[workspace.BENCHES]
+    t, count = tally[WalkTally.SLOT], tally[WalkTally.BENCHES]
     if count < 3:
         return 0
-    if way[workspace.AT] >= way[workspace.KNOWN]:
+    if way[Course.AT] >= way[Course.KNOWN]:
         return candidates_by_grid(walk.benches, room, t)
     return candidates_of_step(
         walk.benches, walk.kinds, room.ground, s, t, count, meeting.first, meeting.second
@@ -218,39 +233,39 @@ def next_step(walk: Walk, room: Workspace, stride: float) -> int:
     """
     way, tally, at = room.course.way, room.course.tally, room.block.at
     for _ in range(STEPS_A_CALL):
-        if tally[workspace.SLOT] >= tally[workspace.SLOTS]:
-            ending = STEP
-            if way[workspace.AT] >= way[workspace.SOUND]:
+        if tally[WalkTally.SLOT] >= tally[WalkTally.SLOTS]:
+            ending = NextStep.STEP
+            if way[Course.AT] >= way[Course.SOUND]:
                 ending = next_stride(walk, room, stride)
-            elif way[workspace.AT] >= way[workspace.KNOWN] or not skip_to_partners(room.ground, way):
+            elif way[Course.AT] >= way[Course.KNOWN] or not skip_to_partners(room.ground, way):
                 ending = next_block(walk, room)
-            if ending != STEP:
+            if ending != NextStep.STEP:
                 return ending
             continue
-        t, found = tally[workspace.SLOT], step_pairs(walk, room)
-        tally[workspace.PAIRS] = found
+        t, found = tally[WalkTally.SLOT], step_pairs(walk, room)
+        tally[WalkTally.PAIRS] = found
         if found > room.meeting.first.shape[0]:
-            return NARROW
-        way[workspace.STEP_START], way[workspace.STEP_END], way[workspace.AT] = (
+            return NextStep.NARROW
+        way[Course.STEP_START], way[Course.STEP_END], way[Course.AT] = (
             at[t],
             at[t + 1],
             at[t + 1],
         )
-        tally[workspace.SLOT] = t + 1
+        tally[WalkTally.SLOT] = t + 1
         if found:
-            return STEP
-    return WAIT
+            return NextStep.STEP
+    return NextStep.WAIT
 
 
 @kernel
 def partners_ahead(ground: Hierarchy, g: int, s: float) -> float:
     """Where the first part of group g that has partners begins, m, that ends past s; infinite: none."""
-    tree, cells, low = ground.tree, ground.middles.shape[0], ground.counts[of.LOW] * of.PARTS
-    size, most = ground.measures[of.CELL] / of.PARTS, ground.counts[of.CELLS] * of.PARTS
+    tree, cells, low = ground.tree, ground.middles.shape[0], ground.counts[BoxCount.LOW] * of.PARTS
+    size, most = ground.measures[BoxMeasure.CELL] / of.PARTS, ground.counts[BoxCount.CELLS] * of.PARTS
     c = max(math.floor(s / size) - low, 0)
     while c < most:
-        child = tree[g * cells + c // of.PARTS, of.CHILD]
-        if child and tree[child + c % of.PARTS, of.PARTNER]:
+        child = tree[g * cells + c // of.PARTS, Node.CHILD]
+        if child and tree[child + c % of.PARTS, Node.PARTNER]:
             return (c + low) * size
         c = c + 1 if child else (c // of.PARTS + 1) * of.PARTS
     return math.inf
@@ -264,10 +279,10 @@ def skip_to_partners(ground: Hierarchy, way: FloatArray) -> bool:
     and where the last of them is is not known here.
     """
     begin, groups, edge = math.inf, ground.groups, 2.0 * EDGE
-    for g in range(ground.counts[of.GROUPS]):
-        if groups[g, of.REARMOST] == 0.0:
-            begin = min(begin, partners_ahead(ground, g, way[workspace.AT] - edge))
+    for g in range(ground.counts[BoxCount.GROUPS]):
+        if groups[g, BenchGroup.REARMOST] == 0.0:
+            begin = min(begin, partners_ahead(ground, g, way[Course.AT] - edge))
         else:
-            begin = min(begin, groups[g, of.FIRST] + groups[g, of.FOREMOST])
-    way[workspace.AT] = max(way[workspace.AT], min(begin - edge, way[workspace.KNOWN]))
-    return way[workspace.AT] >= way[workspace.KNOWN]
+            begin = min(begin, groups[g, BenchGroup.FIRST] + groups[g, BenchGroup.FOREMOST])
+    way[Course.AT] = max(way[Course.AT], min(begin - edge, way[Course.KNOWN]))
+    return way[Course.AT] >= way[Course.KNOWN]

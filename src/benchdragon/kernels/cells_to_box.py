@@ -2,9 +2,18 @@
 
 import math
 
-from benchdragon.kernels import box_hierarchy as of
-from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH, offset
-from benchdragon.kernels.box_hierarchy import Hierarchy, add_row, mark
+from benchdragon.kernels.box import Box, offset
+from benchdragon.kernels.box_hierarchy import (
+    BenchGroup,
+    BoxCount,
+    BoxMeasure,
+    Hierarchy,
+    Hull,
+    Node,
+    NodeState,
+    add_row,
+    mark,
+)
 from benchdragon.kernels.curve import FloatArray, place
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid, gather
@@ -27,13 +36,13 @@ def find_spans(spans: FloatArray, pairs: int, low: int, cell: float, c: int, spa
 @kernel
 def add_cell(rows: FloatArray, ground: Hierarchy, hind: float) -> int:
     """Know one cell more, and where the route is in its middle; its number."""
-    counts, cell = ground.counts, ground.measures[of.CELL]
-    c, groups = counts[of.CELLS], counts[of.GROUPS]
-    counts[of.CELLS] = c + 1
-    middle = (c + counts[of.LOW] + 0.5) * cell
-    j, u, _ = locate(rows, min(max(middle, hind), ground.measures[of.END]))
+    counts, cell = ground.counts, ground.measures[BoxMeasure.CELL]
+    c, groups = counts[BoxCount.CELLS], counts[BoxCount.GROUPS]
+    counts[BoxCount.CELLS] = c + 1
+    middle = (c + counts[BoxCount.LOW] + 0.5) * cell
+    j, u, _ = locate(rows, min(max(middle, hind), ground.measures[BoxMeasure.END]))
     ground.middles[c, 0], ground.middles[c, 1], _, _ = place(rows, j, u)
-    find_spans(ground.spans, groups * groups, counts[of.LOW], cell, c, ground.span_of)
+    find_spans(ground.spans, groups * groups, counts[BoxCount.LOW], cell, c, ground.span_of)
     for g in range(groups):
         row = g * ground.middles.shape[0] + c
         add_row(ground.tree, ground.hulls, row, g, c, 1)
@@ -43,7 +52,10 @@ def add_cell(rows: FloatArray, ground: Hierarchy, hind: float) -> int:
 @kernel
 def mark_for_boxing(ground: Hierarchy, c: int, g: int) -> None:
     """Want cell c boxed for group g, but behind where the group's last bench began."""
-    if ground.groups[g, of.HIND] < (ground.counts[of.LOW] + c + 1) * ground.measures[of.CELL]:
+    if (
+        ground.groups[g, BenchGroup.HIND]
+        < (ground.counts[BoxCount.LOW] + c + 1) * ground.measures[BoxMeasure.CELL]
+    ):
         mark(ground.counts, ground.tree, ground.todo, g * ground.middles.shape[0] + c)
 
 
@@ -60,9 +72,13 @@ def mark_meeting(ground: Hierarchy, grid: Grid, found: IntArray, c: int, a: int,
 
     And not in one clear span with it.
     """
-    middles, span_of, pair = ground.middles, ground.span_of, a * ground.counts[of.GROUPS] + b
+    middles, span_of, pair = ground.middles, ground.span_of, a * ground.counts[BoxCount.GROUPS] + b
     x, y = middles[c, 0], middles[c, 1]
-    reach = ground.groups[a, of.ARM] + ground.groups[b, of.ARM] + ground.measures[of.REACH]
+    reach = (
+        ground.groups[a, BenchGroup.ARM]
+        + ground.groups[b, BenchGroup.ARM]
+        + ground.measures[BoxMeasure.REACH]
+    )
     for n in range(gather(grid, x, y, reach, found)):
         d = found[n]
         apart = (middles[d, 0] - x) ** 2 + (middles[d, 1] - y) ** 2
@@ -77,21 +93,23 @@ def mark_new(ground: Hierarchy, grid: Grid, found: IntArray, c: int) -> None:
 
     And where they are in no clear span, that it is known whether they walk through.
     """
-    groups, tree, cells = ground.counts[of.GROUPS], ground.tree, ground.middles.shape[0]
+    groups, tree, cells = ground.counts[BoxCount.GROUPS], ground.tree, ground.middles.shape[0]
     for pair in range(groups * groups):
         a, b = pair // groups, pair % groups
-        if a == b and ground.groups[a, of.ALONE] > 0.0:
+        if a == b and ground.groups[a, BenchGroup.ALONE] > 0.0:
             mark_for_boxing(ground, c, a)
-        if ground.groups[a, of.WAYS + b] < math.inf:
+        if ground.groups[a, BenchGroup.WAYS + b] < math.inf:
             if ground.span_of[c, pair] < 0:
                 mark_for_boxing(ground, c, a)
                 mark_for_boxing(ground, c, b)
             if ground.span_of[c, pair] != ground.span_of[0, pair]:
-                ground.counts[of.MIXED] = 1
+                ground.counts[BoxCount.MIXED] = 1
     for pair in range(groups * groups):
         a, b = pair // groups, pair % groups
-        known = ground.counts[of.MIXED] == 0 or tree[a * cells + c, of.STATE] != of.UNKNOWN
-        if not known and ground.groups[a, of.WAYS + b] < math.inf:
+        known = (
+            ground.counts[BoxCount.MIXED] == 0 or tree[a * cells + c, Node.STATE] != NodeState.UNKNOWN
+        )
+        if not known and ground.groups[a, BenchGroup.WAYS + b] < math.inf:
             mark_meeting(ground, grid, found, c, a, b)
 
 
@@ -102,22 +120,26 @@ def mark_behind(ground: Hierarchy, grid: Grid, found: IntArray, row: int) -> Non
     `grid` holds the middles of all cells.
     """
     hulls, middles, tree, span_of = ground.hulls, ground.middles, ground.tree, ground.span_of
-    groups, reach, cell = ground.counts[of.GROUPS], ground.measures[of.REACH], ground.measures[of.CELL]
-    a, c, widest, table = tree[row, of.GROUP], tree[row, of.NUMBER], 0.0, ground.groups
-    if math.isnan(hulls[row, CX]):
+    groups, reach, cell = (
+        ground.counts[BoxCount.GROUPS],
+        ground.measures[BoxMeasure.REACH],
+        ground.measures[BoxMeasure.CELL],
+    )
+    a, c, widest, table = tree[row, Node.GROUP], tree[row, Node.NUMBER], 0.0, ground.groups
+    if math.isnan(hulls[row, Box.CX]):
         return
     for b in range(groups):
-        widest = max(widest, table[b, of.ARM])
-    far = hulls[row, of.RADIUS] + widest + reach
-    for n in range(gather(grid, hulls[row, CX], hulls[row, CY], far, found)):
+        widest = max(widest, table[b, BenchGroup.ARM])
+    far = hulls[row, Hull.RADIUS] + widest + reach
+    for n in range(gather(grid, hulls[row, Box.CX], hulls[row, Box.CY], far, found)):
         d = found[n]
         along, across = offset(hulls, row, middles[d, 0], middles[d, 1])
-        ahead = max(abs(along) - hulls[row, HALF_LENGTH], 0.0)
-        aside = max(abs(across) - hulls[row, HALF_WIDTH], 0.0)
+        ahead = max(abs(along) - hulls[row, Box.HALF_LENGTH], 0.0)
+        aside = max(abs(across) - hulls[row, Box.HALF_WIDTH], 0.0)
         for b in range(groups):
-            near = table[b, of.ARM] + reach
-            known = tree[b * middles.shape[0] + d, of.STATE] != of.UNKNOWN
-            if known or d > c or not (c + 1 - d) * cell >= table[a, of.WAYS + b]:
+            near = table[b, BenchGroup.ARM] + reach
+            known = tree[b * middles.shape[0] + d, Node.STATE] != NodeState.UNKNOWN
+            if known or d > c or not (c + 1 - d) * cell >= table[a, BenchGroup.WAYS + b]:
                 continue
             if ahead * ahead + aside * aside <= near * near and may_meet(span_of, c, d, a * groups + b):
                 mark_for_boxing(ground, d, b)

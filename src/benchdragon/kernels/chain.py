@@ -10,10 +10,10 @@ from typing import NamedTuple
 import numpy as np
 
 from benchdragon.kernels.arrays import IntTable, Table, Vector
-from benchdragon.kernels.curve import FloatArray, P, curvature, place
+from benchdragon.kernels.curve import FloatArray, RouteRow, curvature, place
 from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.route import FOLD_COSINE, IntArray, folded, locate, next_handle
-from benchdragon.kernels.spiral import GUESS, LANES, STATE, angles_after, spiral_links, takes_link
+from benchdragon.kernels.spiral import LANE_NUMBERS, LANES, Lane, angles_after, spiral_links, takes_link
 from benchdragon.kernels.status import Status
 
 
@@ -99,10 +99,10 @@ def first_guess(
     u: FloatArray,
 ) -> None:  # fmt: skip
     """Fill `state` for lanes that begin at handle i on spiral row j: no rest, and link / radius."""
-    for n in range(STATE):
+    for n in range(LANE_NUMBERS):
         state[n] = 0.0
     for t in range(start, end):
-        state[GUESS + t - start] = link / (rows[j, P] * u[i, t])
+        state[Lane.GUESS + t - start] = link / (rows[j, RouteRow.P] * u[i, t])
 
 
 @kernel
@@ -189,7 +189,7 @@ def march(rows: Table, links: Vector, s: Vector, first: int, last: int, out: Pla
     Fills of `out` row, u (parameter on that row), x, y (m) and ratio (ds_i / ds_0), each of shape
     (handles, times), and failed, (2, times): a `Status`, and the bench that it befell; not tx, ty.
     """
-    state = np.empty(STATE)
+    state = np.empty(LANE_NUMBERS)
     for t in range(first, last):
         out.failed[0, t] = place_head(rows, s[t], t, out)
     for start in range(first, last, LANES):

@@ -11,22 +11,52 @@ import numpy as np
 
 from benchdragon.kernels import route_parts
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.curve import ARC, COLUMNS, LENGTH, LINE, S_START, FloatArray
+from benchdragon.kernels.curve import COLUMNS, CurveKind, FloatArray, RouteRow
 from benchdragon.kernels.entries import allocates, entry, kernel
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import evaluate
-from benchdragon.kernels.route_parts import Pose, lay_rows, move_parts, part_end, part_start, put_part
+from benchdragon.kernels.route_parts import (
+    Pose,
+    RoutePart,
+    lay_rows,
+    move_parts,
+    part_end,
+    part_start,
+    put_part,
+)
 
-# A way, one row of a table: the hands of its arcs, +1 to the left, 0 of a line; the sweeps of its arcs,
-# rad, left positive, or the length of its line, m; and the whole length, m.
-HANDS, SIZES, WHOLE, WAY_COLUMNS = 0, 3, 6, 7
+
+class JoiningWay(Numbered):
+    """A way, one row of a table.
+
+    The hands of its arcs, +1 to the left, 0 of a line; the sweeps of its arcs, rad, left positive, or
+    the length of its line, m; and the whole length, m.
+    """
+
+    HANDS = 0
+    SIZES = 3
+    WHOLE = 6
+
+
+WAY_COLUMNS = JoiningWay.WHOLE + 1
 PIECES = 3
 MOST_WAYS = 8
-# A step of a programme, one row: how many parts its formation has, where its centre lies, m (NaN: it
-# begins where the one before it ends), and by how much it is turned, rad.
-STEP_COUNT, STEP_X, STEP_Y, STEP_TURNED, STEP_COLUMNS = 0, 1, 2, 3, 4
+
+
+class ProgrammeStep(Numbered):
+    """A step of a programme, one row.
+
+    How many parts its formation has, where its centre lies, m (NaN: it begins where the one before it
+    ends), and by how much it is turned, rad.
+    """
+
+    COUNT, X, Y, TURNED = range(4)
+
+
+STEP_COLUMNS = len(ProgrammeStep)
 
 # Sweeps, rad, that are so near to a full turn are none: rounding made them. Lines, m, so short neither.
-ROUNDING = 1e-13
+SWEEP_ROUNDING = 1e-13
 # What crosses what is seen on polylines of chords about so long, m, and of so many at most.
 CHORD, LEAST_CHORDS, MOST_CHORDS = 0.25, 8, 4000
 # Chords of a polyline that one box bounds.
@@ -38,7 +68,7 @@ FULL = 2.0 * math.pi
 def sweep_to(side: float, start: float, end: float) -> float:
     """From one heading to another turning to one side, rad."""
     sweep = (side * (end - start)) % FULL
-    return 0.0 if sweep > FULL - ROUNDING * (1.0 + abs(start) + abs(end)) else side * sweep
+    return 0.0 if sweep > FULL - SWEEP_ROUNDING * (1.0 + abs(start) + abs(end)) else side * sweep
 
 
 @kernel
@@ -61,14 +91,14 @@ def set_way(
     whole = 0.0
     for k in range(PIECES):
         length = abs(sizes[k]) * (radius if hands[k] != 0.0 else 1.0)
-        whole += length if length > ROUNDING else 0.0
-    while n > 0 and ways[n - 1, WHOLE] > whole * route_parts.EQUAL:
+        whole += length if length > SWEEP_ROUNDING else 0.0
+    while n > 0 and ways[n - 1, JoiningWay.WHOLE] > whole * route_parts.EQUAL:
         for column in range(WAY_COLUMNS):
             ways[n, column] = ways[n - 1, column]
         n -= 1
     for k in range(PIECES):
-        ways[n, HANDS + k], ways[n, SIZES + k] = hands[k], sizes[k]
-    ways[n, WHOLE] = whole
+        ways[n, JoiningWay.HANDS + k], ways[n, JoiningWay.SIZES + k] = hands[k], sizes[k]
+    ways[n, JoiningWay.WHOLE] = whole
 
 
 @entry
@@ -83,7 +113,7 @@ def connections(start: Pose, end: Pose, radius: float, ways: Table) -> int:
                 continue
             line = math.sqrt(square)
             heading = toward + (0.0 if first == last else first * math.atan2(2.0 * radius, line))
-            if apart < ROUNDING * radius:
+            if apart < SWEEP_ROUNDING * radius:
                 heading = a  # one circle: no line, and no heading of it
             sizes = sweep_to(first, a, heading), line, sweep_to(last, heading, b)
             set_way(ways, n, (first, 0.0, last), sizes, radius)
@@ -110,12 +140,12 @@ def way_parts(start: Pose, ways: Table, n: int, radius: float, parts: Table) -> 
     """Fill `parts`, (PIECES, PART_COLUMNS), with the pieces of way n that have a length; how many."""
     row, pose, count = np.empty((1, COLUMNS)), start, 0
     for k in range(PIECES):
-        size, arc = ways[n, SIZES + k], ways[n, HANDS + k] != 0.0
-        if abs(size) * (radius if arc else 1.0) > ROUNDING:
+        size, arc = ways[n, JoiningWay.SIZES + k], ways[n, JoiningWay.HANDS + k] != 0.0
+        if abs(size) * (radius if arc else 1.0) > SWEEP_ROUNDING:
             parts[count] = 0.0
-            parts[count, route_parts.PART_KIND] = ARC if arc else LINE
-            parts[count, route_parts.SIZE] = radius if arc else size
-            parts[count, route_parts.FIRST] = size if arc else 0.0
+            parts[count, RoutePart.KIND] = CurveKind.ARC if arc else CurveKind.LINE
+            parts[count, RoutePart.SIZE] = radius if arc else size
+            parts[count, RoutePart.FIRST] = size if arc else 0.0
             pose = put_part(parts, count, pose, row)
             count += 1
     return count
@@ -127,7 +157,7 @@ def polyline(parts: FloatArray, points: FloatArray) -> int:
     """Fill in points along parts, (n, 2), m, MOST_CHORDS + 1 at most; how many."""
     rows = np.empty((parts.shape[0], COLUMNS))
     lay_rows(parts, Pose(0.0, 0.0, 0.0), 0, 0, rows)
-    length = rows[-1, S_START] + rows[-1, LENGTH]
+    length = rows[-1, RouteRow.S_START] + rows[-1, RouteRow.LENGTH]
     count = min(MOST_CHORDS, max(LEAST_CHORDS, math.ceil(length / CHORD)))
     s, found = np.empty(count + 1), np.empty((count + 1, 4))
     for n in range(count):
@@ -219,14 +249,19 @@ def programme(parts: Table, steps: Table, radius: float, out: Table) -> int:
     row, way = np.empty((1, COLUMNS)), np.empty((PIECES, route_parts.PART_COLUMNS))
     before, begin, count = 0, 0, 0
     for k in range(steps.shape[0]):
-        end = begin + int(steps[k, STEP_COUNT])
-        if math.isnan(steps[k, STEP_X]):
+        end = begin + int(steps[k, ProgrammeStep.COUNT])
+        if math.isnan(steps[k, ProgrammeStep.X]):
             pose = part_end(parts, begin - 1, row)
             for i in range(begin, end):
                 pose = put_part(parts, i, pose, row)
         else:
             there = parts[begin:end]
-            move_parts(there, steps[k, STEP_TURNED], steps[k, STEP_X], steps[k, STEP_Y])
+            move_parts(
+                there,
+                steps[k, ProgrammeStep.TURNED],
+                steps[k, ProgrammeStep.X],
+                steps[k, ProgrammeStep.Y],
+            )
             if k:
                 pieces = fitting_way(parts[before:begin], there, radius, way)
                 count = add_parts(out, count, way[:pieces])

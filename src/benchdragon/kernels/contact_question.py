@@ -8,8 +8,18 @@ kernels/contact_memory.py says.
 from benchdragon.kernels import contact_memory as told
 from benchdragon.kernels import memory
 from benchdragon.kernels.arrays import Vector
-from benchdragon.kernels.contact_least import LOOKING, PASSING, least_on
-from benchdragon.kernels.contact_memory import Asked, Hunt, fill_hunt, lay_hunt
+from benchdragon.kernels.contact_least import LeastStage, least_on
+from benchdragon.kernels.contact_memory import (
+    ContactAsked,
+    ContactEnding,
+    ContactGiven,
+    ContactGoal,
+    ContactMemory,
+    ContactTold,
+    Hunt,
+    fill_hunt,
+    lay_hunt,
+)
 from benchdragon.kernels.contact_steps import (
     begun,
     is_sharp,
@@ -21,37 +31,29 @@ from benchdragon.kernels.contact_steps import (
     tightest,
 )
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.question import CLOSED, MORE, SPENT
-from benchdragon.kernels.search_room import ROOMY
-from benchdragon.kernels.time_of_impact import (
-    CLEAR,
-    FALLEN,
-    FIRST_TOUCH,
-    FOUND,
-    LEAST,
-    LOWER,
-    PAIR,
-    UPPER,
-)
-from benchdragon.kernels.walk_search import SEEK
-from benchdragon.kernels.workspace import AT, STEP_END, STEP_START
+from benchdragon.kernels.memory import Header
+from benchdragon.kernels.question import QuestionEnding, Told
+from benchdragon.kernels.search_room import RoomEnding
+from benchdragon.kernels.time_of_impact import Ending, Goal, Note
+from benchdragon.kernels.walk_search import WalkGoal
+from benchdragon.kernels.workspace import Course
 
 
 @entry
-def open_contact(asked: Asked) -> int:
+def open_contact(asked: ContactAsked) -> int:
     """Open a question about a walk: its handle, 0 if there is no memory, -1 for too many kinds."""
-    block = memory.new_block(told.END_SLOT - memory.HEADER)
+    block = memory.new_block(told.CONTACT_END_SLOT - memory.HEADER)
     if block == 0:
         return 0
-    slots = memory.integers_at(block, told.END_SLOT)
+    slots = memory.integers_at(block, told.CONTACT_END_SLOT)
     handle = 0
-    if memory.take(slots, told.OWN_MEMORY, lay_hunt(slots, 0, asked)):
-        lay_hunt(slots, slots[memory.OWNED + told.OWN_MEMORY], asked)
+    if memory.take(slots, ContactMemory.OWN, lay_hunt(slots, 0, asked)):
+        lay_hunt(slots, slots[Header.OWNED + ContactMemory.OWN], asked)
         handle = memory.remember(block) if fill_hunt(block, asked) else -1
     if handle <= 0:
         memory.release_block(block)
     else:
-        memory.group_at(Hunt, block + told.BASE).figures[told.GOAL] = told.NOTHING
+        memory.group_at(Hunt, block + told.BASE).figures[ContactTold.GOAL] = ContactGoal.NOTHING
     return handle
 
 
@@ -68,13 +70,18 @@ def seek_contact(handle: int, goal: int, said: Vector) -> bool:
         return False
     hunt = memory.group_at(Hunt, block + told.BASE)
     f, limits = hunt.figures, hunt.limits
-    f[told.GOAL], f[told.STAGE], f[told.WITHIN] = goal, LOOKING, said[0]
-    f[told.LEFT] = limits[told.MOST]
+    f[ContactTold.GOAL], f[ContactTold.STAGE], f[ContactTold.WITHIN] = goal, LeastStage.LOOKING, said[0]
+    f[ContactTold.LEFT] = limits[ContactGiven.MOST]
     for n in range(hunt.note.shape[0]):
         hunt.note[n] = 0.0
-    if goal == told.BETWEEN:
-        f[told.EARLY], f[told.LATE], f[told.BEST], f[told.WHERE] = said[1], said[2], said[3], said[4]
-        f[told.FIRST_BENCH], f[told.SECOND_BENCH] = said[5], said[6]
+    if goal == ContactGoal.BETWEEN:
+        f[ContactTold.EARLY], f[ContactTold.LATE], f[ContactTold.BEST], f[ContactTold.WHERE] = (
+            said[1],
+            said[2],
+            said[3],
+            said[4],
+        )
+        f[ContactTold.FIRST_BENCH], f[ContactTold.SECOND_BENCH] = said[5], said[6]
     return True
 
 
@@ -94,30 +101,44 @@ def read_contact(handle: int, figures: Vector, near: Vector) -> bool:
 def touched_on(block: int, left: float) -> int:
     """Seek the next touch, the end of one, or the next step; how a step ends."""
     hunt = memory.group_at(Hunt, block + told.BASE)
-    f, goal, slack = hunt.figures, int(hunt.figures[told.GOAL]), hunt.limits[told.LEAST_OFF]
-    if f[told.READY] == 0.0:
-        if goal == FIRST_TOUCH and f[told.STAGE] == LOOKING and hunt.walk.benches.kind.shape[0] > 2:
-            f[told.STAGE] = PASSING
-            if not stands(hunt, hunt.limits[told.BEGIN]):
-                return told.STOPPED
-            apart, off = tightest(hunt), off_at(hunt, hunt.limits[told.BEGIN])
-            if apart <= hunt.limits[told.MARGIN] - off:
-                f[told.EARLY] = f[told.LATE] = hunt.limits[told.BEGIN]
-                return pair_told(hunt, f[told.LATE]) if is_sharp(hunt, off) else told.BLURRED
-        made = begun(block, f[told.WITHIN] if goal == SEEK else hunt.limits[told.MARGIN])
-        if made != ROOMY:
+    f, goal, slack = (
+        hunt.figures,
+        int(hunt.figures[ContactTold.GOAL]),
+        hunt.limits[ContactGiven.LEAST_OFF],
+    )
+    if f[ContactTold.READY] == 0.0:
+        if (
+            goal == Goal.FIRST_TOUCH
+            and f[ContactTold.STAGE] == LeastStage.LOOKING
+            and hunt.walk.benches.kind.shape[0] > 2
+        ):
+            f[ContactTold.STAGE] = LeastStage.PASSING
+            if not stands(hunt, hunt.limits[ContactGiven.BEGIN]):
+                return ContactEnding.STOPPED
+            apart, off = tightest(hunt), off_at(hunt, hunt.limits[ContactGiven.BEGIN])
+            if apart <= hunt.limits[ContactGiven.MARGIN] - off:
+                f[ContactTold.EARLY] = f[ContactTold.LATE] = hunt.limits[ContactGiven.BEGIN]
+                return (
+                    pair_told(hunt, f[ContactTold.LATE])
+                    if is_sharp(hunt, off)
+                    else ContactEnding.BLURRED
+                )
+        made = begun(
+            block, f[ContactTold.WITHIN] if goal == WalkGoal.SEEK else hunt.limits[ContactGiven.MARGIN]
+        )
+        if made != RoomEnding.ROOMY:
             return made
-    ending = searched_on(block, goal, slack, left, SPENT)
+    ending = searched_on(block, goal, slack, left, Told.SPENT)
     hunt = memory.group_at(Hunt, block + told.BASE)
     f, note, way = hunt.figures, hunt.note, hunt.room.course.way
-    if goal == SEEK:
-        f[told.EARLY], f[told.LATE] = way[STEP_START], way[STEP_END]
+    if goal == WalkGoal.SEEK:
+        f[ContactTold.EARLY], f[ContactTold.LATE] = way[Course.STEP_START], way[Course.STEP_END]
         return ending
-    if ending > FALLEN or ending == CLEAR:
+    if ending > Ending.FALLEN or ending == Ending.CLEAR:
         return ending
-    f[told.EARLY], f[told.LATE] = note[LOWER], note[UPPER]
-    set_pair(hunt, note[PAIR])
-    return ending if pair_told(hunt, f[told.LATE]) == FOUND else told.STOPPED
+    f[ContactTold.EARLY], f[ContactTold.LATE] = note[Note.LOWER], note[Note.UPPER]
+    set_pair(hunt, note[Note.PAIR])
+    return ending if pair_told(hunt, f[ContactTold.LATE]) == Ending.FOUND else ContactEnding.STOPPED
 
 
 @entry
@@ -125,16 +146,16 @@ def step_contact(handle: int, left: float) -> int:
     """Go on for some hundredths of a second; about so many handles may be placed; how that ended."""
     block = memory.recall(handle)
     if block == 0:
-        return CLOSED
+        return QuestionEnding.CLOSED
     f = memory.group_at(Hunt, block + told.BASE).figures
-    goal = int(f[told.GOAL])
-    f[SPENT] = 0.0
-    if goal == told.NOTHING:
-        return CLOSED
-    least = goal in (LEAST, told.SEEN, told.BETWEEN)
+    goal = int(f[ContactTold.GOAL])
+    f[Told.SPENT] = 0.0
+    if goal == ContactGoal.NOTHING:
+        return QuestionEnding.CLOSED
+    least = goal in (Goal.LEAST, ContactGoal.SEEN, ContactGoal.BETWEEN)
     ending = least_on(block, left) if least else touched_on(block, left)
-    if f[told.READY]:
-        f[told.WALKED] = memory.group_at(Hunt, block + told.BASE).room.course.way[AT]
-    if ending != MORE:
-        f[told.GOAL] = told.NOTHING
+    if f[ContactTold.READY]:
+        f[ContactTold.WALKED] = memory.group_at(Hunt, block + told.BASE).room.course.way[Course.AT]
+    if ending != QuestionEnding.MORE:
+        f[ContactTold.GOAL] = ContactGoal.NOTHING
     return ending

@@ -4,25 +4,25 @@ import math
 
 from benchdragon.kernels import contact_memory as told
 from benchdragon.kernels import search_room
-from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal, set_box
-from benchdragon.kernels.box_hierarchy import CELL, RADIUS
+from benchdragon.kernels.box import Box, box_distance, box_gap, half_diagonal, set_box
+from benchdragon.kernels.box_hierarchy import BoxMeasure, Hull
 from benchdragon.kernels.chain import march
-from benchdragon.kernels.contact_memory import Hunt
-from benchdragon.kernels.curve import LENGTH, S_START, length_at
+from benchdragon.kernels.contact_memory import ContactEnding, ContactGiven, ContactTold, Hunt
+from benchdragon.kernels.curve import RouteRow, length_at
 from benchdragon.kernels.double_double import head_drift
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import gather, put
 from benchdragon.kernels.memory import drop, group_at, integers_at
 from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.nearness import called, nearness
-from benchdragon.kernels.question import MORE, OUT_OF_MEMORY, OVER_MEMORY, SPENT, WANTED
+from benchdragon.kernels.question import QuestionEnding, Told
 from benchdragon.kernels.rounding import bench_errors
 from benchdragon.kernels.route import END_SLACK
+from benchdragon.kernels.search_room import RoomEnding, SearchMemory
 from benchdragon.kernels.swept_boxes import MOST_OFF
-from benchdragon.kernels.time_of_impact import CLEAR, EVALUATIONS, FALLEN, FOUND, LEAST, LOWER, OFF
-from benchdragon.kernels.walk_search import ASTRAY, CALL, CROWDED, SEARCHED, search_walk, work_done
-from benchdragon.kernels.workspace import AT, COURSE, PLACED, SOUND, STEP_END, TALLY
-from benchdragon.kernels.workspace import GOAL as WAY_GOAL
+from benchdragon.kernels.time_of_impact import Ending, Goal, Note
+from benchdragon.kernels.walk_search import CALL, SEARCHED, WalkEnding, search_walk, work_done
+from benchdragon.kernels.workspace import COURSE, TALLY, Course, WalkTally
 
 # The tightest pair is first looked for within this, m; distances that agree in so many parts of a metre
 # count as equal.
@@ -35,10 +35,10 @@ def stands(hunt: Hunt, s: float) -> bool:
     links, f = hunt.walk.benches.links, hunt.figures
     hunt.at[0] = s
     march(hunt.walk.rows, links, hunt.at, 0, 1, hunt.placed)
-    f[SPENT] += links.shape[0] + 1
+    f[Told.SPENT] += links.shape[0] + 1
     if hunt.placed.failed[0, 0] == 0:
         return True
-    f[told.SOUND_TO] = f[told.UNTIL] = s
+    f[ContactTold.SOUND_TO] = f[ContactTold.UNTIL] = s
     return False
 
 
@@ -55,46 +55,46 @@ def lead(hunt: Hunt, s: float, side: float) -> float:
 def pair_told(hunt: Hunt, s: float) -> int:
     """FOUND, with how the pair at hand stands with the head at s, m; or STOPPED."""
     f, sizes, placed = hunt.figures, hunt.walk.benches.sizes, hunt.placed
-    i, j = int(f[told.FIRST_BENCH]), int(f[told.SECOND_BENCH])
+    i, j = int(f[ContactTold.FIRST_BENCH]), int(f[ContactTold.SECOND_BENCH])
     if not stands(hunt, s):
-        return told.STOPPED
+        return ContactEnding.STOPPED
     set_box(sizes, i, placed.x, placed.y, 0, hunt.boxes, 0)
     set_box(sizes, j, placed.x, placed.y, 0, hunt.boxes, 1)
     nearness(hunt.boxes, 0, 1, hunt.near)
     called(hunt.near, i, j)
-    f[told.EARLY_LEAD] = lead(hunt, f[told.EARLY], -1.0)
-    f[told.LATE_LEAD] = lead(hunt, f[told.LATE], 1.0)
-    return FOUND
+    f[ContactTold.EARLY_LEAD] = lead(hunt, f[ContactTold.EARLY], -1.0)
+    f[ContactTold.LATE_LEAD] = lead(hunt, f[ContactTold.LATE], 1.0)
+    return Ending.FOUND
 
 
 @kernel
 def off_at(hunt: Hunt, s: float) -> float:
     """What the distance of the pair at hand may be off by with the head at s, m."""
     f, walk, off, placed = hunt.figures, hunt.walk, hunt.bench_off, hunt.placed
-    benches, least = walk.benches, hunt.limits[told.LEAST_OFF]
+    benches, least = walk.benches, hunt.limits[ContactGiven.LEAST_OFF]
     hunt.at[0] = s
-    f[SPENT] += benches.links.shape[0] + 1
+    f[Told.SPENT] += benches.links.shape[0] + 1
     if not place_chain(walk.rows, benches.links, hunt.at, 0, 1, placed):
         return least
     bench_errors(
         walk.rows, benches.links, benches.sizes, hunt.seams, placed, 0, -1, hunt.lanes, hunt.errors, off
     )
-    return max(least, off[int(f[told.FIRST_BENCH])] + off[int(f[told.SECOND_BENCH])])
+    return max(least, off[int(f[ContactTold.FIRST_BENCH])] + off[int(f[ContactTold.SECOND_BENCH])])
 
 
 @kernel
 def is_sharp(hunt: Hunt, off: float) -> bool:
     """Take note of what a distance that matters may be off by, m; whether a search allows for it."""
     f = hunt.figures
-    f[told.OFF_BY] = max(f[told.OFF_BY], off)
-    return off <= max(hunt.limits[told.LEAST_OFF], MOST_OFF)
+    f[ContactTold.OFF_BY] = max(f[ContactTold.OFF_BY], off)
+    return off <= max(hunt.limits[ContactGiven.LEAST_OFF], MOST_OFF)
 
 
 @kernel
 def set_pair(hunt: Hunt, pair: float) -> None:
     """Let the pair of a note be at hand."""
     f, count = hunt.figures, hunt.walk.benches.kind.shape[0]
-    f[told.FIRST_BENCH], f[told.SECOND_BENCH] = int(pair) // count, int(pair) % count
+    f[ContactTold.FIRST_BENCH], f[ContactTold.SECOND_BENCH] = int(pair) // count, int(pair) % count
 
 
 @kernel
@@ -105,26 +105,26 @@ def tightest(hunt: Hunt) -> float:
     grid.side[0] = search_room.square_side(hunt.walk, reach)
     for i in range(hulls.shape[0]):
         set_box(sizes, i, placed.x, placed.y, 0, hulls, i)
-        hulls[i, RADIUS] = half_diagonal(hulls, i)
-        widest = max(widest, hulls[i, RADIUS])
+        hulls[i, Hull.RADIUS] = half_diagonal(hulls, i)
+        widest = max(widest, hulls[i, Hull.RADIUS])
     while True:
         least, place = math.inf, math.inf
         for b in range(grid.heads.shape[0]):
             grid.heads[b] = 0
         for j in range(2, hulls.shape[0]):
-            put(grid, j - 2, hulls[j - 2, CX], hulls[j - 2, CY])
-            far = hulls[j, RADIUS] + widest + reach
-            for n in range(gather(grid, hulls[j, CX], hulls[j, CY], far, crowd.found)):
+            put(grid, j - 2, hulls[j - 2, Box.CX], hulls[j - 2, Box.CY])
+            far = hulls[j, Hull.RADIUS] + widest + reach
+            for n in range(gather(grid, hulls[j, Box.CX], hulls[j, Box.CY], far, crowd.found)):
                 i = crowd.found[n]
                 if box_gap(hulls, i, j) > min(reach, least) + 2.0 / TIES:
                     continue  # nor is their distance less
                 apart = box_distance(hulls, i, j)
                 level = math.floor(TIES * apart + 0.5)
-                first, second = f[told.FIRST_BENCH], f[told.SECOND_BENCH]
+                first, second = f[ContactTold.FIRST_BENCH], f[ContactTold.SECOND_BENCH]
                 before = i < first or (i == first and j < second)
                 if level < place or (level == place and before):
                     least, place = apart, level
-                    f[told.FIRST_BENCH], f[told.SECOND_BENCH] = i, j
+                    f[ContactTold.FIRST_BENCH], f[ContactTold.SECOND_BENCH] = i, j
         if least <= reach:
             return least
         reach *= 2.0
@@ -133,21 +133,25 @@ def tightest(hunt: Hunt) -> float:
 @kernel
 def room_ending(hunt: Hunt, ending: int) -> int:
     """How a step ends for which room was made so; ROOMY if it goes on."""
-    if ending == search_room.TOO_LARGE:
-        hunt.figures[WANTED] = search_room.ground_bytes(hunt.sizes, search_room.group_count(hunt.walk))
-        return OVER_MEMORY
-    if ending == search_room.NO_MEMORY:
-        return OUT_OF_MEMORY
-    if ending == search_room.TOO_LONG:
-        return told.ENDLESS
-    return ending if ending == search_room.ROOMY else told.UNSHOWN
+    if ending == RoomEnding.TOO_LARGE:
+        hunt.figures[Told.WANTED] = search_room.ground_bytes(
+            hunt.sizes, search_room.group_count(hunt.walk)
+        )
+        return QuestionEnding.OVER_MEMORY
+    if ending == RoomEnding.NO_MEMORY:
+        return QuestionEnding.OUT_OF_MEMORY
+    if ending == RoomEnding.TOO_LONG:
+        return ContactEnding.ENDLESS
+    return ending if ending == RoomEnding.ROOMY else ContactEnding.UNSHOWN
 
 
 @kernel
 def aim_of(hunt: Hunt) -> search_room.Aim:
     """What the search along the span at hand is after."""
-    f, n = hunt.figures, int(hunt.figures[told.SPAN])
-    return search_room.Aim(hunt.spans[n, 0], hunt.spans[n, 1], f[told.NEAR], hunt.limits[told.BYTES])
+    f, n = hunt.figures, int(hunt.figures[ContactTold.SPAN])
+    return search_room.Aim(
+        hunt.spans[n, 0], hunt.spans[n, 1], f[ContactTold.NEAR], hunt.limits[ContactGiven.BYTES]
+    )
 
 
 @kernel
@@ -155,18 +159,20 @@ def span_begun(block: int, n: int) -> int:
     """Begin span n, in which pairs within NEAR are wanted: ROOMY, or how a step ends."""
     hunt = group_at(Hunt, block + told.BASE)
     walk, f, placed, first = hunt.walk, hunt.figures, hunt.placed, hunt.spans[n, 0]
-    f[told.SPAN], f[told.BEGUN], f[told.READY] = n, first, 1.0
+    f[ContactTold.SPAN], f[ContactTold.BEGUN], f[ContactTold.READY] = n, first, 1.0
     tail, last = first, walk.benches.links.shape[0] - 1
     if stands(hunt, first):
-        tail = walk.rows[placed.row[last, 0], S_START]
+        tail = walk.rows[placed.row[last, 0], RouteRow.S_START]
         tail += length_at(walk.rows, placed.row[last, 0], placed.u[last, 0])
-    drop(integers_at(block, told.END_SLOT), search_room.GROUND_MEMORY)
+    drop(integers_at(block, told.CONTACT_END_SLOT), SearchMemory.GROUND)
     search_room.size_workspace(hunt.sizes, hunt.beginnings, walk, tail, hunt.spans[n, 1])
-    hunt.room.crowd.grid.side[0] = search_room.square_side(walk, f[told.NEAR])
-    made = search_room.make_step(block, told.ROOM_SLOT, hunt.sizes)
+    hunt.room.crowd.grid.side[0] = search_room.square_side(walk, f[ContactTold.NEAR])
+    made = search_room.make_step(block, told.CONTACT_ROOM_SLOT, hunt.sizes)
     hunt = group_at(Hunt, block + told.BASE)
-    if made == search_room.ROOMY:
-        made = search_room.begin_workspace(block, told.ROOM_SLOT, hunt.sizes, hunt.walk, aim_of(hunt))
+    if made == RoomEnding.ROOMY:
+        made = search_room.begin_workspace(
+            block, told.CONTACT_ROOM_SLOT, hunt.sizes, hunt.walk, aim_of(hunt)
+        )
     return room_ending(group_at(Hunt, block + told.BASE), made)
 
 
@@ -174,7 +180,7 @@ def span_begun(block: int, n: int) -> int:
 def begun(block: int, reach: float) -> int:
     """Look for all pairs that come within reach, m, from the start on: ROOMY, or how a step ends."""
     hunt = group_at(Hunt, block + told.BASE)
-    hunt.figures[told.NEAR] = reach + hunt.limits[told.LEAST_OFF]
+    hunt.figures[ContactTold.NEAR] = reach + hunt.limits[ContactGiven.LEAST_OFF]
     return span_begun(block, 0)
 
 
@@ -182,15 +188,15 @@ def begun(block: int, reach: float) -> int:
 def begun_again(block: int) -> int:
     """Begin once more with what was begun: ROOMY, or how a step ends."""
     hunt = group_at(Hunt, block + told.BASE)
-    if hunt.figures[told.SPAN] != 0.0:
+    if hunt.figures[ContactTold.SPAN] != 0.0:
         return span_begun(block, 0)
     way, tally = hunt.room.course.way, hunt.room.course.tally
     for n in range(COURSE):
-        if n != WAY_GOAL:
-            way[n] = hunt.figures[told.BEGUN]
+        if n != Course.GOAL:
+            way[n] = hunt.figures[ContactTold.BEGUN]
     for n in range(TALLY):
         tally[n] = 0
-    return search_room.ROOMY
+    return RoomEnding.ROOMY
 
 
 @kernel
@@ -204,24 +210,35 @@ def searched_on(block: int, goal: int, slack: float, left: float, counted: int) 
         walk, room, f, note, limits = hunt.walk, hunt.room, hunt.figures, hunt.note, hunt.limits
         benches = walk.benches.kind.shape[0]
         most = max((left - f[counted]) / (SEARCHED * (benches + 1)), 1.0)
-        f[told.LEFT] = math.floor(min(most, f[told.LEFT]))
-        known, marched = work_done(room, benches), note[EVALUATIONS]
+        f[ContactTold.LEFT] = math.floor(min(most, f[ContactTold.LEFT]))
+        known, marched = work_done(room, benches), note[Note.EVALUATIONS]
         ending = search_walk(
-            walk, room, goal, limits[told.MARGIN], slack, limits[told.WIDTH], int(f[told.LEFT]), note
+            walk,
+            room,
+            goal,
+            limits[ContactGiven.MARGIN],
+            slack,
+            limits[ContactGiven.WIDTH],
+            int(f[ContactTold.LEFT]),
+            note,
         )
-        marched = (note[EVALUATIONS] - marched) * room.course.tally[PLACED]
+        marched = (note[Note.EVALUATIONS] - marched) * room.course.tally[WalkTally.PLACED]
         f[counted] += CALL + SEARCHED * marched + max(work_done(room, benches) - known, 0.0)
-        if ending == MORE or f[counted] > left:
-            return MORE
-        if ending == CROWDED:
-            made = search_room.grow_workspace(block, told.ROOM_SLOT, hunt.sizes, walk, aim_of(hunt))
+        if ending == QuestionEnding.MORE or f[counted] > left:
+            return QuestionEnding.MORE
+        if ending == WalkEnding.CROWDED:
+            made = search_room.grow_workspace(
+                block, told.CONTACT_ROOM_SLOT, hunt.sizes, walk, aim_of(hunt)
+            )
             made = room_ending(group_at(Hunt, block + told.BASE), made)
-        elif ending == CLEAR and f[told.SPAN] + 1.0 < hunt.spans.shape[0]:
-            f[told.LEFT] = limits[told.MOST_LEAST] if goal == LEAST else limits[told.MOST]
-            made = span_begun(block, int(f[told.SPAN]) + 1)
+        elif ending == Ending.CLEAR and f[ContactTold.SPAN] + 1.0 < hunt.spans.shape[0]:
+            f[ContactTold.LEFT] = (
+                limits[ContactGiven.MOST_LEAST] if goal == Goal.LEAST else limits[ContactGiven.MOST]
+            )
+            made = span_begun(block, int(f[ContactTold.SPAN]) + 1)
         else:
             return judged(hunt, ending)
-        if made != search_room.ROOMY:
+        if made != RoomEnding.ROOMY:
             return made
 
 
@@ -230,19 +247,22 @@ def judged(hunt: Hunt, ending: int) -> int:
     """How a step ends in which a search did."""
     walk, f, note, way = hunt.walk, hunt.figures, hunt.note, hunt.room.course.way
     end = walk.rows.shape[0] - 1
-    length = walk.rows[end, S_START] + walk.rows[end, LENGTH]
-    if not is_sharp(hunt, note[OFF]):
-        return told.BLURRED
-    if ending == ASTRAY:
-        f[told.SOUND_TO], f[told.UNTIL] = way[SOUND], way[SOUND] + 2.0 * hunt.room.ground.measures[CELL]
-        if way[AT] < way[SOUND]:
-            f[told.SOUND_TO], f[told.UNTIL] = way[AT], way[SOUND]
-        return told.STOPPED
-    if ending == CLEAR and hunt.limits[told.END] > length + END_SLACK:
-        f[told.SOUND_TO], f[told.UNTIL] = length, hunt.limits[told.END]
-        return told.STOPPED
-    f[told.MARCHED] += note[EVALUATIONS]
-    if ending == FALLEN:
-        f[told.SOUND_TO], f[told.UNTIL] = note[LOWER], way[STEP_END]
-        return told.STOPPED
+    length = walk.rows[end, RouteRow.S_START] + walk.rows[end, RouteRow.LENGTH]
+    if not is_sharp(hunt, note[Note.OFF]):
+        return ContactEnding.BLURRED
+    if ending == WalkEnding.ASTRAY:
+        f[ContactTold.SOUND_TO], f[ContactTold.UNTIL] = (
+            way[Course.SOUND],
+            way[Course.SOUND] + 2.0 * hunt.room.ground.measures[BoxMeasure.CELL],
+        )
+        if way[Course.AT] < way[Course.SOUND]:
+            f[ContactTold.SOUND_TO], f[ContactTold.UNTIL] = way[Course.AT], way[Course.SOUND]
+        return ContactEnding.STOPPED
+    if ending == Ending.CLEAR and hunt.limits[ContactGiven.END] > length + END_SLACK:
+        f[ContactTold.SOUND_TO], f[ContactTold.UNTIL] = length, hunt.limits[ContactGiven.END]
+        return ContactEnding.STOPPED
+    f[ContactTold.MARCHED] += note[Note.EVALUATIONS]
+    if ending == Ending.FALLEN:
+        f[ContactTold.SOUND_TO], f[ContactTold.UNTIL] = note[Note.LOWER], way[Course.STEP_END]
+        return ContactEnding.STOPPED
     return ending

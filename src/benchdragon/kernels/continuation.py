@@ -6,23 +6,14 @@ once such a bench comes to them, in finer and finer parts.
 
 import numpy as np
 
-from benchdragon.kernels.box_hierarchy import CELL, DOUBTS, LOW, Hierarchy
+from benchdragon.kernels.box_hierarchy import BoxCount, BoxMeasure, Hierarchy
 from benchdragon.kernels.broad_phase import BoxScratch, count_borders
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.motion_bounds import HANDLE_COLUMNS, place_chain
 from benchdragon.kernels.swept_boxes import walks_on
-from benchdragon.kernels.workspace import (
-    AT,
-    KNOWN,
-    SOUND,
-    UPTO,
-    Benches,
-    Walk,
-    Workspace,
-    place_samples,
-)
+from benchdragon.kernels.workspace import Benches, Course, Walk, Workspace, place_samples
 
 # Cells in doubt are looked at in so many parts at first, then in finer ones, down to this, m: far
 # coarser, and overlaps just before a fold would stay unknown.
@@ -35,7 +26,7 @@ UNIT = 2.3e-16
 def latest_arrival(walk: Walk, room: Workspace, i: int, back: float) -> float:
     """At most the head's position in AT..SOUND at which handle i comes to `back`, m."""
     block, way, links = room.block, room.course.way, walk.benches.links
-    start, end = way[AT], way[SOUND]
+    start, end = way[Course.AT], way[Course.SOUND]
     if i == 0:
         return min(max(back, start), end)
     low, high, middle = start, end, end  # it may not come so far
@@ -98,8 +89,8 @@ def resolve_doubt(walk: Walk, room: Workspace, sweeper: BoxScratch, doubt: int) 
     looked at, and the next, where that one stands inside: it comes through what lies behind it.
     """
     ground, way, benches, s = room.ground, room.course.way, walk.benches, room.block.s
-    k, c, cell = ground.doubts[doubt, 0], ground.doubts[doubt, 1], ground.measures[CELL]
-    back, ahead = (c + ground.counts[LOW]) * cell, (c + ground.counts[LOW] + 1) * cell
+    k, c, cell = ground.doubts[doubt, 0], ground.doubts[doubt, 1], ground.measures[BoxMeasure.CELL]
+    back, ahead = (c + ground.counts[BoxCount.LOW]) * cell, (c + ground.counts[BoxCount.LOW] + 1) * cell
     i, settled, inside = next_of_kind(benches, s, 1, k, ahead, 0), False, True
     for _ in range(2):
         if i < 0 or not inside:
@@ -107,15 +98,15 @@ def resolve_doubt(walk: Walk, room: Workspace, sweeper: BoxScratch, doubt: int) 
         at = s[i, 1]
         inside = at > back
         first = latest_arrival(walk, room, i, max(back, at))
-        if first < way[SOUND]:
+        if first < way[Course.SOUND]:
             place = certified_until(walk, ground, sweeper, k, max(back, at), max(ahead, at))
             if place < max(ahead, at):
-                way[KNOWN] = min(way[KNOWN], first)
-                way[SOUND] = latest_arrival(walk, room, i, place)
+                way[Course.KNOWN] = min(way[Course.KNOWN], first)
+                way[Course.SOUND] = latest_arrival(walk, room, i, place)
             else:
                 settled = settled or not inside
         i = next_of_kind(benches, s, 1, k, ahead, i + 1)
-    way[KNOWN] = min(way[KNOWN], way[SOUND])
+    way[Course.KNOWN] = min(way[Course.KNOWN], way[Course.SOUND])
     return settled
 
 
@@ -123,17 +114,20 @@ def resolve_doubt(walk: Walk, room: Workspace, sweeper: BoxScratch, doubt: int) 
 def certify_stride(walk: Walk, room: Workspace, sweeper: BoxScratch) -> bool:
     """Fill KNOWN and SOUND for the stride from AT to UPTO; False if none can stand at AT."""
     way, block, counts, doubts = room.course.way, room.block, room.ground.counts, room.ground.doubts
-    way[KNOWN] = way[SOUND] = way[UPTO]
-    if counts[DOUBTS] == 0:
+    way[Course.KNOWN] = way[Course.SOUND] = way[Course.UPTO]
+    if counts[BoxCount.DOUBTS] == 0:
         return True
-    block.at[0] = block.at[1] = way[AT]
+    block.at[0] = block.at[1] = way[Course.AT]
     if not place_samples(walk.rows, walk.benches.links, block, room.course.tally, 2):
         return False
     n = 0
-    while n < counts[DOUBTS]:
+    while n < counts[BoxCount.DOUBTS]:
         if resolve_doubt(walk, room, sweeper, n):
-            counts[DOUBTS] -= 1
-            doubts[n, 0], doubts[n, 1] = doubts[counts[DOUBTS], 0], doubts[counts[DOUBTS], 1]
+            counts[BoxCount.DOUBTS] -= 1
+            doubts[n, 0], doubts[n, 1] = (
+                doubts[counts[BoxCount.DOUBTS], 0],
+                doubts[counts[BoxCount.DOUBTS], 1],
+            )
         else:
             n += 1
     return True

@@ -13,32 +13,43 @@ import numpy.typing as npt
 from benchdragon.kernels.angles import sincos, sincos_of
 from benchdragon.kernels.arrays import Table
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.numbered import Numbered
 
 FloatArray = npt.NDArray[np.float64]
 
-LINE = 0.0
-ARC = 1.0
-CLOTHOID = 2.0
-SPIRAL = 3.0
-LOG_SPIRAL = 4.0
 
-KIND = 0  # one of the five above
-PART = 1  # number of the curve, from 0, that the row belongs to (a clothoid may fill several rows)
-S_START = 2  # route position of the row's start, m
-LENGTH = 3  # m
-U_START = 4  # parameter at the start
-U_END = 5  # parameter at the end
-U_BACK = 6  # parameter up to which a follower may stand: U_START, or infinite on an extension
-X = 7  # start point; of a spiral the centre, m
-Y = 8
-ANGLE = 9  # heading at the start; of a spiral the polar axis, rad
-P = 10  # curvature at the start, 1/m; spiral: pitch / 2 pi, m
-# Clothoid: change of curvature per metre, 1/m^2; spiral: +1, or -1 if mirrored; logarithmic spiral:
-# change of the radius of curvature per metre, as a share of what it is at the start, 1/m.
-Q = 11
-AXIS_X = 12  # cosine and sine of ANGLE
-AXIS_Y = 13
-COLUMNS = 14
+class CurveKind(Numbered):
+    """Kinds of curves."""
+
+    LINE = 0.0
+    ARC = 1.0
+    CLOTHOID = 2.0
+    SPIRAL = 3.0
+    LOG_SPIRAL = 4.0
+
+
+class RouteRow(Numbered):
+    """Columns of a route, one row a piece."""
+
+    KIND = 0  # one of the five above
+    PART = 1  # number of the curve, from 0, that the row belongs to (a clothoid may fill several rows)
+    S_START = 2  # route position of the row's start, m
+    LENGTH = 3  # m
+    U_START = 4  # parameter at the start
+    U_END = 5  # parameter at the end
+    U_BACK = 6  # parameter up to which a follower may stand: U_START, or infinite on an extension
+    X = 7  # start point; of a spiral the centre, m
+    Y = 8
+    ANGLE = 9  # heading at the start; of a spiral the polar axis, rad
+    P = 10  # curvature at the start, 1/m; spiral: pitch / 2 pi, m
+    # Clothoid: change of curvature per metre, 1/m^2; spiral: +1, or -1 if mirrored; logarithmic spiral:
+    # change of the radius of curvature per metre, as a share of what it is at the start, 1/m.
+    Q = 11
+    AXIS_X = 12  # cosine and sine of ANGLE
+    AXIS_Y = 13
+
+
+COLUMNS = len(RouteRow)
 
 # A clothoid row turns by at most this, rad. With the 12 nodes below the quadrature is then exact
 # to rounding (design/clothoid_quadrature.py); doubling it costs 1e-13 m.
@@ -70,7 +81,7 @@ def sinc(x: float, sine: float) -> float:
 @entry
 def walks_up(rows: Table, j: int) -> float:
     """+1 where u grows in the walking direction, -1 on an inward spiral."""
-    return 1.0 if rows[j, U_END] >= rows[j, U_START] else -1.0
+    return 1.0 if rows[j, RouteRow.U_END] >= rows[j, RouteRow.U_START] else -1.0
 
 
 @kernel
@@ -95,9 +106,9 @@ def log_spiral_turn(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
 
     It is the integral of the curvature P / (1 + Q u): P / Q log(1 + Q u).
     """
-    gained = rows[j, Q] * u
+    gained = rows[j, RouteRow.Q] * u
     share = 1.0 if gained == 0.0 else math.log1p(gained) / gained
-    return rows[j, P] * u * share, share
+    return rows[j, RouteRow.P] * u * share, share
 
 
 @kernel
@@ -109,8 +120,8 @@ def log_spiral_chord(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
     i turn sinc(turn / 2) e^(i turn / 2).
     """
     turn, share = log_spiral_turn(rows, j, u)
-    size = math.hypot(rows[j, P], rows[j, Q])
-    bend, gain = rows[j, P] / size, rows[j, Q] / size
+    size = math.hypot(rows[j, RouteRow.P], rows[j, RouteRow.Q])
+    bend, gain = rows[j, RouteRow.P] / size, rows[j, RouteRow.Q] / size
     s, c = sincos_of(0.5 * turn)
     chord = bend * share * sinc(0.5 * turn, s)
     a = gain * (1.0 - 2.0 * s * s) - chord * s
@@ -121,7 +132,7 @@ def log_spiral_chord(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
 @kernel
 def turned(rows: FloatArray, j: int, x: float, y: float) -> tuple[float, float]:
     """The vector that is (x, y) were the ANGLE of row j 0."""
-    c, s = rows[j, AXIS_X], rows[j, AXIS_Y]
+    c, s = rows[j, RouteRow.AXIS_X], rows[j, RouteRow.AXIS_Y]
     return c * x - s * y, s * x + c * y
 
 
@@ -131,20 +142,20 @@ def bent_chord(rows: FloatArray, j: int, u: float) -> tuple[float, float, float,
 
     For all kinds but spirals.
     """
-    kind = rows[j, KIND]
-    if kind == LINE:
+    kind = rows[j, RouteRow.KIND]
+    if kind == CurveKind.LINE:
         return u, 0.0, 1.0, 0.0
-    if kind == ARC:
-        half = 0.5 * rows[j, P] * u
+    if kind == CurveKind.ARC:
+        half = 0.5 * rows[j, RouteRow.P] * u
         s, c = sincos_of(half)
         chord = u * sinc(half, s)
         return chord * c, chord * s, 1.0 - 2.0 * s * s, 2.0 * s * c
-    if kind == LOG_SPIRAL:
+    if kind == CurveKind.LOG_SPIRAL:
         x, y = log_spiral_chord(rows, j, u)
         turn, _share = log_spiral_turn(rows, j, u)
     else:
-        x, y = clothoid_chord(u, rows[j, P], rows[j, Q])
-        turn = u * (rows[j, P] + 0.5 * rows[j, Q] * u)
+        x, y = clothoid_chord(u, rows[j, RouteRow.P], rows[j, RouteRow.Q])
+        turn = u * (rows[j, RouteRow.P] + 0.5 * rows[j, RouteRow.Q] * u)
     ty, tx = sincos_of(turn)
     return x, y, tx, ty
 
@@ -159,59 +170,64 @@ def unit(x: float, y: float) -> tuple[float, float]:
 @kernel
 def place(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, float]:
     """Point (m) and unit tangent in the walking direction, (x, y, tx, ty), at parameter u of row j."""
-    if rows[j, KIND] == SPIRAL:
-        s, c = sincos_of(rows[j, Q] * u)
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
+        s, c = sincos_of(rows[j, RouteRow.Q] * u)
         c, s = turned(rows, j, c, s)
         scale = walks_up(rows, j) / math.sqrt(1.0 + u * u)
-        r = rows[j, P] * u
-        turn = rows[j, Q] * u
+        r = rows[j, RouteRow.P] * u
+        turn = rows[j, RouteRow.Q] * u
         tx, ty = unit(scale * (c - turn * s), scale * (s + turn * c))
-        return rows[j, X] + r * c, rows[j, Y] + r * s, tx, ty
+        return rows[j, RouteRow.X] + r * c, rows[j, RouteRow.Y] + r * s, tx, ty
     x, y, tx, ty = bent_chord(rows, j, u)
     x, y = turned(rows, j, x, y)
     tx, ty = unit(*turned(rows, j, tx, ty))
-    return rows[j, X] + x, rows[j, Y] + y, tx, ty
+    return rows[j, RouteRow.X] + x, rows[j, RouteRow.Y] + y, tx, ty
 
 
 @kernel
 def heading(rows: FloatArray, j: int, u: float) -> float:
     """Heading, rad, continuous along the piece (not folded into one turn)."""
-    if rows[j, KIND] == SPIRAL:
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
         back = 0.0 if walks_up(rows, j) > 0.0 else math.pi
-        return rows[j, ANGLE] + rows[j, Q] * (u + math.atan(u)) + back
-    if rows[j, KIND] == LOG_SPIRAL:
-        return rows[j, ANGLE] + log_spiral_turn(rows, j, u)[0]
-    return rows[j, ANGLE] + u * (rows[j, P] + 0.5 * rows[j, Q] * u)
+        return rows[j, RouteRow.ANGLE] + rows[j, RouteRow.Q] * (u + math.atan(u)) + back
+    if rows[j, RouteRow.KIND] == CurveKind.LOG_SPIRAL:
+        return rows[j, RouteRow.ANGLE] + log_spiral_turn(rows, j, u)[0]
+    return rows[j, RouteRow.ANGLE] + u * (rows[j, RouteRow.P] + 0.5 * rows[j, RouteRow.Q] * u)
 
 
 @kernel
 def curvature(rows: Table, j: int, u: float) -> float:
     """Curvature, 1/m, left positive."""
-    if rows[j, KIND] == SPIRAL:
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
         z = 1.0 + u * u
-        return walks_up(rows, j) * rows[j, Q] * (1.0 + z) / (rows[j, P] * z * math.sqrt(z))
-    if rows[j, KIND] == LOG_SPIRAL:
-        return rows[j, P] / (1.0 + rows[j, Q] * u)
-    return rows[j, P] + rows[j, Q] * u
+        return (
+            walks_up(rows, j)
+            * rows[j, RouteRow.Q]
+            * (1.0 + z)
+            / (rows[j, RouteRow.P] * z * math.sqrt(z))
+        )
+    if rows[j, RouteRow.KIND] == CurveKind.LOG_SPIRAL:
+        return rows[j, RouteRow.P] / (1.0 + rows[j, RouteRow.Q] * u)
+    return rows[j, RouteRow.P] + rows[j, RouteRow.Q] * u
 
 
 @kernel
 def bend_slope(rows: FloatArray, j: int, u: float) -> float:
     """How fast the curvature changes along row j at parameter u, in size, 1/m^2."""
-    if rows[j, KIND] == SPIRAL:
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
         z = 1.0 + u * u
-        return abs(u) * (z + 3.0) / (rows[j, P] * rows[j, P] * z * z * z)
-    if rows[j, KIND] == LOG_SPIRAL:
-        gained = 1.0 + rows[j, Q] * u
-        return abs(rows[j, P] * rows[j, Q]) / (gained * gained)
-    return abs(rows[j, Q])
+        return abs(u) * (z + 3.0) / (rows[j, RouteRow.P] * rows[j, RouteRow.P] * z * z * z)
+    if rows[j, RouteRow.KIND] == CurveKind.LOG_SPIRAL:
+        gained = 1.0 + rows[j, RouteRow.Q] * u
+        return abs(rows[j, RouteRow.P] * rows[j, RouteRow.Q]) / (gained * gained)
+    return abs(rows[j, RouteRow.Q])
 
 
 @kernel
 def stretch(rows: Table, j: int, u: float) -> float:
     """Metres of arc per unit of parameter; on a spiral it grows with u."""
-    if rows[j, KIND] == SPIRAL:
-        return rows[j, P] * math.sqrt(1.0 + u * u)
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
+        return rows[j, RouteRow.P] * math.sqrt(1.0 + u * u)
     return 1.0
 
 
@@ -219,7 +235,7 @@ def stretch(rows: Table, j: int, u: float) -> float:
 def turning_bound(rows: FloatArray, j: int, u: float, v: float) -> float:
     """At least the angle, rad, through which the heading swings anywhere between u and v."""
     width = abs(v - u)
-    if rows[j, KIND] == SPIRAL:
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
         nearest = min(u, v)
         return width * (1.0 + 1.0 / (1.0 + nearest * nearest))
     return width * max(abs(curvature(rows, j, u)), abs(curvature(rows, j, v)))
@@ -246,9 +262,9 @@ def spiral_angle(k: float, length: float) -> float:
 @kernel
 def length_at(rows: FloatArray, j: int, u: float) -> float:
     """Arc length, m, from the row's start to parameter u; negative on an extension."""
-    if rows[j, KIND] == SPIRAL:
-        k = rows[j, P]
-        ahead = spiral_length(k, u) - spiral_length(k, rows[j, U_START])
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
+        k = rows[j, RouteRow.P]
+        ahead = spiral_length(k, u) - spiral_length(k, rows[j, RouteRow.U_START])
         return walks_up(rows, j) * ahead
     return u
 
@@ -256,8 +272,8 @@ def length_at(rows: FloatArray, j: int, u: float) -> float:
 @entry
 def parameter_at(rows: Table, j: int, length: float) -> float:
     """The parameter at an arc length from the row's start; inverse of `length_at`."""
-    if rows[j, KIND] == SPIRAL:
-        k = rows[j, P]
-        from_centre = spiral_length(k, rows[j, U_START]) + walks_up(rows, j) * length
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
+        k = rows[j, RouteRow.P]
+        from_centre = spiral_length(k, rows[j, RouteRow.U_START]) + walks_up(rows, j) * length
         return spiral_angle(k, max(from_centre, 0.0))
     return length

@@ -11,7 +11,7 @@ these into fused operations makes no difference.
 import math
 
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.curve import KIND, S_START, SPIRAL, U_END, U_START, FloatArray, P, walks_up
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow, walks_up
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.links import difference
 from benchdragon.kernels.rounding import HALF_UNIT
@@ -70,9 +70,12 @@ def spiral_way(k: float, theta: float) -> Double:
 @kernel
 def way_to(rows: FloatArray, j: int, u: float) -> Double:
     """Arc length from the start of row j to parameter u, m; negative on an extension."""
-    if rows[j, KIND] != SPIRAL:
+    if rows[j, RouteRow.KIND] != CurveKind.SPIRAL:
         return u, 0.0
-    start, end = spiral_way(rows[j, P], rows[j, U_START]), spiral_way(rows[j, P], u)
+    start, end = (
+        spiral_way(rows[j, RouteRow.P], rows[j, RouteRow.U_START]),
+        spiral_way(rows[j, RouteRow.P], u),
+    )
     ahead = dd_add(end, (-start[0], -start[1]))
     sign = walks_up(rows, j)
     return sign * ahead[0], sign * ahead[1]
@@ -81,10 +84,10 @@ def way_to(rows: FloatArray, j: int, u: float) -> Double:
 @kernel
 def way_doubt(rows: FloatArray, j: int, u: float) -> float:
     """What `way_to` may be wrong by, m."""
-    if rows[j, KIND] != SPIRAL:
+    if rows[j, RouteRow.KIND] != CurveKind.SPIRAL:
         return 0.0
-    theta = max(u, rows[j, U_START], rows[j, U_END])
-    k = rows[j, P]
+    theta = max(u, rows[j, RouteRow.U_START], rows[j, RouteRow.U_END])
+    k = rows[j, RouteRow.P]
     return LOG_UNITS * HALF_UNIT * k * math.asinh(theta) + LEFT * k * (1.0 + theta) * (1.0 + theta)
 
 
@@ -96,9 +99,9 @@ def head_drift(rows: Table, s: float) -> tuple[float, float]:
     """
     last, u, _status = locate(rows, s)
     at, doubt = (-s, 0.0), way_doubt(rows, last, u)
-    at = dd_add((rows[0, S_START], 0.0), at)
+    at = dd_add((rows[0, RouteRow.S_START], 0.0), at)
     for j in range(last):
-        at = dd_add(at, way_to(rows, j, rows[j, U_END]))
-        doubt += way_doubt(rows, j, rows[j, U_END])
+        at = dd_add(at, way_to(rows, j, rows[j, RouteRow.U_END]))
+        doubt += way_doubt(rows, j, rows[j, RouteRow.U_END])
     at = dd_add(at, way_to(rows, last, u))
     return at[0] + at[1], doubt + LEFT * abs(s)

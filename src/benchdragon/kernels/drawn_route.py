@@ -12,7 +12,7 @@ from benchdragon.kernels.route import locate
 # A stretch has evenly spaced nodes; its cubics are within so many m of the route.
 STRETCH_ERROR = 2e-5
 # Nodes of a stretch, at most.
-MOST_NODES = 4097
+MOST_STRETCH_NODES = 4097
 
 
 @kernel
@@ -37,7 +37,7 @@ def cubic(a: float, b: float, rise_a: float, rise_b: float, f: float) -> float:
 def set_nodes(rows: FloatArray, low: float, high: float, count: int, nodes: FloatArray) -> None:
     """Fill the first columns of `nodes`: x, y, m from nodes[:2, -1], and heading, rad, unwrapped."""
     inside, before = (high - low) * 1e-9, 0.0  # headings at a joint are those of this side
-    x0, y0 = nodes[0, MOST_NODES], nodes[1, MOST_NODES]
+    x0, y0 = nodes[0, MOST_STRETCH_NODES], nodes[1, MOST_STRETCH_NODES]
     for n in range(count):
         j, u, _status = locate(rows, even(low + inside, high - inside, n, count))
         x, y, _tx, _ty = place(rows, j, u)
@@ -61,7 +61,9 @@ def farthest_off(rows: FloatArray, low: float, high: float, count: int, nodes: F
         y = cubic(nodes[1, n], nodes[1, n + 1], step * math.sin(a), step * math.sin(b), f)
         j, u, _status = locate(rows, s)
         at_x, at_y, _tx, _ty = place(rows, j, u)
-        off = math.hypot(nodes[0, MOST_NODES] + x - at_x, nodes[1, MOST_NODES] + y - at_y)
+        off = math.hypot(
+            nodes[0, MOST_STRETCH_NODES] + x - at_x, nodes[1, MOST_STRETCH_NODES] + y - at_y
+        )
         worst = max(worst, off)
     return worst
 
@@ -74,10 +76,10 @@ def draw_stretch(
 
     Fills the first columns of `nodes`, (3, MOST_NODES + 1): x, y, m from (x, y), and heading, rad.
     """
-    nodes[0, MOST_NODES], nodes[1, MOST_NODES], count = x, y, 2
+    nodes[0, MOST_STRETCH_NODES], nodes[1, MOST_STRETCH_NODES], count = x, y, 2
     while True:
         set_nodes(rows, low, high, count, nodes)
         error = farthest_off(rows, low, high, count, nodes)
-        if error <= STRETCH_ERROR or count == MOST_NODES:
+        if error <= STRETCH_ERROR or count == MOST_STRETCH_NODES:
             return count, error
         count = 2 * count - 1

@@ -15,28 +15,40 @@ from typing import NamedTuple
 from benchdragon.kernels import motion_bounds as bounds
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import S_START, U_END, U_START, FloatArray, curvature, stretch
+from benchdragon.kernels.curve import FloatArray, RouteRow, curvature, stretch
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.motion_bounds import HandleBound
+from benchdragon.kernels.numbered import Numbered
 
-# What is bounded: speeds and accelerations of handles, turning rates of benches.
-SPEEDS = 0
-TURNING = 1
-ACROSS = 2
-TOTAL = 3
-ALONG = 4
-QUANTITIES = 5
 
-# Columns of a drive, one row a step of the head.
-FROM = 0  # square of the head's speed at the step's start, m^2/s^2
-TO = 1  # at its end
-RATE = 2  # the head's acceleration, m/s^2
-DRIVE_COLUMNS = 3
+class DriveRate(Numbered):
+    """What is bounded: speeds and accelerations of handles, turning rates of benches."""
+
+    SPEEDS = 0
+    TURNING = 1
+    ACROSS = 2
+    TOTAL = 3
+    ALONG = 4
+
+
+QUANTITIES = len(DriveRate)
+
+
+class DriveStep(Numbered):
+    """Columns of a drive, one row a step of the head."""
+
+    FROM = 0  # square of the head's speed at the step's start, m^2/s^2
+    TO = 1  # at its end
+    RATE = 2  # the head's acceleration, m/s^2
+
+
+DRIVE_COLUMNS = len(DriveStep)
 
 # Curvatures that differ by more at a joint jump there, 1/m.
 JUMP = 1e-9
 # So near a joint, as a share of the route position, rounding hides on which side a handle stands: 512
 # roundings of it.
-BESIDE = 2.0**-44
+JOINT_ROUNDING = 2.0**-44
 # Handles that cross jumps in one step and are told apart; what more of them do is bounded at once.
 MOST_JUMPS = 3
 
@@ -61,15 +73,15 @@ def value_at(
 
     change = d2 s_i / dsigma^2 and turn = d heading / dsigma, 1/m; bend is the route's curvature there.
     """
-    if quantity == SPEEDS:
+    if quantity == DriveRate.SPEEDS:
         return ratio * math.sqrt(square)
-    if quantity == TURNING:
+    if quantity == DriveRate.TURNING:
         return abs(turn) * math.sqrt(square)
     along = abs(ratio * rate + change * square)
-    if quantity == ALONG:
+    if quantity == DriveRate.ALONG:
         return along
     across = ratio * ratio * square * abs(bend)
-    return across if quantity == ACROSS else math.hypot(along, across)
+    return across if quantity == DriveRate.ACROSS else math.hypot(along, across)
 
 
 @kernel
@@ -82,7 +94,7 @@ def greatest_in_slot(
     With the square of the head's speed and its acceleration; change = d2 s_i / dsigma^2 and turn are
     `chain.rates`'.
     """
-    curved, most, where = quantity in (ACROSS, TOTAL), -1.0, 0
+    curved, most, where = quantity in (DriveRate.ACROSS, DriveRate.TOTAL), -1.0, 0
     for i in range(links + 1):
         bend = curvature(rows, places.row[i, t], places.u[i, t]) if curved else 0.0
         turned = turn[i, t] if i < links else 0.0  # no bench is behind the last handle
@@ -108,7 +120,10 @@ class Scratch(NamedTuple):
 def jump_row(rows: FloatArray, first: int, last: int) -> int:
     """The first row from first on, before last, at whose end the curvature jumps; -1 without one."""
     for j in range(first, last):
-        before, after = curvature(rows, j, rows[j, U_END]), curvature(rows, j + 1, rows[j + 1, U_START])
+        before, after = (
+            curvature(rows, j, rows[j, RouteRow.U_END]),
+            curvature(rows, j + 1, rows[j + 1, RouteRow.U_START]),
+        )
         if abs(after - before) > JUMP:
             return j
     return -1
@@ -121,10 +136,14 @@ def jump_beside(rows: FloatArray, j: int, u: float, near: float) -> int:
     Within `near` metres, and what rounding makes of the route position there.
     """
     metres = stretch(rows, j, u)
-    near = near / metres + BESIDE * (abs(rows[j, S_START]) / metres + abs(u))
-    if j + 1 < rows.shape[0] and abs(rows[j, U_END] - u) <= near and jump_row(rows, j, j + 1) == j:
+    near = near / metres + JOINT_ROUNDING * (abs(rows[j, RouteRow.S_START]) / metres + abs(u))
+    if (
+        j + 1 < rows.shape[0]
+        and abs(rows[j, RouteRow.U_END] - u) <= near
+        and jump_row(rows, j, j + 1) == j
+    ):
         return j
-    if j > 0 and abs(u - rows[j, U_START]) <= near and jump_row(rows, j - 1, j) == j - 1:
+    if j > 0 and abs(u - rows[j, RouteRow.U_START]) <= near and jump_row(rows, j - 1, j) == j - 1:
         return j - 1
     return -1
 
@@ -143,9 +162,9 @@ def way_of(
         slot = b if n else a
         k = jump_beside(rows, places.row[i, slot], places.u[i, slot], beside[n])
         if 0 <= k < first:
-            first, u = k, rows[k, U_END]
+            first, u = k, rows[k, RouteRow.U_END]
         if k >= last:
-            last, v = k + 1, rows[k + 1, U_START]
+            last, v = k + 1, rows[k + 1, RouteRow.U_START]
     return first, u, last, v
 
 
@@ -161,20 +180,20 @@ def find_jumps(
     """
     table, crossing, sides, count = scratch.table, scratch.crossing, scratch.sides, 0
     for i in range(links + 1):
-        if not table[i, bounds.LEFT] - table[i, bounds.RIGHT] < math.inf:
+        if not table[i, HandleBound.LEFT] - table[i, HandleBound.RIGHT] < math.inf:
             continue
         first, u, last, v = way_of(rows, places, i, a, b, scratch.beside)
         j, side = jump_row(rows, first, last), sides[min(count, MOST_JUMPS)]
         if j < 0:
             continue
-        side[0], side[1] = bounds.curvature_range(rows, first, u, j, rows[j, U_END])
-        side[2], side[3] = bounds.curvature_range(rows, j + 1, rows[j + 1, U_START], last, v)
+        side[0], side[1] = bounds.curvature_range(rows, first, u, j, rows[j, RouteRow.U_END])
+        side[2], side[3] = bounds.curvature_range(rows, j + 1, rows[j + 1, RouteRow.U_START], last, v)
         if count < MOST_JUMPS:
             crossing[count] = i
             count += 1
         else:
-            table[i, bounds.RIGHT] = min(table[i, bounds.RIGHT], side[0], side[2])
-            table[i, bounds.LEFT] = max(table[i, bounds.LEFT], side[1], side[3])
+            table[i, HandleBound.RIGHT] = min(table[i, HandleBound.RIGHT], side[0], side[2])
+            table[i, HandleBound.LEFT] = max(table[i, HandleBound.LEFT], side[1], side[3])
     return count
 
 
@@ -187,20 +206,20 @@ def side_rates(links: int, table: FloatArray, bend: FloatArray, rates: FloatArra
     """
     rates[0, 0], rates[0, 1] = 0.0, 0.0
     for i in range(links):
-        if not table[i + 1, bounds.SPEED] < math.inf:
+        if not table[i + 1, HandleBound.SPEED] < math.inf:
             for k in range(i + 1, links + 1):
                 rates[k, 0], rates[k, 1] = -math.inf, math.inf
             return
-        turn = table[i + 1, bounds.TURN_LOW], table[i + 1, bounds.TURN_HIGH]
-        slow, fast = table[i, bounds.SLOWEST], table[i, bounds.SPEED]
+        turn = table[i + 1, HandleBound.TURN_LOW], table[i + 1, HandleBound.TURN_HIGH]
+        slow, fast = table[i, HandleBound.SLOWEST], table[i, HandleBound.SPEED]
         low, high = bounds.angle_rates(slow, fast, bend[i, 0], bend[i, 1], turn)
         front_low, front_high = bounds.product(
-            table[i + 1, bounds.FRONT_LOW], table[i + 1, bounds.FRONT_HIGH], low, high
+            table[i + 1, HandleBound.FRONT_LOW], table[i + 1, HandleBound.FRONT_HIGH], low, high
         )
-        slow, fast = table[i + 1, bounds.SLOWEST], table[i + 1, bounds.SPEED]
+        slow, fast = table[i + 1, HandleBound.SLOWEST], table[i + 1, HandleBound.SPEED]
         low, high = bounds.angle_rates(slow, fast, bend[i + 1, 0], bend[i + 1, 1], turn)
         rear_low, rear_high = bounds.product(
-            table[i + 1, bounds.REAR_LOW], table[i + 1, bounds.REAR_HIGH], low, high
+            table[i + 1, HandleBound.REAR_LOW], table[i + 1, HandleBound.REAR_HIGH], low, high
         )
         rates[i + 1, 0] = rates[i, 0] - front_high + rear_low
         rates[i + 1, 1] = rates[i, 1] - front_low + rear_high
@@ -215,16 +234,19 @@ def most_of_handle(
     Of d log(ds_i / dsigma) / dsigma low and high are the least and the greatest, 1/m, `bend` is that of
     the curvature's size. Of a bench `fast` is its turning rate, rad/m.
     """
-    least_square, square = min(drive[FROM], drive[TO]), max(drive[FROM], drive[TO])
-    if quantity in (SPEEDS, TURNING):
+    least_square, square = (
+        min(drive[DriveStep.FROM], drive[DriveStep.TO]),
+        max(drive[DriveStep.FROM], drive[DriveStep.TO]),
+    )
+    if quantity in (DriveRate.SPEEDS, DriveRate.TURNING):
         value = fast * math.sqrt(square) if square > 0.0 else 0.0
     else:
         across = fast * fast * square * bend
         low, high = bounds.scaled(least_square, square, low, high)
-        along = fast * bounds.magnitude(drive[RATE] + low, drive[RATE] + high)
+        along = fast * bounds.magnitude(drive[DriveStep.RATE] + low, drive[DriveStep.RATE] + high)
         value = math.hypot(along, across)
-        if quantity != TOTAL:
-            value = along if quantity == ALONG else across
+        if quantity != DriveRate.TOTAL:
+            value = along if quantity == DriveRate.ALONG else across
     return value if value < math.inf else math.inf  # an infinite rate and no speed make no number
 
 
@@ -239,10 +261,10 @@ def bound_side(links: int, drive: FloatArray, quantity: int, scratch: Scratch) -
     for i in range(links + 1):
         low, high = rates[i, 0], rates[i, 1]
         bent = bounds.magnitude(bend[i, 0], bend[i, 1])
-        value = most_of_handle(table[i, bounds.SPEED], low, high, bent, drive, quantity)
+        value = most_of_handle(table[i, HandleBound.SPEED], low, high, bent, drive, quantity)
         most[i] = max(most[i], bounds.ROUNDED_UP * value)
-        table[i, bounds.GROWTH_LOW] = lesser(table[i, bounds.GROWTH_LOW], low)
-        table[i, bounds.GROWTH_HIGH] = greater(table[i, bounds.GROWTH_HIGH], high)
+        table[i, HandleBound.GROWTH_LOW] = lesser(table[i, HandleBound.GROWTH_LOW], low)
+        table[i, HandleBound.GROWTH_HIGH] = greater(table[i, HandleBound.GROWTH_HIGH], high)
 
 
 @kernel
@@ -254,8 +276,8 @@ def bound_sides(
     table, bend, crossing, sides = scratch.table, scratch.bend, scratch.crossing, scratch.sides
     jumps = find_jumps(rows, places, a, b, links, scratch)
     for i in range(links + 1):
-        bend[i, 0], bend[i, 1] = table[i, bounds.RIGHT], table[i, bounds.LEFT]
-        table[i, bounds.GROWTH_LOW], table[i, bounds.GROWTH_HIGH] = math.inf, -math.inf
+        bend[i, 0], bend[i, 1] = table[i, HandleBound.RIGHT], table[i, HandleBound.LEFT]
+        table[i, HandleBound.GROWTH_LOW], table[i, HandleBound.GROWTH_HIGH] = math.inf, -math.inf
         scratch.most[i] = 0.0
     for side in range(1 << jumps):
         for n in range(jumps):
@@ -276,14 +298,14 @@ def bound_step(
     GROWTH_LOW and GROWTH_HIGH are drawn tighter, side by side of the jumps that are crossed.
     """
     count, table, most = links.shape[0], scratch.table, scratch.most
-    if drive[FROM] == 0.0 and drive[TO] == 0.0 and drive[RATE] == 0.0:
+    if drive[DriveStep.FROM] == 0.0 and drive[DriveStep.TO] == 0.0 and drive[DriveStep.RATE] == 0.0:
         for i in range(count + 1):
             most[i] = 0.0  # who stands needs no bound, not even where one is infinite
         return
     bounds.bound_handles(rows, links, places, a, b, table)
-    if quantity not in (SPEEDS, TURNING):
+    if quantity not in (DriveRate.SPEEDS, DriveRate.TURNING):
         bound_sides(rows, places, a, b, count, drive, quantity, scratch)
         return
-    column = bounds.SPEED if quantity == SPEEDS else bounds.TURNING_RATE
+    column = HandleBound.SPEED if quantity == DriveRate.SPEEDS else HandleBound.TURNING_RATE
     for i in range(count + 1):
         most[i] = bounds.ROUNDED_UP * most_of_handle(table[i, column], 0.0, 0.0, 0.0, drive, quantity)

@@ -14,19 +14,15 @@ from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import box_gap, centres, radii
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import allocates, entry, kernel
-from benchdragon.kernels.motion_bounds import PATH, POINT_ACCELERATION, TRAVEL
+from benchdragon.kernels.motion_bounds import BenchBound, HandleBound
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.separation_bounds import face_bound
 from benchdragon.kernels.time_of_impact import (
-    CLEAR,
-    FALLEN,
-    GRAZE,
-    LEAST,
-    NEAREST,
-    PAIR,
-    UPPER,
     Chain,
+    Ending,
+    Goal,
     Limits,
+    Note,
     Pairs,
     Search,
     activate_pairs,
@@ -36,8 +32,13 @@ from benchdragon.kernels.time_of_impact import (
     evaluate_slot,
 )
 
-# How a search ended, besides the ways of kernels/time_of_impact.py: room for more pairs is needed.
-CROWDED = 7
+
+class PairsEnding(Ending):
+    """How a search ended: besides its own ways, room for more pairs is needed."""
+
+    CROWDED = 7
+
+
 # What two benches of a dragon placed cost, in handles placed.
 PAIR_WORK = 0.02
 
@@ -57,7 +58,7 @@ def grow(circles: Circles, search: Search) -> None:
     """Fill centres and reach for the step from slot 0."""
     centres(search.boxes, circles.cx, circles.cy)
     for i in range(circles.reach.shape[0]):
-        circles.reach[i] = circles.radius[i] + search.sweeps[i, TRAVEL]
+        circles.reach[i] = circles.radius[i] + search.sweeps[i, BenchBound.TRAVEL]
 
 
 @kernel
@@ -70,7 +71,7 @@ def near_in_step(
     """
     cx, cy, reach, apart = circles.cx, circles.cy, circles.reach, circles.apart
     count, found = reach.shape[0], 0
-    boxes, sweeps, h = search.boxes, search.sweeps, search.handles[0, PATH]
+    boxes, sweeps, h = search.boxes, search.sweeps, search.handles[0, HandleBound.PATH]
     grow(circles, search)
     for i in range(2, count):
         most = reach[i] + wanted
@@ -79,10 +80,13 @@ def near_in_step(
             apart[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2 - near * near
         for j in range(i - 1):
             if apart[j] <= 0.0:
-                spent = sweeps[i, TRAVEL] + sweeps[j, TRAVEL]
+                spent = sweeps[i, BenchBound.TRAVEL] + sweeps[j, BenchBound.TRAVEL]
                 if box_gap(boxes, j, i) > wanted + spent:
                     continue
-                if sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] < math.inf:
+                if (
+                    sweeps[i, BenchBound.POINT_ACCELERATION] + sweeps[j, BenchBound.POINT_ACCELERATION]
+                    < math.inf
+                ):
                     if face_bound(boxes, sweeps, count, j, i, h) > wanted:
                         continue
                     if face_bound(boxes, sweeps, count, i, j, h) > wanted:
@@ -101,19 +105,19 @@ def search_near(
     """Search the step from slot 0 to slot 1, both placed, for `goal`: see `search_all_pairs`."""
     count = chain.members.shape[0]
     bound_members(chain, search, 1)
-    near = note[NEAREST] - limits.slack if goal == LEAST else limits.margin + limits.slack
+    near = note[Note.NEAREST] - limits.slack if goal == Goal.LEAST else limits.margin + limits.slack
     found = near_in_step(search, circles, near, scratch.first, scratch.second)
     if found > scratch.first.shape[0]:
-        return CROWDED
+        return PairsEnding.CROWDED
     if found == 0:
         close_left(search, 1, chain.links.shape[0] + 1, count)
-        return CLEAR
+        return Ending.CLEAR
     activate_pairs(search, found)
-    before, note[PAIR] = note[PAIR], -1.0
+    before, note[Note.PAIR] = note[Note.PAIR], -1.0
     pairs = Pairs(scratch.first[:found], scratch.second[:found])
     ending = bisect(search, goal, chain, pairs, 1, 2, limits, note)
-    p = int(note[PAIR])
-    note[PAIR] = before if p < 0 else float(pairs.first[p] * count + pairs.second[p])
+    p = int(note[Note.PAIR])
+    note[Note.PAIR] = before if p < 0 else float(pairs.first[p] * count + pairs.second[p])
     return ending
 
 
@@ -130,7 +134,7 @@ def search_steps(
     circles = Circles(scratch[0][:n], scratch[1][:n], scratch[2][:n], scratch[3][:n], scratch[4][:n])
     radii(sizes, circles.radius)
     chain = Chain(rows, links, aside, sizes, members, search.boxes[:0], search.boxes[:0])
-    pairs, worst = Pairs(first, second), CLEAR
+    pairs, worst = Pairs(first, second), Ending.CLEAR
     search.at[0] = at[0]
     if not evaluate_slot(chain, search, 0, 0):
         return stopped(search, 0, note)
@@ -139,7 +143,9 @@ def search_steps(
         if not evaluate_slot(chain, search, 1, 0):
             return stopped(search, 1, note)
         ending = search_near(search, goal, chain, circles, pairs, limits, note)
-        if ending not in (CLEAR, GRAZE) or (ending == GRAZE and goal != LEAST):
+        if ending not in (Ending.CLEAR, Ending.GRAZE) or (
+            ending == Ending.GRAZE and goal != Goal.LEAST
+        ):
             return ending
         worst = max(worst, ending)
     return worst
@@ -148,8 +154,8 @@ def search_steps(
 @kernel
 def stopped(search: Search, slot: int, note: FloatArray) -> int:
     """That the chain cannot stand at a slot."""
-    note[UPPER] = search.at[slot]
-    return FALLEN
+    note[Note.UPPER] = search.at[slot]
+    return Ending.FALLEN
 
 
 @entry

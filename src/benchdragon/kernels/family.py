@@ -12,49 +12,66 @@ from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
 from benchdragon.kernels.box_hierarchy import Kinds
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import FloatArray, spiral_length
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow, spiral_length
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.local_minima import head_where_tail
 from benchdragon.kernels.memory import ROW, Shapes, copy_row, copy_table
 from benchdragon.kernels.motion_bounds import place_chain
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import END_SLACK
-from benchdragon.kernels.route_parts import Pose, farthest, lay_rows, row_count
+from benchdragon.kernels.route_parts import Pose, RoutePart, farthest, lay_rows, row_count
 from benchdragon.kernels.status import TurnStatus
-from benchdragon.kernels.turn_families import three_pieces, turn_parts, two_arcs
+from benchdragon.kernels.turn_families import TurnPiece, three_pieces, turn_parts, two_arcs
 from benchdragon.kernels.workspace import Benches, Walk
 
-# What varies.
-PITCH, DISC, WIDTH, BENCH = 0, 1, 2, 3
-# Kinds of routes: parts that stay, in along one spiral, in and out with a turn between.
-FIXED, SPIRAL_IN, TURN = 0, 1, 2
-# Families of turns.
-ARC_ARC, THREE_PIECES = 0, 1
 
-# The numbers of a plan that its walks are made from; NaN for what it does not say.
-WHAT = 0
-ROUTE = 1
-PITCH_SIZE = 2  # m
-DISC_RADIUS = 3  # m
-START_TURN = 4
-HANDED = 5  # +1, or -1 if mirrored
-TURN_FAMILY = 6
-ENTRY_RADIUS = 7  # m
-EXIT_RADIUS = 8
-RATIO = 9
-FIRST_RADIUS = 10  # of the arcs, m
-LAST_RADIUS = 11
-BEND = 12  # 1/m
-EASE = 13  # m
-POSITION = 14  # of the head at time 0, m
-BEGIN_WAY = 15  # the head's way from time 0 to the start of the walk, m
-END_WAY = 16  # and to its end
-MOST_WAY = 17  # the longest that it ever goes from time 0
-LEAST_SIZE = 18  # values of what varies that a plan may have, m
-MOST_SIZE = 19
-ROOMY = 20  # arcs that a plan does not say are this share of what two equal ones would have
-FITS = 21  # a turn may reach so far out of its disc, m
-NUMBERS = 22
+class Varied(Numbered):
+    """What varies."""
+
+    PITCH, DISC, WIDTH, BENCH = range(4)
+
+
+class RouteKind(Numbered):
+    """Kinds of routes: parts that stay, in along one spiral, in and out with a turn between."""
+
+    FIXED, SPIRAL_IN, TURN = range(3)
+
+
+class TurnKind(Numbered):
+    """Families of turns."""
+
+    ARC_ARC, THREE_PIECES = 0, 1
+
+
+class PlanNumber(Numbered):
+    """The numbers of a plan that its walks are made from; NaN for what it does not say."""
+
+    WHAT = 0
+    ROUTE = 1
+    PITCH_SIZE = 2  # m
+    DISC_RADIUS = 3  # m
+    START_TURN = 4
+    HANDED = 5  # +1, or -1 if mirrored
+    TURN_FAMILY = 6
+    ENTRY_RADIUS = 7  # m
+    EXIT_RADIUS = 8
+    RATIO = 9
+    FIRST_RADIUS = 10  # of the arcs, m
+    LAST_RADIUS = 11
+    BEND = 12  # 1/m
+    EASE = 13  # m
+    POSITION = 14  # of the head at time 0, m
+    BEGIN_WAY = 15  # the head's way from time 0 to the start of the walk, m
+    END_WAY = 16  # and to its end
+    MOST_WAY = 17  # the longest that it ever goes from time 0
+    LEAST_SIZE = 18  # values of what varies that a plan may have, m
+    MOST_SIZE = 19
+    ROOMY = 20  # arcs that a plan does not say are this share of what two equal ones would have
+    FITS = 21  # a turn may reach so far out of its disc, m
+
+
+PLAN_NUMBERS = len(PlanNumber)
 
 # The head's way between what was searched and a failure, m: more, and it is not known what comes first.
 UNKNOWN = 1e-6
@@ -102,18 +119,18 @@ class Way(NamedTuple):
 @kernel
 def varied(numbers: FloatArray, what: int, column: int, size: float) -> float:
     """A number of the plan, or `size` if it is what varies."""
-    return size if numbers[WHAT] == what else numbers[column]
+    return size if numbers[PlanNumber.WHAT] == what else numbers[column]
 
 
 @kernel
 def size_benches(family: Family, benches: Benches, kinds: Kinds, size: float) -> bool:
     """Fill the benches for a size; whether there can be such."""
-    what, sizes, lever, ahead, sound = family.numbers[WHAT], benches.sizes, 0.0, 0.0, True
+    what, sizes, lever, ahead, sound = family.numbers[PlanNumber.WHAT], benches.sizes, 0.0, 0.0, True
     for i in range(benches.kind.shape[0]):
         for n in range(4):
             sizes[n, i] = family.sizes[n, i]
         if family.share[i] > 0.0:
-            sizes[1 if what == WIDTH else 0, i] = size
+            sizes[1 if what == Varied.WIDTH else 0, i] = size
         link = link_of(sizes, i)
         sound = sound and link >= SHORTEST_LINK and max(sizes[0, i], sizes[1, i]) <= LONGEST_BENCH
         benches.links[i], benches.ahead[i] = link, ahead
@@ -129,16 +146,19 @@ def size_benches(family: Family, benches: Benches, kinds: Kinds, size: float) ->
 def lay_spiral(family: Family, rows: FloatArray, size: float) -> int:
     """Fill the row of a spiral in to the disc, or to the centre; how many there are, 0 or 1."""
     numbers, part = family.numbers, family.parts[:1]
-    pitch, disc = varied(numbers, PITCH, PITCH_SIZE, size), varied(numbers, DISC, DISC_RADIUS, size)
-    k, start = pitch / (2.0 * math.pi), 2.0 * math.pi * numbers[START_TURN]
+    pitch, disc = (
+        varied(numbers, Varied.PITCH, PlanNumber.PITCH_SIZE, size),
+        varied(numbers, Varied.DISC, PlanNumber.DISC_RADIUS, size),
+    )
+    k, start = pitch / (2.0 * math.pi), 2.0 * math.pi * numbers[PlanNumber.START_TURN]
     end = disc / k if disc == disc else 0.0
     if end >= start or max(start * k, spiral_length(k, start)) > curve.MOST_METRES:
         return 0
     for column in range(route_parts.PART_COLUMNS):
         part[0, column] = 0.0
-    part[0, route_parts.PART_KIND], part[0, route_parts.SIZE] = curve.SPIRAL, pitch
-    part[0, route_parts.HAND] = numbers[HANDED]
-    part[0, route_parts.FIRST], part[0, route_parts.LAST] = start, end
+    part[0, RoutePart.KIND], part[0, RoutePart.SIZE] = CurveKind.SPIRAL, pitch
+    part[0, RoutePart.HAND] = numbers[PlanNumber.HANDED]
+    part[0, RoutePart.FIRST], part[0, RoutePart.LAST] = start, end
     lay_rows(part, Pose(0.0, 0.0, 0.0), 0, 0, rows[:1])
     return 1
 
@@ -148,7 +168,7 @@ def greatest_bend(pieces: FloatArray, count: int) -> float:
     """The greatest curvature of the first pieces of a turn, 1/m."""
     most = 0.0
     for n in range(count):
-        most = max(most, abs(pieces[n, families.PIECE_START]), abs(pieces[n, families.PIECE_END]))
+        most = max(most, abs(pieces[n, TurnPiece.START]), abs(pieces[n, TurnPiece.END]))
     return most
 
 
@@ -156,17 +176,27 @@ def greatest_bend(pieces: FloatArray, count: int) -> float:
 def turn_pieces(family: Family, pitch: float, disc: float, entry: float, leave: float) -> int:
     """Fill the pieces of the turn; how many, 0 if there is no such turn."""
     numbers, arcs, pieces = family.numbers, family.arcs, family.pieces
-    if numbers[TURN_FAMILY] == ARC_ARC:
-        count, status = two_arcs(pitch, entry, leave, numbers[RATIO], numbers[EASE], arcs, pieces)
+    if numbers[PlanNumber.TURN_FAMILY] == TurnKind.ARC_ARC:
+        count, status = two_arcs(
+            pitch, entry, leave, numbers[PlanNumber.RATIO], numbers[PlanNumber.EASE], arcs, pieces
+        )
         return count if status == TurnStatus.OK else 0
-    first, last = numbers[FIRST_RADIUS], numbers[LAST_RADIUS]
+    first, last = numbers[PlanNumber.FIRST_RADIUS], numbers[PlanNumber.LAST_RADIUS]
     if first != first:
         count, status = two_arcs(pitch, entry, leave, 1.0, 0.0, arcs, pieces)
         if status != TurnStatus.OK:
             return 0
-        first = last = numbers[ROOMY] * min(1.0 / greatest_bend(pieces, count), 0.5 * disc)
+        first = last = numbers[PlanNumber.ROOMY] * min(1.0 / greatest_bend(pieces, count), 0.5 * disc)
     count, status = three_pieces(
-        pitch, entry, leave, first, numbers[BEND], last, numbers[EASE], arcs, pieces
+        pitch,
+        entry,
+        leave,
+        first,
+        numbers[PlanNumber.BEND],
+        last,
+        numbers[PlanNumber.EASE],
+        arcs,
+        pieces,
     )
     return count if status == TurnStatus.OK else 0
 
@@ -175,8 +205,8 @@ def turn_pieces(family: Family, pitch: float, disc: float, entry: float, leave: 
 def pieces_fit(pieces: FloatArray, count: int, link: float) -> bool:
     """Whether there may be curves like these pieces, and a bench of this link can follow them."""
     for n in range(count):
-        bend = max(abs(pieces[n, families.PIECE_START]), abs(pieces[n, families.PIECE_END]))
-        if not pieces[n, families.PIECE_LENGTH] * bend <= curve.MOST_TURN:
+        bend = max(abs(pieces[n, TurnPiece.START]), abs(pieces[n, TurnPiece.END]))
+        if not pieces[n, TurnPiece.LENGTH] * bend <= curve.MOST_TURN:
             return False
     return link * greatest_bend(pieces, count) < 2.0
 
@@ -187,8 +217,11 @@ def lay_turn(family: Family, links: FloatArray, rows: FloatArray, size: float) -
     numbers, longest, whole = family.numbers, 0.0, 0.0
     for i in range(links.shape[0]):
         longest, whole = max(longest, links[i]), whole + links[i]
-    pitch, disc = varied(numbers, PITCH, PITCH_SIZE, size), varied(numbers, DISC, DISC_RADIUS, size)
-    entry, leave = numbers[ENTRY_RADIUS], numbers[EXIT_RADIUS]
+    pitch, disc = (
+        varied(numbers, Varied.PITCH, PlanNumber.PITCH_SIZE, size),
+        varied(numbers, Varied.DISC, PlanNumber.DISC_RADIUS, size),
+    )
+    entry, leave = numbers[PlanNumber.ENTRY_RADIUS], numbers[PlanNumber.EXIT_RADIUS]
     entry = entry if entry == entry else disc
     leave = leave if leave == leave else entry
     if max(entry, leave) > disc:
@@ -203,8 +236,10 @@ def lay_turn(family: Family, links: FloatArray, rows: FloatArray, size: float) -
         return -wanted
     laid = rows[:wanted]
     lay_rows(parts, Pose(0.0, 0.0, 0.0), 1, count + 1, laid)
-    reach = farthest(laid, laid[1, curve.S_START], laid[wanted - 1, curve.S_START], families.LOOK)
-    return wanted if reach <= disc + numbers[FITS] else 0
+    reach = farthest(
+        laid, laid[1, RouteRow.S_START], laid[wanted - 1, RouteRow.S_START], families.REACH_LOOK
+    )
+    return wanted if reach <= disc + numbers[PlanNumber.FITS] else 0
 
 
 @kernel
@@ -214,26 +249,30 @@ def set_walk(family: Family, walk: Walk, at: Vector, places: Placements, size: f
     `at` and `places` are scratch, of all handles and one slot. A fixed route's rows stay.
     """
     numbers, nowhere = family.numbers, Way(0, math.nan, math.nan)
-    if not numbers[LEAST_SIZE] <= size <= numbers[MOST_SIZE]:
+    if not numbers[PlanNumber.LEAST_SIZE] <= size <= numbers[PlanNumber.MOST_SIZE]:
         return nowhere
     if not size_benches(family, walk.benches, walk.kinds, size):
         return nowhere
     rows, count = walk.rows, walk.rows.shape[0]
-    if numbers[ROUTE] == SPIRAL_IN:
+    if numbers[PlanNumber.ROUTE] == RouteKind.SPIRAL_IN:
         count = lay_spiral(family, rows, size)
-    elif numbers[ROUTE] == TURN:
+    elif numbers[PlanNumber.ROUTE] == RouteKind.TURN:
         count = lay_turn(family, walk.benches.links, rows, size)
     if count <= 0:
         return Way(count, math.nan, math.nan)
-    joint = rows[1, curve.S_START] if numbers[ROUTE] == TURN else 0.0
-    start = numbers[POSITION] if numbers[POSITION] == numbers[POSITION] else joint
-    first, last = start + numbers[BEGIN_WAY], start + numbers[END_WAY]
+    joint = rows[1, RouteRow.S_START] if numbers[PlanNumber.ROUTE] == RouteKind.TURN else 0.0
+    start = (
+        numbers[PlanNumber.POSITION]
+        if numbers[PlanNumber.POSITION] == numbers[PlanNumber.POSITION]
+        else joint
+    )
+    first, last = start + numbers[PlanNumber.BEGIN_WAY], start + numbers[PlanNumber.END_WAY]
     if last != last:  # as the kind of route says
-        last = rows[count - 1, curve.S_START] + rows[count - 1, curve.LENGTH]
-        if numbers[ROUTE] == TURN:
-            out = rows[count - 1, curve.S_START]
+        last = rows[count - 1, RouteRow.S_START] + rows[count - 1, RouteRow.LENGTH]
+        if numbers[PlanNumber.ROUTE] == RouteKind.TURN:
+            out = rows[count - 1, RouteRow.S_START]
             last = head_where_tail(rows[:count], walk.benches.links, out, at, places)
-        if last - start > numbers[MOST_WAY]:
+        if last - start > numbers[PlanNumber.MOST_WAY]:
             return nowhere
     return Way(count, first, last) if first <= last else nowhere
 
@@ -245,7 +284,7 @@ def falls_soon(rows: Table, links: Vector, sound: float, at: Vector, places: Pla
     `at` and `places` are scratch, of all handles and one slot.
     """
     last = rows.shape[0] - 1
-    length = rows[last, curve.S_START] + rows[last, curve.LENGTH]
+    length = rows[last, RouteRow.S_START] + rows[last, RouteRow.LENGTH]
     if sound + 2.0 * UNKNOWN > length + END_SLACK:
         return True
     for n in range(5):

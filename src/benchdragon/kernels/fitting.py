@@ -10,37 +10,29 @@ import numpy as np
 from benchdragon.kernels import route_parts
 from benchdragon.kernels.angles import NEAREST
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.curve import (
-    ARC,
-    CLOTHOID,
-    COLUMNS,
-    LENGTH,
-    LINE,
-    S_START,
-    FloatArray,
-    clothoid_chord,
-)
+from benchdragon.kernels.curve import COLUMNS, CurveKind, FloatArray, RouteRow, clothoid_chord
 from benchdragon.kernels.entries import allocates, entry, kernel
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import IntArray, evaluate
-from benchdragon.kernels.route_parts import Pose, lay_rows, part_end, row_count
+from benchdragon.kernels.route_parts import Pose, RoutePart, lay_rows, part_end, row_count
 from benchdragon.kernels.status import FitStatus, Smoothing
 
 # Newton's method for the shape of a clothoid: 4 steps are usual; half steps where it would overshoot.
-MOST_STEPS = 60
+MOST_NEWTON_STEPS = 60
 # What is left of the ordinate of the end, as a share of the chord: where it stops, and what will do.
 CLOSE, CLOSED = 1e-14, 1e-12
 # A clothoid is this many times longer than its chord at most; one that doubles back is longer.
 LEAST_SHARE = 1e-3
 # Headings that are off their chord by less, rad, are those of a line.
-STRAIGHT = 1e-12
+STRAIGHT_HEADING = 1e-12
 # Nodes of the quadrature over one clothoid, which turns by some 10 rad at most.
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(40)
-NODES = 0.5 * (1.0 + _NODES)
-WEIGHTS = 0.5 * _WEIGHTS
+FITTING_NODES = 0.5 * (1.0 + _NODES)
+FITTING_WEIGHTS = 0.5 * _WEIGHTS
 # A point of a clothoid lies within this of where it should, as a share of its length: rounding.
-ROUNDING = 1e-13
+CLOTHOID_ROUNDING = 1e-13
 # Steps at which a curve is compared with its chord; what may lie between them is added.
-STEPS = 64
+CURVE_STEPS = 64
 
 # Shares of the deviation that leaving out points may take; bends take the rest. All are tried.
 SHARES = (0.0, 0.125, 0.25, 0.5, 0.75)
@@ -59,12 +51,20 @@ MOST_RADIUS = 1e6
 # Share of the first and of the last side of an open line that stays straight.
 STRAIGHT_END = 0.1
 
-# A side of a polyline and the corner at its end, one row: where it starts, m; its length, m, and
-# heading, rad; by how much the corner turns, rad; of a bend of radius 1 m there how far from the corner
-# it begins, how far off it passes, and what each of its clothoids turns, rad; how far the side strays
-# from what was drawn, m; the radius of the bend, infinite where it does not turn.
-SIDE_X, SIDE_Y, SIDE_LENGTH, HEADING, TURN, TANGENT, REACH, EASED, STRAY, RADIUS = range(10)
-SIDE_COLUMNS = 10
+
+class PolylineSide(Numbered):
+    """A side of a polyline and the corner at its end, one row.
+
+    Where it starts, m; its length, m, and heading, rad; by how much the corner turns, rad; of a bend
+    of radius 1 m there how far from the corner it begins, how far off it passes, and what each of its
+    clothoids turns, rad; how far the side strays from what was drawn, m; the radius of the bend,
+    infinite where it does not turn.
+    """
+
+    X, Y, LENGTH, HEADING, TURN, TANGENT, REACH, EASED, STRAY, RADIUS = range(10)
+
+
+SIDE_COLUMNS = len(PolylineSide)
 
 
 @kernel
@@ -80,8 +80,8 @@ def integrals(a: float, change: float, phi0: float) -> tuple[float, float, float
     The heading is a (t^2 - t) + change t + phi0 for t from 0 to 1.
     """
     sine, slope, cosine = 0.0, 0.0, 0.0
-    for n in range(NODES.shape[0]):
-        t, weight = NODES[n], WEIGHTS[n]
+    for n in range(FITTING_NODES.shape[0]):
+        t, weight = FITTING_NODES[n], FITTING_WEIGHTS[n]
         bend = t * t - t
         heading = a * bend + change * t + phi0
         c = weight * math.cos(heading)
@@ -106,11 +106,11 @@ def set_clothoid(poses: FloatArray, n: int, parts: FloatArray) -> FitStatus:
     phi0, phi1 = folded(poses[n, 2] - along), folded(poses[n + 1, 2] - along)
     change, a = phi1 - phi0, 3.0 * (phi0 + phi1)
     left, slope, share = integrals(a, change, phi0)
-    for _step in range(MOST_STEPS):
+    for _step in range(MOST_NEWTON_STEPS):
         if abs(left) <= CLOSE:
             break
         move, before = -left / (slope if slope != 0.0 else 1.0), left
-        for _half in range(MOST_STEPS):
+        for _half in range(MOST_NEWTON_STEPS):
             left, slope, share = integrals(a + move, change, phi0)
             if abs(left) <= abs(before):
                 break
@@ -118,12 +118,20 @@ def set_clothoid(poses: FloatArray, n: int, parts: FloatArray) -> FitStatus:
         a += move
     if abs(left) > CLOSED or share < LEAST_SHARE:
         return FitStatus.DOUBLES_BACK
-    straight = max(abs(phi0), abs(phi1)) <= STRAIGHT
+    straight = max(abs(phi0), abs(phi1)) <= STRAIGHT_HEADING
     length = chord / share
-    add(parts, n, LINE if straight else CLOTHOID, length, poses[n, 0], poses[n, 1], poses[n, 2])
+    add(
+        parts,
+        n,
+        CurveKind.LINE if straight else CurveKind.CLOTHOID,
+        length,
+        poses[n, 0],
+        poses[n, 1],
+        poses[n, 2],
+    )
     if not straight:
-        parts[n, route_parts.FIRST] = (change - a) / length
-        parts[n, route_parts.LAST] = (change + a) / length
+        parts[n, RoutePart.FIRST] = (change - a) / length
+        parts[n, RoutePart.LAST] = (change + a) / length
     return FitStatus.OK
 
 
@@ -133,9 +141,9 @@ def add(
 ) -> None:
     """Let part n be of a kind and a size, m, and begin in a pose."""
     parts[n] = 0.0
-    parts[n, route_parts.PART_KIND], parts[n, route_parts.SIZE] = kind, size
-    parts[n, route_parts.PART_X], parts[n, route_parts.PART_Y] = x, y
-    parts[n, route_parts.PART_ANGLE] = heading
+    parts[n, RoutePart.KIND], parts[n, RoutePart.SIZE] = kind, size
+    parts[n, RoutePart.X], parts[n, RoutePart.Y] = x, y
+    parts[n, RoutePart.ANGLE] = heading
 
 
 @entry
@@ -191,17 +199,17 @@ def bound_to_chord(parts: FloatArray) -> float:
     """
     rows = np.zeros((row_count(parts), COLUMNS))
     lay_rows(parts, Pose(0.0, 0.0, 0.0), 0, 0, rows)
-    length = rows[-1, S_START] + rows[-1, LENGTH]
-    s, found = np.empty(STEPS + 1), np.empty((STEPS + 1, 4))
-    for n in range(STEPS):
-        s[n] = n * (length / STEPS)
-    s[STEPS] = length
+    length = rows[-1, RouteRow.S_START] + rows[-1, RouteRow.LENGTH]
+    s, found = np.empty(CURVE_STEPS + 1), np.empty((CURVE_STEPS + 1, 4))
+    for n in range(CURVE_STEPS):
+        s[n] = n * (length / CURVE_STEPS)
+    s[CURVE_STEPS] = length
     evaluate(rows, s, found)
     worst = 0.0
-    for n in range(STEPS + 1):
-        worst = max(worst, off_segment(found, n, 0, STEPS))
-    bend = max(abs(found[0, 3]), abs(found[STEPS, 3]))
-    return worst + 0.125 * bend * (length / STEPS) ** 2 + ROUNDING * length
+    for n in range(CURVE_STEPS + 1):
+        worst = max(worst, off_segment(found, n, 0, CURVE_STEPS))
+    bend = max(abs(found[0, 3]), abs(found[CURVE_STEPS, 3]))
+    return worst + 0.125 * bend * (length / CURVE_STEPS) ** 2 + CLOTHOID_ROUNDING * length
 
 
 @kernel
@@ -304,26 +312,33 @@ def set_sides(
     count, size, sharpest = sides.shape[0], points.shape[0], 0
     for n in range(count):
         a, b = kept[n], kept[n + 1] % size
-        sides[n, SIDE_X], sides[n, SIDE_Y] = points[a, 0], points[a, 1]
-        sides[n, SIDE_LENGTH] = math.hypot(points[b, 0] - points[a, 0], points[b, 1] - points[a, 1])
-        sides[n, HEADING], sides[n, STRAY] = toward(points, a, b), strays[n]
+        sides[n, PolylineSide.X], sides[n, PolylineSide.Y] = points[a, 0], points[a, 1]
+        sides[n, PolylineSide.LENGTH] = math.hypot(
+            points[b, 0] - points[a, 0], points[b, 1] - points[a, 1]
+        )
+        sides[n, PolylineSide.HEADING], sides[n, PolylineSide.STRAY] = toward(points, a, b), strays[n]
     for n in range(count):
-        sides[n, TURN] = folded(sides[(n + 1) % count, HEADING] - sides[n, HEADING])
+        sides[n, PolylineSide.TURN] = folded(
+            sides[(n + 1) % count, PolylineSide.HEADING] - sides[n, PolylineSide.HEADING]
+        )
         if n == count - 1 and not closed:
-            sides[n, TURN] = 0.0
-        if abs(sides[n, TURN]) > abs(sides[sharpest, TURN]) * route_parts.EQUAL:
+            sides[n, PolylineSide.TURN] = 0.0
+        if (
+            abs(sides[n, PolylineSide.TURN])
+            > abs(sides[sharpest, PolylineSide.TURN]) * route_parts.EQUAL
+        ):
             sharpest = n
-        half = 0.5 * abs(sides[n, TURN])
+        half = 0.5 * abs(sides[n, PolylineSide.TURN])
         eased = EASED_SHARE * half if smooth == Smoothing.G2 else 0.0
         x, y = math.sin(eased), math.cos(eased)
         if eased > 0.0:
             x, end = clothoid_chord(2.0 * eased, 0.0, 0.5 / eased)
             y += end
         # The arc's centre is at (x - sin, y) from the start of the bend, along the side and across.
-        sides[n, TANGENT] = x - math.sin(eased) + y * math.tan(half)
+        sides[n, PolylineSide.TANGENT] = x - math.sin(eased) + y * math.tan(half)
         # y / cos(half) - 1, without cancelling: y is 1 and a little more.
-        sides[n, REACH] = (y - 1.0 + 2.0 * math.sin(0.5 * half) ** 2) / math.cos(half)
-        sides[n, EASED] = eased
+        sides[n, PolylineSide.REACH] = (y - 1.0 + 2.0 * math.sin(0.5 * half) ** 2) / math.cos(half)
+        sides[n, PolylineSide.EASED] = eased
     return sharpest
 
 
@@ -339,11 +354,17 @@ def set_radii(sides: FloatArray, closed: bool, left: float) -> float:
     count = sides.shape[0]
     wanted, tangent, room, fair = np.empty((4, count))
     for n in range(count):
-        reach = left - max(sides[n, STRAY], sides[(n + 1) % count, STRAY])
-        wanted[n] = min(reach / sides[n, REACH], MOST_RADIUS) if sides[n, REACH] > 0.0 else MOST_RADIUS
-        tangent[n] = sides[n, TANGENT] if abs(sides[n, TURN]) > LEAST_TURN else 0.0
+        reach = left - max(sides[n, PolylineSide.STRAY], sides[(n + 1) % count, PolylineSide.STRAY])
+        wanted[n] = (
+            min(reach / sides[n, PolylineSide.REACH], MOST_RADIUS)
+            if sides[n, PolylineSide.REACH] > 0.0
+            else MOST_RADIUS
+        )
+        tangent[n] = (
+            sides[n, PolylineSide.TANGENT] if abs(sides[n, PolylineSide.TURN]) > LEAST_TURN else 0.0
+        )
         end = not closed and (n == 0 or n == count - 1)
-        room[n] = sides[n, SIDE_LENGTH] * (1.0 - STRAIGHT_END if end else 1.0)
+        room[n] = sides[n, PolylineSide.LENGTH] * (1.0 - STRAIGHT_END if end else 1.0)
     for n in range(count):
         both = tangent[n - 1] + tangent[n]
         fair[n] = room[n] / both if both > 0.0 else math.inf
@@ -362,8 +383,8 @@ def set_radii(sides: FloatArray, closed: bool, left: float) -> float:
                 left = min(room[n] - taken[n - 1], room[after] - taken[after])
             taken[n] = max(taken[n], min(wanted[n] * tangent[n], left))
     for n in range(count):
-        sides[n, RADIUS] = taken[n] / tangent[n] if tangent[n] else math.inf
-        least = min(least, sides[n, RADIUS])
+        sides[n, PolylineSide.RADIUS] = taken[n] / tangent[n] if tangent[n] else math.inf
+        least = min(least, sides[n, PolylineSide.RADIUS])
     return least
 
 
@@ -376,20 +397,40 @@ def rounded_sides(sides: FloatArray, closed: bool, parts: FloatArray) -> tuple[i
     """
     count, k, bound, row = sides.shape[0], 0, 0.0, np.empty((1, COLUMNS))
     last = sides[count - 1]
-    begin = last[RADIUS] * last[TANGENT] if closed and last[RADIUS] < math.inf else 0.0
+    begin = (
+        last[PolylineSide.RADIUS] * last[PolylineSide.TANGENT]
+        if closed and last[PolylineSide.RADIUS] < math.inf
+        else 0.0
+    )
     for n in range(count):
         side, after = sides[n], sides[(n + 1) % count]
-        radius = side[RADIUS] if side[RADIUS] < math.inf else 0.0
-        tangent, heading = radius * side[TANGENT], side[HEADING]
-        c, s, length = math.cos(heading), math.sin(heading), side[SIDE_LENGTH]
-        x, y = side[SIDE_X], side[SIDE_Y]
-        bound = max(bound, max(side[STRAY], after[STRAY]) + radius * side[REACH])
+        radius = side[PolylineSide.RADIUS] if side[PolylineSide.RADIUS] < math.inf else 0.0
+        tangent, heading = radius * side[PolylineSide.TANGENT], side[PolylineSide.HEADING]
+        c, s, length = math.cos(heading), math.sin(heading), side[PolylineSide.LENGTH]
+        x, y = side[PolylineSide.X], side[PolylineSide.Y]
+        bound = max(
+            bound,
+            max(side[PolylineSide.STRAY], after[PolylineSide.STRAY])
+            + radius * side[PolylineSide.REACH],
+        )
         if length - begin - tangent > LEAST_LINE:
-            add(parts, k, LINE, length - begin - tangent, x + begin * c, y + begin * s, heading)
+            add(
+                parts,
+                k,
+                CurveKind.LINE,
+                length - begin - tangent,
+                x + begin * c,
+                y + begin * s,
+                heading,
+            )
             k += 1
         if tangent > 0.0:
-            start = Pose(after[SIDE_X] - tangent * c, after[SIDE_Y] - tangent * s, heading)
-            k = add_bend(parts, k, radius, side[TURN], side[EASED], start, row)
+            start = Pose(
+                after[PolylineSide.X] - tangent * c, after[PolylineSide.Y] - tangent * s, heading
+            )
+            k = add_bend(
+                parts, k, radius, side[PolylineSide.TURN], side[PolylineSide.EASED], start, row
+            )
         begin = tangent
     return k, bound
 
@@ -400,19 +441,19 @@ def add_bend(
 ) -> int:
     """Add to n parts an arc, or clothoid, arc and clothoid, that begin in a pose; how many then."""
     if eased == 0.0:
-        add(parts, n, ARC, radius, start.x, start.y, start.heading)
-        parts[n, route_parts.FIRST] = turn
+        add(parts, n, CurveKind.ARC, radius, start.x, start.y, start.heading)
+        parts[n, RoutePart.FIRST] = turn
         return n + 1
     side = math.copysign(1.0, turn)
     length = 2.0 * radius * eased
-    add(parts, n, CLOTHOID, length, start.x, start.y, start.heading)
-    parts[n, route_parts.LAST] = side / radius
+    add(parts, n, CurveKind.CLOTHOID, length, start.x, start.y, start.heading)
+    parts[n, RoutePart.LAST] = side / radius
     pose = part_end(parts, n, row)
-    add(parts, n + 1, ARC, radius, pose.x, pose.y, pose.heading)
-    parts[n + 1, route_parts.FIRST] = turn - 2.0 * side * eased
+    add(parts, n + 1, CurveKind.ARC, radius, pose.x, pose.y, pose.heading)
+    parts[n + 1, RoutePart.FIRST] = turn - 2.0 * side * eased
     pose = part_end(parts, n + 1, row)
-    add(parts, n + 2, CLOTHOID, length, pose.x, pose.y, pose.heading)
-    parts[n + 2, route_parts.FIRST] = side / radius
+    add(parts, n + 2, CurveKind.CLOTHOID, length, pose.x, pose.y, pose.heading)
+    parts[n + 2, RoutePart.FIRST] = side / radius
     return n + 3
 
 
@@ -437,14 +478,14 @@ def rounded_line(
         count = simplified(points, closed, tolerance, kept, strays)
         sides = np.empty((count, SIDE_COLUMNS))
         sharpest = set_sides(points, closed, kept, strays, smooth, sides)
-        hairpin = abs(sides[sharpest, TURN]) > MOST_CORNER
+        hairpin = abs(sides[sharpest, PolylineSide.TURN]) > MOST_CORNER
         least = -1.0 if hairpin else set_radii(sides, closed, left)
         if least > widest:
             best, widest = tolerance, least
     count = simplified(points, closed, best, kept, strays)
     sides = np.empty((count, SIDE_COLUMNS))
     sharpest = set_sides(points, closed, kept, strays, smooth, sides)
-    if abs(sides[sharpest, TURN]) > MOST_CORNER:
+    if abs(sides[sharpest, PolylineSide.TURN]) > MOST_CORNER:
         return FitStatus.HAIRPIN, kept[sharpest + 1] % size, off
     set_radii(sides, closed, left)
     made, bound = rounded_sides(sides, closed, parts)

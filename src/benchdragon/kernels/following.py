@@ -13,6 +13,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drawn_route import cubic, even
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.frames import QUANTUM, position
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.status import Status
 
 # Ways behind are kept to this, m, and their changes, m a metre; in four bytes up to LARGEST.
@@ -23,9 +24,24 @@ LONGEST, MOST_NODES = 20.0, 4096
 NARROW = 1e-6
 # How often it is halved where the handle in front is.
 HALVINGS = 60
-# Columns of stretches: where the first node is, m, how far apart nodes are, its number, and how many.
-START, STEP, FIRST, NODES, STRETCH_COLUMNS = 0, 1, 2, 3, 4
-WAY, RATE = 0, 1
+
+
+class NodeStretch(Numbered):
+    """Columns of stretches.
+
+    Where the first node is, m, how far apart nodes are, its number, and how many.
+    """
+
+    START, STEP, FIRST, NODES = range(4)
+
+
+STRETCH_COLUMNS = len(NodeStretch)
+
+
+class WayNode(Numbered):
+    """Columns of nodes: the way behind, m, and its change, m a metre."""
+
+    WAY, RATE = 0, 1
 
 
 class Tables(NamedTuple):
@@ -104,16 +120,16 @@ def behind(tables: Tables, kind: int, s: float) -> tuple[float, float]:
     low, high = tables.ends[kind - 1] if kind > 0 else 0, tables.ends[kind] - 1
     while low < high:
         middle = (low + high + 1) // 2
-        if tables.stretches[middle, START] <= s:
+        if tables.stretches[middle, NodeStretch.START] <= s:
             low = middle
         else:
             high = middle - 1
-    step, nodes = tables.stretches[low, STEP], tables.nodes
-    along = (s - tables.stretches[low, START]) / step
-    node = min(max(math.floor(along), 0), int(tables.stretches[low, NODES]) - 2)
-    f, k = along - node, node + int(tables.stretches[low, FIRST])
-    a, rise = nodes[WAY, k] * FINE, (nodes[WAY, k + 1] - nodes[WAY, k]) * FINE
-    r0, r1, rest = nodes[RATE, k] * FINE, nodes[RATE, k + 1] * FINE, 1.0 - f
+    step, nodes = tables.stretches[low, NodeStretch.STEP], tables.nodes
+    along = (s - tables.stretches[low, NodeStretch.START]) / step
+    node = min(max(math.floor(along), 0), int(tables.stretches[low, NodeStretch.NODES]) - 2)
+    f, k = along - node, node + int(tables.stretches[low, NodeStretch.FIRST])
+    a, rise = nodes[WayNode.WAY, k] * FINE, (nodes[WayNode.WAY, k + 1] - nodes[WayNode.WAY, k]) * FINE
+    r0, r1, rest = nodes[WayNode.RATE, k] * FINE, nodes[WayNode.RATE, k + 1] * FINE, 1.0 - f
     way = cubic(a, a + rise, step * r0, step * r1, f)
     rate = 6.0 * f * rest * rise / step + rest * (1.0 - 3.0 * f) * r0 + f * (3.0 * f - 2.0) * r1
     return s - tables.links[kind] - way, 1.0 - rate
@@ -127,10 +143,19 @@ def fill_stretch(
     """Fill stretch n of a table with so many nodes: how far it is off, m; infinite if none can tell."""
     (low, high), row, looks, error = span, tables.stretches[n], 4 * count - 3, 0.0
     links, inside = tables.links[kind : kind + 1], (high - low) * 1e-10  # rates of this side
-    first = int(tables.stretches[n - 1, FIRST] + tables.stretches[n - 1, NODES]) if n > 0 else 0
+    first = (
+        int(tables.stretches[n - 1, NodeStretch.FIRST] + tables.stretches[n - 1, NodeStretch.NODES])
+        if n > 0
+        else 0
+    )
     if first + count > tables.nodes.shape[1]:
         return math.inf
-    row[START], row[STEP], row[FIRST], row[NODES] = low, (high - low) / (count - 1), first, count
+    row[NodeStretch.START], row[NodeStretch.STEP], row[NodeStretch.FIRST], row[NodeStretch.NODES] = (
+        low,
+        (high - low) / (count - 1),
+        first,
+        count,
+    )
     for look in range(2):  # at nodes, then at all places
         for k in range(0, looks, 1 if look else 4):
             s = even(low + inside, high - inside, k, looks)
@@ -143,8 +168,8 @@ def fill_stretch(
             if look:
                 error = max(error, abs(behind(tables, kind, s)[0] - rear))
             else:
-                tables.nodes[WAY, first + k // 4] = math.floor(way / FINE + 0.5)
-                tables.nodes[RATE, first + k // 4] = math.floor(rate / FINE + 0.5)
+                tables.nodes[WayNode.WAY, first + k // 4] = math.floor(way / FINE + 0.5)
+                tables.nodes[WayNode.RATE, first + k // 4] = math.floor(rate / FINE + 0.5)
     return error
 
 

@@ -6,21 +6,9 @@ from enum import IntEnum
 import numpy as np
 
 from benchdragon.kernels.arrays import Table, Vector
-from benchdragon.kernels.curve import ARC, COLUMNS, LINE, SPIRAL, FloatArray
+from benchdragon.kernels.curve import COLUMNS, CurveKind, FloatArray
 from benchdragon.kernels.entries import allocates, entry, kernel
-from benchdragon.kernels.route_parts import (
-    FIRST,
-    HAND,
-    LAST,
-    PART_ANGLE,
-    PART_KIND,
-    PART_X,
-    PART_Y,
-    SIZE,
-    move_parts,
-    part_end,
-    put_part,
-)
+from benchdragon.kernels.route_parts import RoutePart, move_parts, part_end, put_part
 
 # Parts of the longest formation: three plum blossoms, walked round 20 times, have 121.
 MOST_PARTS = 128
@@ -42,7 +30,7 @@ class FormationKind(IntEnum):
 def add(parts: FloatArray, n: int, kind: float, size: float, first: float) -> int:
     """Let part n be a line of a length, or an arc of a radius, m, and a sweep, rad; n + 1."""
     parts[n] = 0.0
-    parts[n, PART_KIND], parts[n, SIZE], parts[n, FIRST] = kind, size, first
+    parts[n, RoutePart.KIND], parts[n, RoutePart.SIZE], parts[n, RoutePart.FIRST] = kind, size, first
     return n + 1
 
 
@@ -52,10 +40,10 @@ def add_coil(parts: FloatArray, n: int, pitch: float, start: float, end: float, 
     mirrored = (end < start) != clockwise
     winding = max(start, end) * 2.0 * math.pi / pitch
     k = pitch / (2.0 * math.pi)
-    add(parts, n, SPIRAL, pitch, start / k)
-    parts[n, LAST] = end / k
-    parts[n, PART_ANGLE] = winding if mirrored else -winding
-    parts[n, HAND] = -1.0 if mirrored else 1.0
+    add(parts, n, CurveKind.SPIRAL, pitch, start / k)
+    parts[n, RoutePart.LAST] = end / k
+    parts[n, RoutePart.ANGLE] = winding if mirrored else -winding
+    parts[n, RoutePart.HAND] = -1.0 if mirrored else 1.0
     return n + 1
 
 
@@ -71,8 +59,8 @@ def formation_parts(kind: FormationKind, sizes: Vector, clockwise: bool, parts: 
     if kind == FormationKind.COIL_IN or kind == FormationKind.COIL_OUT:
         return add_coil(parts, 0, sizes[0], sizes[1], sizes[2], clockwise)
     if kind == FormationKind.STRAIGHT_DRAGON:
-        n = add(parts, 0, LINE, sizes[0], 0.0)
-        parts[0, PART_X] = -0.5 * sizes[0]
+        n = add(parts, 0, CurveKind.LINE, sizes[0], 0.0)
+        parts[0, RoutePart.X] = -0.5 * sizes[0]
     elif kind == FormationKind.DOUBLE_DOOR:
         n = double_door(parts, sizes, clockwise, row)
     elif kind == FormationKind.FIGURE_EIGHT:
@@ -94,7 +82,7 @@ def double_door(parts: FloatArray, sizes: FloatArray, clockwise: bool, row: Floa
     add_coil(parts, 0, pitch, inner, outer, clockwise)
     # Turned about its centre so that it leaves along the axis of x, then moved to the left.
     move_parts(parts[:1], -part_end(parts, 0, row).heading, -(outer + 0.5 * between), 0.0)
-    add(parts, 1, LINE, -2.0 * part_end(parts, 0, row).x, 0.0)
+    add(parts, 1, CurveKind.LINE, -2.0 * part_end(parts, 0, row).x, 0.0)
     return add_coil(parts, 2, pitch, outer, inner, clockwise)
 
 
@@ -102,12 +90,12 @@ def double_door(parts: FloatArray, sizes: FloatArray, clockwise: bool, row: Floa
 def figure_eight(parts: FloatArray, side: float, r: float, rounds: int) -> int:
     """Two loops joined by straight lines that cross at right angles at the origin."""
     half, whole = 0.75 * math.pi * side, -1.5 * math.pi * side
-    n = add(parts, 0, ARC, r, half)
-    parts[0, PART_X], parts[0, PART_ANGLE] = (1.0 + math.sqrt(2.0)) * r, 0.5 * math.pi * side
+    n = add(parts, 0, CurveKind.ARC, r, half)
+    parts[0, RoutePart.X], parts[0, RoutePart.ANGLE] = (1.0 + math.sqrt(2.0)) * r, 0.5 * math.pi * side
     for loop in range(2 * rounds):
-        n = add(parts, n, LINE, 2.0 * r, 0.0)
-        n = add(parts, n, ARC, r, -whole if loop % 2 else whole)
-    parts[n - 1, FIRST] = half
+        n = add(parts, n, CurveKind.LINE, 2.0 * r, 0.0)
+        n = add(parts, n, CurveKind.ARC, r, -whole if loop % 2 else whole)
+    parts[n - 1, RoutePart.FIRST] = half
     return n
 
 
@@ -115,12 +103,12 @@ def figure_eight(parts: FloatArray, side: float, r: float, rounds: int) -> int:
 def three_plum_blossoms(parts: FloatArray, side: float, r: float, waist: float, rounds: int) -> int:
     """The outline of three round petals, with bends the other way between them."""
     third = 120.0 * (math.pi / 180.0) * side
-    n = add(parts, 0, ARC, r, third)
-    parts[0, PART_X], parts[0, PART_ANGLE] = 2.0 * r + waist, 0.5 * math.pi * side
+    n = add(parts, 0, CurveKind.ARC, r, third)
+    parts[0, RoutePart.X], parts[0, RoutePart.ANGLE] = 2.0 * r + waist, 0.5 * math.pi * side
     for _petal in range(3 * rounds):
-        n = add(parts, n, ARC, waist, -third)
-        n = add(parts, n, ARC, r, 2.0 * third)
-    parts[n - 1, FIRST] = third
+        n = add(parts, n, CurveKind.ARC, waist, -third)
+        n = add(parts, n, CurveKind.ARC, r, 2.0 * third)
+    parts[n - 1, RoutePart.FIRST] = third
     return n
 
 
@@ -129,11 +117,14 @@ def tail_swing(parts: FloatArray, side: float, swing: float, r: float, swings: i
     """A line, bends to and fro, and a line, along the axis of x; the middle is the origin."""
     angle, n = math.acos(1.0 - 0.5 * swing / r), 0
     if run > 0.0:
-        n = add(parts, n, LINE, run, 0.0)
+        n = add(parts, n, CurveKind.LINE, run, 0.0)
     for bend in range(swings + 1):
         half = 1.0 if bend in (0, swings) else 2.0
-        n = add(parts, n, ARC, r, half * angle * (-side if bend % 2 else side))
+        n = add(parts, n, CurveKind.ARC, r, half * angle * (-side if bend % 2 else side))
     if run > 0.0:
-        n = add(parts, n, LINE, run, 0.0)
-    parts[0, PART_X], parts[0, PART_Y] = -swings * r * math.sin(angle) - run, -0.5 * side * swing
+        n = add(parts, n, CurveKind.LINE, run, 0.0)
+    parts[0, RoutePart.X], parts[0, RoutePart.Y] = (
+        -swings * r * math.sin(angle) - run,
+        -0.5 * side * swing,
+    )
     return n

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from benchdragon.kernels.arrays import IntTable, Table, Vector
 from benchdragon.kernels.chain import Placements, march
-from benchdragon.kernels.curve import S_START, FloatArray, length_at
+from benchdragon.kernels.curve import FloatArray, RouteRow, length_at
 from benchdragon.kernels.drawn_route import cubic
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import IntArray
@@ -38,7 +38,7 @@ def quanta(value: float) -> int:
 def position(rows: FloatArray, places: Placements, i: int, t: int) -> float:
     """Where handle i is in slot t, m along the route."""
     j = places.row[i, t]
-    return float(rows[j, S_START] + length_at(rows, j, places.u[i, t]))
+    return float(rows[j, RouteRow.S_START] + length_at(rows, j, places.u[i, t]))
 
 
 @kernel

@@ -13,19 +13,26 @@ from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray, place
 from benchdragon.kernels.entries import allocates, entry, kernel
-from benchdragon.kernels.motion_bounds import bound_bench, heading_bound
+from benchdragon.kernels.motion_bounds import BenchBound, HandleBound, bound_bench, heading_bound
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import locate
 from benchdragon.kernels.swept_boxes import walks_on
 
 # Corners of a bench at the two ends of a step.
 CORNERS = 8
-# Columns of a table of slabs, one row a cell of the route.
-X, Y = 0, 1  # where the cell begins, m
-ALONG_X, ALONG_Y = 2, 3  # direction of its chord; of the route, if it has no length
-LOW, HIGH = 4, 5  # from where to where along the chord what lies square to the route in it is, m
-AROUND = 6  # at most how far the route, and what is covered, leave chord and hulls, m
-SWING = 7  # at least what the route turns by in it in all, up to a quarter turn, rad
-SLAB_COLUMNS = 8
+
+
+class Slab(Numbered):
+    """Columns of a table of slabs, one row a cell of the route."""
+
+    X, Y = 0, 1  # where the cell begins, m
+    ALONG_X, ALONG_Y = 2, 3  # direction of its chord; of the route, if it has no length
+    LOW, HIGH = 4, 5  # from where to where along the chord what lies square to the route in it is, m
+    AROUND = 6  # at most how far the route, and what is covered, leave chord and hulls, m
+    SWING = 7  # at least what the route turns by in it in all, up to a quarter turn, rad
+
+
+SLAB_COLUMNS = len(Slab)
 
 
 @entry
@@ -46,8 +53,10 @@ def strays(rows: Table, link: Vector, sizes: Table, k: int, places: Placements, 
             out[n] = 0.0
         elif walks_on(rows, places, a, link, handles):
             bound_bench(handles, 0, sizes, k, bench)
-            h = handles[0, bounds.PATH]
-            out[n] = min(0.125 * bench[bounds.POINT_ACCELERATION] * h * h, 0.5 * bench[bounds.TRAVEL])
+            h = handles[0, HandleBound.PATH]
+            out[n] = min(
+                0.125 * bench[BenchBound.POINT_ACCELERATION] * h * h, 0.5 * bench[BenchBound.TRAVEL]
+            )
 
 
 @entry
@@ -84,7 +93,7 @@ def band_sides(
             n += 1
             pairs += 1
     for n in range(ends.shape[0]):
-        around, swing, pad = slabs[n, AROUND], slabs[n, SWING], -slabs[n, LOW]
+        around, swing, pad = slabs[n, Slab.AROUND], slabs[n, Slab.SWING], -slabs[n, Slab.LOW]
         for side in range(2):
             reach = math.hypot(sides[n, side], pad) + around
             if swing < 0.5 * math.pi:
@@ -114,8 +123,13 @@ def set_slab(
     around = 0.5 * (high - low) * math.sin(0.5 * min(turn, math.pi)) + near
     swing = min(turn, 0.5 * math.pi)
     pad = around + (out + around) * math.sin(swing)
-    slabs[n, X], slabs[n, Y], slabs[n, ALONG_X], slabs[n, ALONG_Y] = x, y, tx, ty
-    slabs[n, LOW], slabs[n, HIGH], slabs[n, AROUND], slabs[n, SWING] = -pad, chord + pad, around, swing
+    slabs[n, Slab.X], slabs[n, Slab.Y], slabs[n, Slab.ALONG_X], slabs[n, Slab.ALONG_Y] = x, y, tx, ty
+    slabs[n, Slab.LOW], slabs[n, Slab.HIGH], slabs[n, Slab.AROUND], slabs[n, Slab.SWING] = (
+        -pad,
+        chord + pad,
+        around,
+        swing,
+    )
 
 
 @kernel
@@ -136,10 +150,15 @@ def raise_sides(
     hulls: FloatArray, k: int, slabs: FloatArray, n: int, seen: FloatArray, sides: FloatArray
 ) -> None:
     """Raise sides[n] to how far hull k reaches to the left and right within slab n, m."""
-    tx, ty, low, high = slabs[n, ALONG_X], slabs[n, ALONG_Y], slabs[n, LOW], slabs[n, HIGH]
+    tx, ty, low, high = (
+        slabs[n, Slab.ALONG_X],
+        slabs[n, Slab.ALONG_Y],
+        slabs[n, Slab.LOW],
+        slabs[n, Slab.HIGH],
+    )
     left, right = 0.0, 0.0
     for i in range(CORNERS):
-        dx, dy = hulls[k, 2 * i] - slabs[n, X], hulls[k, 2 * i + 1] - slabs[n, Y]
+        dx, dy = hulls[k, 2 * i] - slabs[n, Slab.X], hulls[k, 2 * i + 1] - slabs[n, Slab.Y]
         seen[0, i], seen[1, i] = dx * tx + dy * ty, dy * tx - dx * ty
         left, right = max(left, seen[1, i]), max(right, -seen[1, i])
     if left <= sides[n, 0] and right <= sides[n, 1]:

@@ -15,24 +15,38 @@ from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.arrays import Stack, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TOTAL, TURNING, Scratch, bound_step
+from benchdragon.kernels.drive import DriveRate, Scratch, bound_step
 from benchdragon.kernels.entries import allocates, entry, kernel
+from benchdragon.kernels.motion_bounds import HandleBound
+from benchdragon.kernels.numbered import Numbered
 
-# Columns of what bounds a handle over a step: w, the turning rate of the bench before it, g, curvature.
-FAST = 0
-TURNING_RATE = 1
-GROWTH_LOW = 2
-GROWTH_HIGH = 3
-BEND = 4
-HULL_COLUMNS = 5
 
-# Limits stand in the order of drive's quantities, SI units, infinite where there is none; then this.
-HEAD = 5
+class HandleHull(Numbered):
+    """Columns of what bounds a handle over a step.
+
+    They are w, the turning rate of the bench before it, g, curvature.
+    """
+
+    FAST = 0
+    TURNING_RATE = 1
+    GROWTH_LOW = 2
+    GROWTH_HIGH = 3
+    BEND = 4
+
+
+HANDLE_HULL_COLUMNS = len(HandleHull)
+
+
+class HeadLimit(DriveRate):
+    """Limits in the order of drive's rates, SI units, infinite where there is none; then the head's."""
+
+    HEAD = 5
+
 
 # Squares of speed at which the least and the greatest acceleration allowed are tabled, a step.
-NODES = 65
+SPEED_NODES = 65
 # Halvings of a square of speed.
-HALVINGS = 52
+SPEED_HALVINGS = 52
 
 
 @kernel
@@ -45,16 +59,23 @@ def widen(
     `even` is the drive of a steady head at 1 m/s, see drive.py.
     """
     table = scratch.table
-    bound_step(rows, links, places, a, a + 1, even, ALONG, scratch)
+    bound_step(rows, links, places, a, a + 1, even, DriveRate.ALONG, scratch)
     for i in range(hull.shape[0]):
-        bent = motion_bounds.magnitude(table[i, motion_bounds.RIGHT], table[i, motion_bounds.LEFT])
-        hull[i, FAST] = max(hull[i, FAST], motion_bounds.ROUNDED_UP * table[i, motion_bounds.SPEED])
-        hull[i, TURNING_RATE] = max(
-            hull[i, TURNING_RATE], motion_bounds.ROUNDED_UP * table[i, motion_bounds.TURNING_RATE]
+        bent = motion_bounds.magnitude(table[i, HandleBound.RIGHT], table[i, HandleBound.LEFT])
+        hull[i, HandleHull.FAST] = max(
+            hull[i, HandleHull.FAST], motion_bounds.ROUNDED_UP * table[i, HandleBound.SPEED]
         )
-        hull[i, GROWTH_LOW] = min(hull[i, GROWTH_LOW], table[i, motion_bounds.GROWTH_LOW])
-        hull[i, GROWTH_HIGH] = max(hull[i, GROWTH_HIGH], table[i, motion_bounds.GROWTH_HIGH])
-        hull[i, BEND] = max(hull[i, BEND], bent)
+        hull[i, HandleHull.TURNING_RATE] = max(
+            hull[i, HandleHull.TURNING_RATE],
+            motion_bounds.ROUNDED_UP * table[i, HandleBound.TURNING_RATE],
+        )
+        hull[i, HandleHull.GROWTH_LOW] = min(
+            hull[i, HandleHull.GROWTH_LOW], table[i, HandleBound.GROWTH_LOW]
+        )
+        hull[i, HandleHull.GROWTH_HIGH] = max(
+            hull[i, HandleHull.GROWTH_HIGH], table[i, HandleBound.GROWTH_HIGH]
+        )
+        hull[i, HandleHull.BEND] = max(hull[i, HandleHull.BEND], bent)
 
 
 @kernel
@@ -64,8 +85,8 @@ def find_hull(
 ) -> None:  # fmt: skip
     """Fill a hull with what holds from the first slot to the last of so many parts of a step."""
     for i in range(hull.shape[0]):
-        hull[i, FAST] = hull[i, TURNING_RATE] = hull[i, BEND] = 0.0
-        hull[i, GROWTH_LOW], hull[i, GROWTH_HIGH] = math.inf, -math.inf
+        hull[i, HandleHull.FAST] = hull[i, HandleHull.TURNING_RATE] = hull[i, HandleHull.BEND] = 0.0
+        hull[i, HandleHull.GROWTH_LOW], hull[i, HandleHull.GROWTH_HIGH] = math.inf, -math.inf
     for k in range(parts):
         widen(rows, links, places, k, even, scratch, hull)
 
@@ -73,16 +94,24 @@ def find_hull(
 @kernel
 def allowed(hull: FloatArray, limits: FloatArray, square: float) -> tuple[float, float]:
     """Least and greatest acceleration of the head with this square of its speed; empty if (1, -1)."""
-    low, high = -limits[HEAD], limits[HEAD]
+    low, high = -limits[HeadLimit.HEAD], limits[HeadLimit.HEAD]
     for i in range(hull.shape[0]):
-        fast = hull[i, FAST]
-        across = fast * fast * square * hull[i, BEND]
-        over = fast * fast * square > limits[SPEEDS] ** 2 or across > min(limits[ACROSS], limits[TOTAL])
-        if over or hull[i, TURNING_RATE] ** 2 * square > limits[TURNING] ** 2:
+        fast = hull[i, HandleHull.FAST]
+        across = fast * fast * square * hull[i, HandleHull.BEND]
+        over = fast * fast * square > limits[DriveRate.SPEEDS] ** 2 or across > min(
+            limits[DriveRate.ACROSS], limits[DriveRate.TOTAL]
+        )
+        if over or hull[i, HandleHull.TURNING_RATE] ** 2 * square > limits[DriveRate.TURNING] ** 2:
             return 1.0, -1.0
-        most = min(limits[ALONG], math.sqrt(max(limits[TOTAL] ** 2 - across * across, 0.0))) / fast
-        low = max(low, -most - hull[i, GROWTH_LOW] * square)
-        high = min(high, most - hull[i, GROWTH_HIGH] * square)
+        most = (
+            min(
+                limits[DriveRate.ALONG],
+                math.sqrt(max(limits[DriveRate.TOTAL] ** 2 - across * across, 0.0)),
+            )
+            / fast
+        )
+        low = max(low, -most - hull[i, HandleHull.GROWTH_LOW] * square)
+        high = min(high, most - hull[i, HandleHull.GROWTH_HIGH] * square)
     return (low, high) if low <= high else (1.0, -1.0)
 
 
@@ -97,7 +126,7 @@ def tabulate(hull: FloatArray, limits: FloatArray, square: float, table: FloatAr
     least, greatest = allowed(hull, limits, square)
     if least <= greatest:
         low = square
-    for _ in range(HALVINGS):
+    for _ in range(SPEED_HALVINGS):
         if low == square:
             break
         middle = 0.5 * (low + high)
@@ -106,16 +135,16 @@ def tabulate(hull: FloatArray, limits: FloatArray, square: float, table: FloatAr
             low = middle
         else:
             high = middle
-    for k in range(NODES):
-        table[k, 0], table[k, 1] = allowed(hull, limits, min(low * k / (NODES - 1), low))
+    for k in range(SPEED_NODES):
+        table[k, 0], table[k, 1] = allowed(hull, limits, min(low * k / (SPEED_NODES - 1), low))
     return low
 
 
 @kernel
 def between(table: FloatArray, n: int, most: float, square: float, side: int) -> float:
     """The least (side 0) or greatest (side 1) acceleration allowed in step n with a square of speed."""
-    place = min(square / most, 1.0) * (NODES - 1) if most > 0.0 else 0.0
-    k = min(int(place), NODES - 2)
+    place = min(square / most, 1.0) * (SPEED_NODES - 1) if most > 0.0 else 0.0
+    k = min(int(place), SPEED_NODES - 2)
     share = place - k
     return float((1.0 - share) * table[n, k, side] + share * table[n, k + 1, side])
 
@@ -136,7 +165,7 @@ def fastest_end(
     """The greatest square of speed at the end of step n, from `known`, which is passable, to `end`."""
     if passable(table, n, most, start, end, length):
         return end
-    for _ in range(HALVINGS):
+    for _ in range(SPEED_HALVINGS):
         middle = 0.5 * (known + end)
         if passable(table, n, most, start, middle, length):
             known = middle
@@ -151,7 +180,7 @@ def way_on(table: FloatArray, n: int, most: float, start: float, end: float, len
     if passable(table, n, most, start, end, length):
         return end
     low, high = 0.0, min(end, start + 2.0 * length * between(table, n, most, start, 1))
-    for _ in range(HALVINGS):  # the greatest that keeps what acceleration is allowed at most
+    for _ in range(SPEED_HALVINGS):  # the greatest that keeps what acceleration is allowed at most
         middle = 0.5 * (low + high)
         if 0.5 * (middle - start) / length <= between(table, n, most, middle, 1):
             low = middle
@@ -177,7 +206,7 @@ def controllable(
         if ends[n] >= 0.0:
             continue
         starts[n], ends[n] = 0.0, 0.0
-        for _ in range(HALVINGS):
+        for _ in range(SPEED_HALVINGS):
             middle = 0.5 * (starts[n] + top)
             known = way_on(table, n, most[n], middle, end, lengths[n])
             if known >= 0.0:

@@ -10,20 +10,67 @@ from typing import NamedTuple
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.numbered import Numbered
 
-# Columns of a piece of the way, along which the squared speed changes evenly: from where to where, m,
-# the squared speeds there, and the seconds of a rest; the last piece has no end.
-FIRST, LAST, BEFORE, AFTER, REST, PIECE_COLUMNS = range(6)
-# Of a knot: s, m from where the walk begins, m/s.
-TIME, WAY, SPEED, KNOT_COLUMNS = range(4)
-# Of a hold: where, m, or from when on, s, infinite if the other says it; for how long, s.
-HELD_WAY, HELD_AT, SECONDS, HOLD_COLUMNS = range(4)
-# Of what came of it: its number, where, from when to when.
-NUMBER, STOOD_WAY, START, END, STOOD_COLUMNS = range(5)
-# Knots and holds stood so far, the hold that is told of, and whether there was no room for a knot.
-KNOTS, STOOD, TOLD, SHORT, COUNTS = range(5)
-# What is wrong with a hold that cannot be; FINE: nothing.
-FINE, OVERLAP, ROOM, UNREACHABLE, OUTSIDE, OVER = range(6)
+
+class HoldPiece(Numbered):
+    """Columns of a piece of the way, along which the squared speed changes evenly.
+
+    From where to where, m, the squared speeds there, and the seconds of a rest; the last piece has no
+    end.
+    """
+
+    FIRST, LAST, BEFORE, AFTER, REST = range(5)
+
+
+HOLD_PIECE_COLUMNS = len(HoldPiece)
+
+
+class Knot(Numbered):
+    """Of a knot: s, m from where the walk begins, m/s."""
+
+    TIME, WAY, SPEED = range(3)
+
+
+KNOT_COLUMNS = len(Knot)
+
+
+class HoldRow(Numbered):
+    """Of a hold: where, m, or from when on, s, infinite if the other says it; for how long, s."""
+
+    WAY, AT, SECONDS = range(3)
+
+
+HOLD_COLUMNS = len(HoldRow)
+
+
+class Stood(Numbered):
+    """Of what came of it: its number, where, from when to when."""
+
+    NUMBER, WAY, START, END = range(4)
+
+
+STOOD_COLUMNS = len(Stood)
+
+
+class HoldCount(Numbered):
+    """What is counted of holds.
+
+    Knots and holds stood so far, the hold that is told of, and whether there was no room for a knot.
+    """
+
+    KNOTS, STOOD, TOLD, SHORT = range(4)
+
+
+HOLD_COUNTS = len(HoldCount)
+
+
+class HoldTrouble(Numbered):
+    """What is wrong with a hold that cannot be; FINE: nothing."""
+
+    FINE, OVERLAP, ROOM, UNREACHABLE, OUTSIDE, OVER = range(6)
+
+
 # Places nearer to one another than this are one, m; rounding of ways is far below.
 SAME_PLACE = 1e-9
 
@@ -43,18 +90,20 @@ class Held(NamedTuple):
 @kernel
 def square_at(pieces: FloatArray, p: int, way: float) -> float:
     """The squared speed at a place on piece p."""
-    before, after = pieces[p, BEFORE], pieces[p, AFTER]
+    before, after = pieces[p, HoldPiece.BEFORE], pieces[p, HoldPiece.AFTER]
     if before == after:
         return before
-    return before + (way - pieces[p, FIRST]) / (pieces[p, LAST] - pieces[p, FIRST]) * (after - before)
+    return before + (way - pieces[p, HoldPiece.FIRST]) / (
+        pieces[p, HoldPiece.LAST] - pieces[p, HoldPiece.FIRST]
+    ) * (after - before)
 
 
 @kernel
 def meets(pieces: FloatArray, p: int, way: float, slope: float) -> float:
     """Where the squared speed is that of a head which stands at `way` and gains `slope` a metre."""
-    own, change = 0.0, pieces[p, AFTER] - pieces[p, BEFORE]
+    own, change = 0.0, pieces[p, HoldPiece.AFTER] - pieces[p, HoldPiece.BEFORE]
     if change != 0.0:
-        own = change / (pieces[p, LAST] - pieces[p, FIRST])
+        own = change / (pieces[p, HoldPiece.LAST] - pieces[p, HoldPiece.FIRST])
     return math.inf if own == slope else way + square_at(pieces, p, way) / (slope - own)
 
 
@@ -62,24 +111,28 @@ def meets(pieces: FloatArray, p: int, way: float, slope: float) -> float:
 def add_knot(held: Held, n: int, time: float, way: float, speed: float) -> int:
     """Put a knot behind n others, if there is room; how many there are then."""
     if n >= held.knots.shape[0]:
-        held.counts[SHORT] = 1
+        held.counts[HoldCount.SHORT] = 1
         return n
-    held.knots[n, TIME], held.knots[n, WAY], held.knots[n, SPEED] = time, way, speed
+    held.knots[n, Knot.TIME], held.knots[n, Knot.WAY], held.knots[n, Knot.SPEED] = time, way, speed
     return n + 1
 
 
 @kernel
 def reach(held: Held, n: int, way: float, speed: float) -> int:
     """Go on from the last of n knots to a place; no knot is added where it is no later."""
-    ahead, pace = way - held.knots[n - 1, WAY], 0.5 * (held.knots[n - 1, SPEED] + speed)
-    time = held.knots[n - 1, TIME] + (ahead / pace if pace != 0.0 else math.inf)
-    return add_knot(held, n, time, way, speed) if time > held.knots[n - 1, TIME] else n
+    ahead, pace = way - held.knots[n - 1, Knot.WAY], 0.5 * (held.knots[n - 1, Knot.SPEED] + speed)
+    time = held.knots[n - 1, Knot.TIME] + (ahead / pace if pace != 0.0 else math.inf)
+    return add_knot(held, n, time, way, speed) if time > held.knots[n - 1, Knot.TIME] else n
 
 
 @kernel
 def next_cut(held: Held, p: int, at: float, last: float, target: float, slope: float) -> float:
     """The next place on piece p at which the squared speed bends, or where it ends."""
-    now, cut, bends = held.knots[held.counts[KNOTS] - 1, WAY], last, held.counts[STOOD] > 0
+    now, cut, bends = (
+        held.knots[held.counts[HoldCount.KNOTS] - 1, Knot.WAY],
+        last,
+        held.counts[HoldCount.STOOD] > 0,
+    )
     if bends:
         place = meets(held.pieces, p, now, slope)
         cut = place if at < place < cut else cut
@@ -97,20 +150,26 @@ def go_ahead(held: Held, target: float, slope: float) -> int:
 
     The last is at an infinite time where the head never comes to that place.
     """
-    pieces, knots, n = held.pieces, held.knots, held.counts[KNOTS]
-    now = knots[n - 1, WAY]
+    pieces, knots, n = held.pieces, held.knots, held.counts[HoldCount.KNOTS]
+    now = knots[n - 1, Knot.WAY]
     if target - now <= SAME_PLACE:
         return n
     for p in range(pieces.shape[0]):
-        at, last = max(pieces[p, FIRST], now), min(pieces[p, LAST], target)
-        if pieces[p, REST] != 0.0 and now < pieces[p, FIRST] < target:
-            n = add_knot(held, n, knots[n - 1, TIME] + pieces[p, REST], pieces[p, FIRST], 0.0)
+        at, last = max(pieces[p, HoldPiece.FIRST], now), min(pieces[p, HoldPiece.LAST], target)
+        if pieces[p, HoldPiece.REST] != 0.0 and now < pieces[p, HoldPiece.FIRST] < target:
+            n = add_knot(
+                held,
+                n,
+                knots[n - 1, Knot.TIME] + pieces[p, HoldPiece.REST],
+                pieces[p, HoldPiece.FIRST],
+                0.0,
+            )
         while at < last:
             at = next_cut(held, p, at, last, target, slope)
             if at == math.inf:
                 break
             square = min(square_at(pieces, p, at), slope * (target - at))
-            if held.counts[STOOD] > 0:
+            if held.counts[HoldCount.STOOD] > 0:
                 square = min(square, slope * (at - now))
             n = reach(held, n, at, math.sqrt(max(square, 0.0)))
     return n
@@ -123,25 +182,25 @@ def brake(held: Held, at: float, rate: float, end: int) -> bool:
     It brakes before as late as it can.
     """
     knots, counts = held.knots, held.counts
-    now = last = counts[KNOTS] - 1
-    while last + 1 < end and knots[last + 1, TIME] < at:
+    now = last = counts[HoldCount.KNOTS] - 1
+    while last + 1 < end and knots[last + 1, Knot.TIME] < at:
         last += 1
-    t, fast = knots[last, TIME], knots[last, SPEED]
-    if at == t and counts[STOOD] == 0:
+    t, fast = knots[last, Knot.TIME], knots[last, Knot.SPEED]
+    if at == t and counts[HoldCount.STOOD] == 0:
         return True
-    if last + 1 < end and knots[last + 1, TIME] < math.inf:
-        fast += (at - t) / (knots[last + 1, TIME] - t) * (knots[last + 1, SPEED] - fast)
+    if last + 1 < end and knots[last + 1, Knot.TIME] < math.inf:
+        fast += (at - t) / (knots[last + 1, Knot.TIME] - t) * (knots[last + 1, Knot.SPEED] - fast)
     u, w = at, fast
     for n in range(last, now - 1, -1):
-        t, v = knots[n, TIME], knots[n, SPEED]
+        t, v = knots[n, Knot.TIME], knots[n, Knot.SPEED]
         early, late = v - rate * (at - t), w - rate * (at - u)
         if early <= 0.0:
             brakes = t if early == 0.0 else t + (u - t) * early / (early - late)
             speed = rate * (at - brakes)
-            place = knots[n, WAY] + 0.5 * (v + speed) * (brakes - t)
+            place = knots[n, Knot.WAY] + 0.5 * (v + speed) * (brakes - t)
             stops = place + 0.5 * speed * (at - brakes)
             count = add_knot(held, n + 1, brakes, place, speed) if t < brakes < at else n + 1
-            counts[KNOTS] = add_knot(held, count, at, stops, 0.0)
+            counts[HoldCount.KNOTS] = add_knot(held, count, at, stops, 0.0)
             return True
         u, w = t, v
     return False
@@ -150,62 +209,74 @@ def brake(held: Held, at: float, rate: float, end: int) -> bool:
 @kernel
 def stand(held: Held, hold: int) -> int:
     """Stand from now on, for as long as a hold says; FINE."""
-    counts, now, seconds = held.counts, held.counts[KNOTS] - 1, held.holds[hold, SECONDS]
-    held.knots[now, SPEED], time, way = 0.0, held.knots[now, TIME], held.knots[now, WAY]
+    counts, now, seconds = (
+        held.counts,
+        held.counts[HoldCount.KNOTS] - 1,
+        held.holds[hold, HoldRow.SECONDS],
+    )
+    held.knots[now, Knot.SPEED], time, way = 0.0, held.knots[now, Knot.TIME], held.knots[now, Knot.WAY]
     end = time + seconds
     for start in held.starts:
         if seconds == math.inf and start >= time:
             end = min(end, start)
-    row, counts[STOOD], held.waiting[hold] = counts[STOOD], counts[STOOD] + 1, 0
-    held.stood[row, NUMBER], held.stood[row, STOOD_WAY] = hold, way
-    held.stood[row, START], held.stood[row, END] = time, end
+    row, counts[HoldCount.STOOD], held.waiting[hold] = (
+        counts[HoldCount.STOOD],
+        counts[HoldCount.STOOD] + 1,
+        0,
+    )
+    held.stood[row, Stood.NUMBER], held.stood[row, Stood.WAY] = hold, way
+    held.stood[row, Stood.START], held.stood[row, Stood.END] = time, end
     if time < end < math.inf:
-        counts[KNOTS] = add_knot(held, now + 1, end, way, 0.0)
-    return FINE
+        counts[HoldCount.KNOTS] = add_knot(held, now + 1, end, way, 0.0)
+    return HoldTrouble.FINE
 
 
 @kernel
 def told(held: Held, hold: int, trouble: int) -> int:
     """The trouble, whose hold is told."""
-    held.counts[TOLD] = hold
+    held.counts[HoldCount.TOLD] = hold
     return trouble
 
 
 @kernel
 def stand_next(held: Held, rate: float) -> int:
     """Go on to the hold that comes first of those waiting, and stand; FINE, or what is wrong."""
-    holds, counts, now = held.holds, held.counts, held.counts[KNOTS] - 1
+    holds, counts, now = held.holds, held.counts, held.counts[HoldCount.KNOTS] - 1
     first = placed = timed = -1
     for n in range(holds.shape[0]):
         if held.waiting[n] > 0:
             first = n if first < 0 else first
-            placed = n if placed < 0 or holds[n, HELD_WAY] < holds[placed, HELD_WAY] else placed
-            timed = n if timed < 0 or holds[n, HELD_AT] < holds[timed, HELD_AT] else timed
-    way, at, stood = holds[placed, HELD_WAY], holds[timed, HELD_AT], counts[STOOD] > 0
-    time, ahead, speed = held.knots[now, TIME], way - held.knots[now, WAY], held.knots[now, SPEED]
+            placed = n if placed < 0 or holds[n, HoldRow.WAY] < holds[placed, HoldRow.WAY] else placed
+            timed = n if timed < 0 or holds[n, HoldRow.AT] < holds[timed, HoldRow.AT] else timed
+    way, at, stood = holds[placed, HoldRow.WAY], holds[timed, HoldRow.AT], counts[HoldCount.STOOD] > 0
+    time, ahead, speed = (
+        held.knots[now, Knot.TIME],
+        way - held.knots[now, Knot.WAY],
+        held.knots[now, Knot.SPEED],
+    )
     if is_over(held):
-        return told(held, first, OVER)
-    if stood and way <= held.knots[now, WAY] + SAME_PLACE:
-        return told(held, placed, OVERLAP)
+        return told(held, first, HoldTrouble.OVER)
+    if stood and way <= held.knots[now, Knot.WAY] + SAME_PLACE:
+        return told(held, placed, HoldTrouble.OVERLAP)
     if at < time or (stood and at == time < math.inf):
-        return told(held, timed, OVERLAP if stood else OUTSIDE)
+        return told(held, timed, HoldTrouble.OVERLAP if stood else HoldTrouble.OUTSIDE)
     if way > SAME_PLACE and speed * speed > 2.0 * rate * ahead:
-        return told(held, placed, ROOM)
+        return told(held, placed, HoldTrouble.ROOM)
     end = go_ahead(held, way, 2.0 * rate)
-    reached = held.knots[end - 1, TIME] if way < math.inf else math.inf
+    reached = held.knots[end - 1, Knot.TIME] if way < math.inf else math.inf
     if at < reached:
-        return stand(held, timed) if brake(held, at, rate, end) else told(held, timed, ROOM)
+        return stand(held, timed) if brake(held, at, rate, end) else told(held, timed, HoldTrouble.ROOM)
     if reached == math.inf:
-        return told(held, placed, UNREACHABLE)
-    counts[KNOTS] = end
+        return told(held, placed, HoldTrouble.UNREACHABLE)
+    counts[HoldCount.KNOTS] = end
     return stand(held, placed)
 
 
 @kernel
 def is_over(held: Held) -> bool:
     """Whether the head stands for good."""
-    count = held.counts[STOOD]
-    return count > 0 and held.stood[count - 1, END] == math.inf
+    count = held.counts[HoldCount.STOOD]
+    return count > 0 and held.stood[count - 1, Stood.END] == math.inf
 
 
 @entry
@@ -215,15 +286,17 @@ def hold_head(held: Held, start: float, rate: float) -> int:
     That of hold counts[TOLD]. The walk begins at `start`, s; `rate`, m/s^2, is that of braking.
     With counts[SHORT] there was no room for all knots: to be asked again with more.
     """
-    for n in range(COUNTS):
+    for n in range(HOLD_COUNTS):
         held.counts[n] = 0
     for n in range(held.holds.shape[0]):
         held.waiting[n] = 1
-    held.counts[KNOTS] = add_knot(held, 0, start, 0.0, math.sqrt(held.pieces[0, BEFORE]))
+    held.counts[HoldCount.KNOTS] = add_knot(
+        held, 0, start, 0.0, math.sqrt(held.pieces[0, HoldPiece.BEFORE])
+    )
     for _hold in range(held.holds.shape[0]):
         trouble = stand_next(held, rate)
-        if trouble != FINE:
+        if trouble != HoldTrouble.FINE:
             return trouble
     if not is_over(held):
-        held.counts[KNOTS] = go_ahead(held, math.inf, 2.0 * rate)
-    return FINE
+        held.counts[HoldCount.KNOTS] = go_ahead(held, math.inf, 2.0 * rate)
+    return HoldTrouble.FINE

@@ -5,7 +5,7 @@ import math
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import box_distance, nearest_pair, set_box
 from benchdragon.kernels.chain import Placements, march
-from benchdragon.kernels.curve import LENGTH, S_START, FloatArray, length_at
+from benchdragon.kernels.curve import FloatArray, RouteRow, length_at
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.status import Status
 
@@ -112,7 +112,7 @@ def head_where_tail(rows: Table, links: Vector, s: float, at: Vector, places: Pl
     `places` is scratch.
     """
     last, tail = rows.shape[0] - 1, links.shape[0]
-    low, high, head = s, rows[last, S_START] + rows[last, LENGTH], s
+    low, high, head = s, rows[last, RouteRow.S_START] + rows[last, RouteRow.LENGTH], s
     for i in range(tail):
         head += links[i]
     while high - low > TAIL_TOLERANCE:
@@ -124,7 +124,11 @@ def head_where_tail(rows: Table, links: Vector, s: float, at: Vector, places: Pl
         march(rows, links, at, 0, 1, places)
         stands = places.failed[0, 0] == Status.OK
         j = places.row[tail, 0]
-        ahead = rows[j, S_START] + length_at(rows, j, places.u[tail, 0]) - s if stands else -math.inf
+        ahead = (
+            rows[j, RouteRow.S_START] + length_at(rows, j, places.u[tail, 0]) - s
+            if stands
+            else -math.inf
+        )
         if ahead >= 0.0:
             high = head
         else:
@@ -146,5 +150,5 @@ def whole_dragon(
     at[0] = head_where_tail(rows, links, 0.0, at, places)
     march(rows, links, at, 0, 1, places)
     j = places.row[links.shape[0], 0]
-    tail = rows[j, S_START] + length_at(rows, j, places.u[links.shape[0], 0])
+    tail = rows[j, RouteRow.S_START] + length_at(rows, j, places.u[links.shape[0], 0])
     return at[0], tail, places.failed[0, 0]

@@ -3,18 +3,26 @@
 import math
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.curve import ARC, KIND, LENGTH, PART, S_START, FloatArray, P, heading, place
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow, heading, place
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import IntArray, locate
 
 # Marks that would be nearer than this along the route, m, are one.
 SAME_MARK = 1e-6
 # Marks nearer than this along the route, m, or than this share of the usual distance, are one, but for
 # start and ends.
-CLOSE, CLOSE_SHARE = 0.2, 0.4
-# What a mark is for: of two in one place the greater is kept; from END on always, unless another such
-# is in the same place.
-STEP, JOINT, END, START = 0, 1, 2, 3
+CLOSE_MARKS, CLOSE_SHARE = 0.2, 0.4
+
+
+class MarkKind(Numbered):
+    """What a mark is for.
+
+    Of two in one place the greater is kept; from END on always, unless another such is in the same
+    place.
+    """
+
+    STEP, JOINT, END, START = range(4)
 
 
 @kernel
@@ -59,19 +67,26 @@ def find_lags(rows: FloatArray, lags: FloatArray) -> int:
     """After how many m a place may come again: whole circles, or between joints in one place."""
     count, last = 0, rows.shape[0] - 1
     for j in range(rows.shape[0]):
-        bend = abs(rows[j, P])
-        if rows[j, KIND] == ARC and rows[j, LENGTH] * bend > math.tau:
+        bend = abs(rows[j, RouteRow.P])
+        if rows[j, RouteRow.KIND] == CurveKind.ARC and rows[j, RouteRow.LENGTH] * bend > math.tau:
             count = add_lag(lags, count, math.tau / bend)
-        if j > 0 and rows[j, PART] == rows[j - 1, PART]:
+        if j > 0 and rows[j, RouteRow.PART] == rows[j - 1, RouteRow.PART]:
             continue
-        x, y, _tx, _ty = place_at(rows, rows[j, S_START])
+        x, y, _tx, _ty = place_at(rows, rows[j, RouteRow.S_START])
         for i in range(j + 1, rows.shape[0] + 1):
-            if i <= last and rows[i, PART] == rows[i - 1, PART]:
+            if i <= last and rows[i, RouteRow.PART] == rows[i - 1, RouteRow.PART]:
                 continue
-            s = rows[i, S_START] if i <= last else rows[last, S_START] + rows[last, LENGTH]
+            s = (
+                rows[i, RouteRow.S_START]
+                if i <= last
+                else rows[last, RouteRow.S_START] + rows[last, RouteRow.LENGTH]
+            )
             to_x, to_y, _tx, _ty = place_at(rows, s)
-            if s - rows[j, S_START] > SAME_MARK and math.hypot(to_x - x, to_y - y) <= SAME_MARK:
-                count = add_lag(lags, count, s - rows[j, S_START])
+            if (
+                s - rows[j, RouteRow.S_START] > SAME_MARK
+                and math.hypot(to_x - x, to_y - y) <= SAME_MARK
+            ):
+                count = add_lag(lags, count, s - rows[j, RouteRow.S_START])
                 break
     return count
 
@@ -106,23 +121,26 @@ def lay_marks(
     """
     count, first = 0, math.ceil((low - start) / every)
     for n in range(first, math.floor((high - start) / every) + 1):
-        count = put_mark(s, kinds, count, start + every * n, STEP)
+        count = put_mark(s, kinds, count, start + every * n, MarkKind.STEP)
     for j in range(1, rows.shape[0]):
-        if rows[j, PART] != rows[j - 1, PART] and low < rows[j, S_START] < high:
-            count = put_mark(s, kinds, count, rows[j, S_START], JOINT)
+        if (
+            rows[j, RouteRow.PART] != rows[j - 1, RouteRow.PART]
+            and low < rows[j, RouteRow.S_START] < high
+        ):
+            count = put_mark(s, kinds, count, rows[j, RouteRow.S_START], MarkKind.JOINT)
     if low < 0.0 < high:
-        count = put_mark(s, kinds, count, 0.0, JOINT)
-    count = put_mark(s, kinds, count, low, END)
-    count = put_mark(s, kinds, count, high, END)
-    count = put_mark(s, kinds, count, start, START)
-    close, known, kept = min(CLOSE, CLOSE_SHARE * every), find_lags(rows, lags), 0
+        count = put_mark(s, kinds, count, 0.0, MarkKind.JOINT)
+    count = put_mark(s, kinds, count, low, MarkKind.END)
+    count = put_mark(s, kinds, count, high, MarkKind.END)
+    count = put_mark(s, kinds, count, start, MarkKind.START)
+    close, known, kept = min(CLOSE_MARKS, CLOSE_SHARE * every), find_lags(rows, lags), 0
     for n in range(count):
-        if kinds[n] < END and is_again(rows, lags, known, low, s[n]):
+        if kinds[n] < MarkKind.END and is_again(rows, lags, known, low, s[n]):
             continue
         if kept > 0:
             least = min(kinds[n], kinds[kept - 1])
             # Round numbers of a plan put marks CLOSE together to the digit: rounding must not choose.
-            if s[n] - s[kept - 1] <= SAME_MARK + (0.0 if least >= END else close):
+            if s[n] - s[kept - 1] <= SAME_MARK + (0.0 if least >= MarkKind.END else close):
                 if kinds[n] <= kinds[kept - 1]:
                     continue
                 kept -= 1

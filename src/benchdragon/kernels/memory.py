@@ -19,6 +19,7 @@ import numpy.typing as npt
 from benchdragon.hosts.signature import Parameter, parameter
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import IntArray
 
 Group = TypeVar("Group", bound=tuple[Any, ...])
@@ -26,9 +27,19 @@ Group = TypeVar("Group", bound=tuple[Any, ...])
 Shapes = tuple[tuple[int, int], ...]
 ROW = -1
 
-# Of a block's header: the slot and the address that the next array is laid at, how many slots there
-# are, and from OWNED on the addresses of the memory that is released with the block.
-SLOT, ADDRESS, SLOTS, OWNED, HEADER = 0, 1, 2, 3, 10
+# Slots of a block's header.
+HEADER = 10
+
+
+class Header(Numbered):
+    """What a block's header says.
+
+    That is the slot and the address that the next array is laid at, how many slots there are, and from
+    OWNED on the addresses of the memory that is released with the block.
+    """
+
+    SLOT, ADDRESS, SLOTS, OWNED = range(4)
+
 
 _taken: dict[int, IntArray] = {}
 _handles: dict[int, int] = {}
@@ -138,7 +149,7 @@ def new_block(slots: int) -> int:
         whole = integers_at(block, HEADER + slots)
         for n in range(HEADER + slots):
             whole[n] = 0
-        whole[SLOTS] = HEADER + slots
+        whole[Header.SLOTS] = HEADER + slots
     return block
 
 
@@ -146,7 +157,7 @@ def new_block(slots: int) -> int:
 def release_block(block: int) -> None:
     """Give a block back, and all that it owns."""
     header = integers_at(block, HEADER)
-    for n in range(OWNED, HEADER):
+    for n in range(Header.OWNED, HEADER):
         release(header[n])
     release(block)
 
@@ -154,15 +165,15 @@ def release_block(block: int) -> None:
 @kernel
 def take(slots: IntArray, which: int, size: int) -> bool:
     """Let so many bytes be the memory number `which` of a block, which has none; whether there are."""
-    slots[OWNED + which] = allocate(size)
-    return slots[OWNED + which] != 0
+    slots[Header.OWNED + which] = allocate(size)
+    return slots[Header.OWNED + which] != 0
 
 
 @kernel
 def drop(slots: IntArray, which: int) -> None:
     """Give back the memory number `which` of a block."""
-    release(slots[OWNED + which])
-    slots[OWNED + which] = 0
+    release(slots[Header.OWNED + which])
+    slots[Header.OWNED + which] = 0
 
 
 @kernel
@@ -174,29 +185,29 @@ def lay(slots: IntArray, slot: int, address: int, shapes: Shapes) -> int:
             lay_row(slots, rows)
         else:
             lay_table(slots, rows, columns)
-    return slots[ADDRESS] - address
+    return slots[Header.ADDRESS] - address
 
 
 @kernel
 def lay_from(slots: IntArray, slot: int, address: int) -> None:
     """Lay what follows from a slot and an address on."""
-    slots[SLOT], slots[ADDRESS] = slot, address
+    slots[Header.SLOT], slots[Header.ADDRESS] = slot, address
 
 
 @kernel
 def lay_row(slots: IntArray, count: int) -> None:
     """Lay an array of so many numbers."""
-    slot, address = slots[SLOT], slots[ADDRESS]
+    slot, address = slots[Header.SLOT], slots[Header.ADDRESS]
     slots[slot], slots[slot + 1] = address, count
-    slots[SLOT], slots[ADDRESS] = slot + 2, address + 8 * count
+    slots[Header.SLOT], slots[Header.ADDRESS] = slot + 2, address + 8 * count
 
 
 @kernel
 def lay_table(slots: IntArray, rows: int, columns: int) -> None:
     """Lay an array of so many rows and columns."""
-    slot, address = slots[SLOT], slots[ADDRESS]
+    slot, address = slots[Header.SLOT], slots[Header.ADDRESS]
     slots[slot], slots[slot + 1], slots[slot + 2] = address, rows, columns
-    slots[SLOT], slots[ADDRESS] = slot + 3, address + 8 * rows * columns
+    slots[Header.SLOT], slots[Header.ADDRESS] = slot + 3, address + 8 * rows * columns
 
 
 @kernel

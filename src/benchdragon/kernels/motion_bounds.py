@@ -9,40 +9,54 @@ what makes a few evaluations enough (design/first_contact.py).
 
 import math
 
-from benchdragon.kernels import curve
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements, march
-from benchdragon.kernels.curve import FloatArray, curvature, place, stretch, turning_bound
+from benchdragon.kernels.curve import FloatArray, RouteRow, curvature, place, stretch, turning_bound
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.links import link_of
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import FOLD_COSINE
 from benchdragon.kernels.status import Status
 
-# Columns of a table of handle bounds, one row a handle.
-PATH = 0  # arc length walked in the step, m
-SLOWEST = 1  # least ds_i / dsigma
-SPEED = 2  # greatest ds_i / dsigma
-GROWTH_LOW = 3  # least d log(ds_i / dsigma) / dsigma, 1/m
-GROWTH_HIGH = 4  # greatest
-ACCELERATION = 5  # greatest acceleration of the handle's point, 1/m
-TURNING_RATE = 6  # greatest turning rate of the bench before it, rad/m
-RIGHT = 7  # least curvature of its piece of route, 1/m
-LEFT = 8  # greatest
-HEADING_CHANGE = 9  # at least what the heading varies by in all, rad
-TURN_LOW = 10  # least turning rate of the bench before it, left positive, rad/m
-TURN_HIGH = 11  # greatest
-FRONT_LOW = 12  # least tangent of the angle from that bench to the route at its front handle
-FRONT_HIGH = 13  # greatest
-REAR_LOW = 14  # the same at its rear handle
-REAR_HIGH = 15
-HANDLE_COLUMNS = 16
-# Columns of a table of bench bounds, one row a bench. The first three hold for all of its points.
-TRAVEL = 0  # path length, m
-POINT_SPEED = 1  # speed
-POINT_ACCELERATION = 2  # acceleration, 1/m
-TURN = 3  # turning rate, rad/m
-ANGULAR_ACCELERATION = 4  # rate of change of the turning rate, rad/m^2
-BENCH_COLUMNS = 5
+
+class HandleBound(Numbered):
+    """Columns of a table of handle bounds, one row a handle."""
+
+    PATH = 0  # arc length walked in the step, m
+    SLOWEST = 1  # least ds_i / dsigma
+    SPEED = 2  # greatest ds_i / dsigma
+    GROWTH_LOW = 3  # least d log(ds_i / dsigma) / dsigma, 1/m
+    GROWTH_HIGH = 4  # greatest
+    ACCELERATION = 5  # greatest acceleration of the handle's point, 1/m
+    TURNING_RATE = 6  # greatest turning rate of the bench before it, rad/m
+    RIGHT = 7  # least curvature of its piece of route, 1/m
+    LEFT = 8  # greatest
+    HEADING_CHANGE = 9  # at least what the heading varies by in all, rad
+    TURN_LOW = 10  # least turning rate of the bench before it, left positive, rad/m
+    TURN_HIGH = 11  # greatest
+    FRONT_LOW = 12  # least tangent of the angle from that bench to the route at its front handle
+    FRONT_HIGH = 13  # greatest
+    REAR_LOW = 14  # the same at its rear handle
+    REAR_HIGH = 15
+
+
+HANDLE_COLUMNS = len(HandleBound)
+
+
+class BenchBound(Numbered):
+    """Columns of a table of bench bounds, one row a bench.
+
+    The first three hold for all of its points.
+    """
+
+    TRAVEL = 0  # path length, m
+    POINT_SPEED = 1  # speed
+    POINT_ACCELERATION = 2  # acceleration, 1/m
+    TURN = 3  # turning rate, rad/m
+    ANGULAR_ACCELERATION = 4  # rate of change of the turning rate, rad/m^2
+
+
+BENCH_COLUMNS = len(BenchBound)
 
 # Headings and places that differ by more than this at a joint, rad and m, count as a kink or a gap.
 SMOOTH = 1e-12
@@ -75,15 +89,15 @@ def path_bound(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> floa
     """At least the path, m, from place (ja, ua) on to (jb, ub), gaps at joints included."""
     if ja == jb:
         return abs(ub - ua) * max(stretch(rows, ja, ua), stretch(rows, ja, ub))
-    end, start = rows[ja, curve.U_END], rows[jb, curve.U_START]
+    end, start = rows[ja, RouteRow.U_END], rows[jb, RouteRow.U_START]
     path = abs(end - ua) * max(stretch(rows, ja, ua), stretch(rows, ja, end))
     path += abs(ub - start) * max(stretch(rows, jb, ub), stretch(rows, jb, start))
     for j in range(ja, jb):
-        x, y, _, _ = place(rows, j, rows[j, curve.U_END])
-        next_x, next_y, _, _ = place(rows, j + 1, rows[j + 1, curve.U_START])
+        x, y, _, _ = place(rows, j, rows[j, RouteRow.U_END])
+        next_x, next_y, _, _ = place(rows, j + 1, rows[j + 1, RouteRow.U_START])
         path += math.hypot(next_x - x, next_y - y)
         if j > ja:
-            a, b = rows[j, curve.U_START], rows[j, curve.U_END]
+            a, b = rows[j, RouteRow.U_START], rows[j, RouteRow.U_END]
             path += abs(b - a) * max(stretch(rows, j, a), stretch(rows, j, b))
     return path
 
@@ -97,12 +111,12 @@ def curvature_range(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) ->
     ends = curvature(rows, ja, ua), curvature(rows, jb, ub)
     low, high = min(ends), max(ends)
     for j in range(ja, jb):
-        x, y, tx, ty = place(rows, j, rows[j, curve.U_END])
-        next_x, next_y, next_tx, next_ty = place(rows, j + 1, rows[j + 1, curve.U_START])
+        x, y, tx, ty = place(rows, j, rows[j, RouteRow.U_END])
+        next_x, next_y, next_tx, next_ty = place(rows, j + 1, rows[j + 1, RouteRow.U_START])
         if max(abs(next_tx - tx), abs(next_ty - ty), abs(next_x - x), abs(next_y - y)) > SMOOTH:
             return -math.inf, math.inf
-        before = curvature(rows, j, rows[j, curve.U_END])
-        after = curvature(rows, j + 1, rows[j + 1, curve.U_START])
+        before = curvature(rows, j, rows[j, RouteRow.U_END])
+        after = curvature(rows, j + 1, rows[j + 1, RouteRow.U_START])
         low, high = min(low, before, after), max(high, before, after)
     return low, high
 
@@ -112,14 +126,14 @@ def heading_bound(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> f
     """At least the angle, rad, by which the heading varies in all from (ja, ua) on to (jb, ub)."""
     if ja == jb:
         return turning_bound(rows, ja, ua, ub)
-    total = turning_bound(rows, ja, ua, rows[ja, curve.U_END])
-    total += turning_bound(rows, jb, rows[jb, curve.U_START], ub)
+    total = turning_bound(rows, ja, ua, rows[ja, RouteRow.U_END])
+    total += turning_bound(rows, jb, rows[jb, RouteRow.U_START], ub)
     for j in range(ja, jb):
-        _, _, tx, ty = place(rows, j, rows[j, curve.U_END])
-        _, _, next_tx, next_ty = place(rows, j + 1, rows[j + 1, curve.U_START])
+        _, _, tx, ty = place(rows, j, rows[j, RouteRow.U_END])
+        _, _, next_tx, next_ty = place(rows, j + 1, rows[j + 1, RouteRow.U_START])
         total += abs(math.atan2(tx * next_ty - ty * next_tx, tx * next_tx + ty * next_ty))
         if j > ja:
-            total += turning_bound(rows, j, rows[j, curve.U_START], rows[j, curve.U_END])
+            total += turning_bound(rows, j, rows[j, RouteRow.U_START], rows[j, RouteRow.U_END])
     return total
 
 
@@ -197,17 +211,23 @@ def bound_handles(
     ja, ua, jb, ub = places.row[0, a], places.u[0, a], places.row[0, b], places.u[0, b]
     h = path_bound(rows, ja, ua, jb, ub)
     low, high = curvature_range(rows, ja, ua, jb, ub)
-    bounds[0, PATH], bounds[0, SLOWEST], bounds[0, SPEED] = h, 1.0, 1.0
-    bounds[0, GROWTH_LOW], bounds[0, GROWTH_HIGH] = 0.0, 0.0
-    bounds[0, ACCELERATION], bounds[0, TURNING_RATE] = magnitude(low, high), 0.0
-    bounds[0, LEFT], bounds[0, RIGHT] = high, low
-    bounds[0, HEADING_CHANGE] = heading_bound(rows, ja, ua, jb, ub)
+    bounds[0, HandleBound.PATH], bounds[0, HandleBound.SLOWEST], bounds[0, HandleBound.SPEED] = (
+        h,
+        1.0,
+        1.0,
+    )
+    bounds[0, HandleBound.GROWTH_LOW], bounds[0, HandleBound.GROWTH_HIGH] = 0.0, 0.0
+    bounds[0, HandleBound.ACCELERATION], bounds[0, HandleBound.TURNING_RATE] = magnitude(low, high), 0.0
+    bounds[0, HandleBound.LEFT], bounds[0, HandleBound.RIGHT] = high, low
+    bounds[0, HandleBound.HEADING_CHANGE] = heading_bound(rows, ja, ua, jb, ub)
     for i in range(links.shape[0]):
         ja, ua = places.row[i + 1, a], places.u[i + 1, a]
         jb, ub = places.row[i + 1, b], places.u[i + 1, b]
-        bounds[i + 1, RIGHT], bounds[i + 1, LEFT] = curvature_range(rows, ja, ua, jb, ub)
-        bounds[i + 1, HEADING_CHANGE] = heading_bound(rows, ja, ua, jb, ub)
-        bounds[i + 1, PATH] = path_bound(rows, ja, ua, jb, ub)
+        bounds[i + 1, HandleBound.RIGHT], bounds[i + 1, HandleBound.LEFT] = curvature_range(
+            rows, ja, ua, jb, ub
+        )
+        bounds[i + 1, HandleBound.HEADING_CHANGE] = heading_bound(rows, ja, ua, jb, ub)
+        bounds[i + 1, HandleBound.PATH] = path_bound(rows, ja, ua, jb, ub)
         bound_next(links[i], places, i, a, b, h, bounds)
 
 
@@ -233,26 +253,33 @@ def bound_next(
     """
     sa, ca, ta, da = bench_angles(places, i, a, link)
     sb, cb, tb, db = bench_angles(places, i, b, link)
-    swing = (bounds[i, PATH] + bounds[i + 1, PATH]) / link
-    front = 0.5 * (bounds[i, HEADING_CHANGE] + swing)
-    rear = 0.5 * (bounds[i + 1, HEADING_CHANGE] + swing)
+    swing = (bounds[i, HandleBound.PATH] + bounds[i + 1, HandleBound.PATH]) / link
+    front = 0.5 * (bounds[i, HandleBound.HEADING_CHANGE] + swing)
+    rear = 0.5 * (bounds[i + 1, HandleBound.HEADING_CHANGE] + swing)
     seen = places.ratio[i + 1, a], places.ratio[i + 1, b]
-    bounds[i + 1, SLOWEST], bounds[i + 1, GROWTH_LOW] = 0.0, -math.inf
-    bounds[i + 1, SPEED], bounds[i + 1, GROWTH_HIGH] = math.inf, math.inf
-    bounds[i + 1, ACCELERATION], bounds[i + 1, TURNING_RATE] = math.inf, math.inf
+    bounds[i + 1, HandleBound.SLOWEST], bounds[i + 1, HandleBound.GROWTH_LOW] = 0.0, -math.inf
+    bounds[i + 1, HandleBound.SPEED], bounds[i + 1, HandleBound.GROWTH_HIGH] = math.inf, math.inf
+    bounds[i + 1, HandleBound.ACCELERATION], bounds[i + 1, HandleBound.TURNING_RATE] = (
+        math.inf,
+        math.inf,
+    )
     for _ in range(PASSES):
         f, r = angle_range(sa, sb, ca, cb, front), angle_range(ta, tb, da, db, rear)
-        if not (min(f[2], r[2]) > FOLD_COSINE and bounds[i, SPEED] < math.inf):
+        if not (min(f[2], r[2]) > FOLD_COSINE and bounds[i, HandleBound.SPEED] < math.inf):
             return
         front_rate, rear_rate = bound_rates(link, f, r, seen, i, h, bounds)
         front = min(front, 0.5 * front_rate * h)
         rear = min(rear, 0.5 * rear_rate * h)
-    bend = magnitude(bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
-    speed = bounds[i + 1, SPEED]
-    along = speed * magnitude(bounds[i + 1, GROWTH_LOW], bounds[i + 1, GROWTH_HIGH])
+    bend = magnitude(bounds[i + 1, HandleBound.RIGHT], bounds[i + 1, HandleBound.LEFT])
+    speed = bounds[i + 1, HandleBound.SPEED]
+    along = speed * magnitude(
+        bounds[i + 1, HandleBound.GROWTH_LOW], bounds[i + 1, HandleBound.GROWTH_HIGH]
+    )
     across = speed * speed * bend
     pull = math.sqrt(along * along + across * across)
-    bounds[i + 1, ACCELERATION] = pull if pull < math.inf else math.inf  # no number is no bound
+    bounds[i + 1, HandleBound.ACCELERATION] = (
+        pull if pull < math.inf else math.inf
+    )  # no number is no bound
 
 
 @kernel
@@ -266,31 +293,36 @@ def bound_rates(
     tau = (v sin f - w sin r) / link; hence f' = v curvature - tau, r' likewise, and
     w' / w = v' / v - tan f f' + tan r r'. At the two ends of the step w is as `seen`.
     """
-    slow, fast = bounds[i, SLOWEST], bounds[i, SPEED]
+    slow, fast = bounds[i, HandleBound.SLOWEST], bounds[i, HandleBound.SPEED]
     next_slow, next_fast = slow * f[2] / r[3], fast * f[3] / r[2]
     low, high = scaled(slow, fast, f[0], f[1])
     other_low, other_high = scaled(next_slow, next_fast, r[0], r[1])
     turn_low, turn_high = (low - other_high) / link, (high - other_low) / link
     turn = turn_low, turn_high
-    front_low, front_high = angle_rates(slow, fast, bounds[i, RIGHT], bounds[i, LEFT], turn)
-    right, left = bounds[i + 1, RIGHT], bounds[i + 1, LEFT]
+    front_low, front_high = angle_rates(
+        slow, fast, bounds[i, HandleBound.RIGHT], bounds[i, HandleBound.LEFT], turn
+    )
+    right, left = bounds[i + 1, HandleBound.RIGHT], bounds[i + 1, HandleBound.LEFT]
     rear_low, rear_high = angle_rates(next_slow, next_fast, right, left, turn)
     rates = magnitude(front_low, front_high), magnitude(rear_low, rear_high)
     low, high = tangents(f)
-    bounds[i + 1, FRONT_LOW], bounds[i + 1, FRONT_HIGH] = low, high
+    bounds[i + 1, HandleBound.FRONT_LOW], bounds[i + 1, HandleBound.FRONT_HIGH] = low, high
     front_low, front_high = product(low, high, front_low, front_high)
     low, high = tangents(r)
-    bounds[i + 1, REAR_LOW], bounds[i + 1, REAR_HIGH] = low, high
+    bounds[i + 1, HandleBound.REAR_LOW], bounds[i + 1, HandleBound.REAR_HIGH] = low, high
     rear_low, rear_high = product(low, high, rear_low, rear_high)
-    growth_low = bounds[i, GROWTH_LOW] - front_high + rear_low
-    growth_high = bounds[i, GROWTH_HIGH] - front_low + rear_high
+    growth_low = bounds[i, HandleBound.GROWTH_LOW] - front_high + rear_low
+    growth_high = bounds[i, HandleBound.GROWTH_HIGH] - front_low + rear_high
     low, high = scaled(next_slow, next_fast, growth_low, growth_high)
     next_fast = min(next_fast, peak(seen[0], seen[1], low, high, h))
     next_slow = max(next_slow, -peak(-seen[0], -seen[1], -high, -low, h))
-    bounds[i + 1, SLOWEST], bounds[i + 1, SPEED] = next_slow, next_fast
-    bounds[i + 1, GROWTH_LOW], bounds[i + 1, GROWTH_HIGH] = growth_low, growth_high
-    bounds[i + 1, TURNING_RATE] = magnitude(turn_low, turn_high)
-    bounds[i + 1, TURN_LOW], bounds[i + 1, TURN_HIGH] = turn_low, turn_high
+    bounds[i + 1, HandleBound.SLOWEST], bounds[i + 1, HandleBound.SPEED] = next_slow, next_fast
+    bounds[i + 1, HandleBound.GROWTH_LOW], bounds[i + 1, HandleBound.GROWTH_HIGH] = (
+        growth_low,
+        growth_high,
+    )
+    bounds[i + 1, HandleBound.TURNING_RATE] = magnitude(turn_low, turn_high)
+    bounds[i + 1, HandleBound.TURN_LOW], bounds[i + 1, HandleBound.TURN_HIGH] = turn_low, turn_high
     return rates
 
 
@@ -312,11 +344,15 @@ def reach(front: float, rear: float, sizes: FloatArray, i: int) -> float:
 def bound_bench(handles: FloatArray, i: int, sizes: FloatArray, k: int, out: FloatArray) -> None:
     """Fill out, one row of BENCH_COLUMNS, for bench i of the chain, with the sizes in column k."""
     link = link_of(sizes, k)
-    out[TRAVEL] = ROUNDED_UP * reach(handles[i, PATH], handles[i + 1, PATH], sizes, k)
-    out[POINT_SPEED] = ROUNDED_UP * reach(handles[i, SPEED], handles[i + 1, SPEED], sizes, k)
-    out[POINT_ACCELERATION] = ROUNDED_UP * reach(
-        handles[i, ACCELERATION], handles[i + 1, ACCELERATION], sizes, k
+    out[BenchBound.TRAVEL] = ROUNDED_UP * reach(
+        handles[i, HandleBound.PATH], handles[i + 1, HandleBound.PATH], sizes, k
     )
-    out[TURN] = ROUNDED_UP * handles[i + 1, TURNING_RATE]
-    both = handles[i, ACCELERATION] + handles[i + 1, ACCELERATION]
-    out[ANGULAR_ACCELERATION] = ROUNDED_UP * both / link
+    out[BenchBound.POINT_SPEED] = ROUNDED_UP * reach(
+        handles[i, HandleBound.SPEED], handles[i + 1, HandleBound.SPEED], sizes, k
+    )
+    out[BenchBound.POINT_ACCELERATION] = ROUNDED_UP * reach(
+        handles[i, HandleBound.ACCELERATION], handles[i + 1, HandleBound.ACCELERATION], sizes, k
+    )
+    out[BenchBound.TURN] = ROUNDED_UP * handles[i + 1, HandleBound.TURNING_RATE]
+    both = handles[i, HandleBound.ACCELERATION] + handles[i + 1, HandleBound.ACCELERATION]
+    out[BenchBound.ANGULAR_ACCELERATION] = ROUNDED_UP * both / link

@@ -3,12 +3,19 @@
 import math
 
 from benchdragon.kernels.arrays import IntVector, Table
-from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH, UX, UY
+from benchdragon.kernels.box import Box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.numbered import Numbered
 
-# Kinds: a circle about its outline's one point, what has an inside, a line, the edge of a venue.
-CIRCLE, BODY, LINE, VENUE = range(4)
+
+class ObstacleKind(Numbered):
+    """Kinds of obstacles.
+
+    They are a circle about its outline's one point, what has an inside, a line, the edge of a venue.
+    """
+
+    CIRCLE, BODY, LINE, VENUE = range(4)
 
 
 @entry
@@ -19,18 +26,18 @@ def fill_boxes(kind: int, outline: Table, out: Table) -> None:
         m = (n + 1) % corners
         dx, dy = outline[m, 0] - outline[n, 0], outline[m, 1] - outline[n, 1]
         length = math.hypot(dx, dy)
-        out[n, CX] = 0.5 * (outline[n, 0] + outline[m, 0])
-        out[n, CY] = 0.5 * (outline[n, 1] + outline[m, 1])
-        out[n, UX], out[n, UY] = 1.0, 0.0
-        if kind != CIRCLE:
-            out[n, UX], out[n, UY] = dx / length, dy / length
-        out[n, HALF_LENGTH], out[n, HALF_WIDTH] = 0.5 * length, 0.0
+        out[n, Box.CX] = 0.5 * (outline[n, 0] + outline[m, 0])
+        out[n, Box.CY] = 0.5 * (outline[n, 1] + outline[m, 1])
+        out[n, Box.UX], out[n, Box.UY] = 1.0, 0.0
+        if kind != ObstacleKind.CIRCLE:
+            out[n, Box.UX], out[n, Box.UY] = dx / length, dy / length
+        out[n, Box.HALF_LENGTH], out[n, Box.HALF_WIDTH] = 0.5 * length, 0.0
 
 
 @kernel
 def sides(kind: int, corners: int) -> int:
     """How many boxes an outline of so many corners has."""
-    return corners - 1 if kind == LINE else corners
+    return corners - 1 if kind == ObstacleKind.LINE else corners
 
 
 @kernel
@@ -39,16 +46,16 @@ def forbids(kind: int, outline: FloatArray, radius: float, x: float, y: float) -
 
     Inside a polygon a ray to the right crosses an odd number of sides.
     """
-    if kind == CIRCLE:
+    if kind == ObstacleKind.CIRCLE:
         return math.hypot(x - outline[0, 0], y - outline[0, 1]) <= radius
     corners, odd = outline.shape[0], False
-    for n in range(corners if kind != LINE else 0):
+    for n in range(corners if kind != ObstacleKind.LINE else 0):
         ax, ay = outline[n, 0], outline[n, 1]
         bx, by = outline[(n + 1) % corners, 0], outline[(n + 1) % corners, 1]
         if (ay > y) != (by > y):
             beyond = (x - ax) * abs(by - ay) < (bx - ax) * (y - ay) * (1.0 if by > ay else -1.0)
             odd = odd != beyond
-    return odd != (kind == VENUE)
+    return odd != (kind == ObstacleKind.VENUE)
 
 
 @entry

@@ -10,16 +10,26 @@ import math
 from typing import NamedTuple
 
 from benchdragon.kernels import box
-from benchdragon.kernels import time_of_impact as steps
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.box import box_distance, half_diagonal, offset, place_box
+from benchdragon.kernels.box import Box, box_distance, half_diagonal, offset, place_box
 from benchdragon.kernels.continuation import UNIT, finest
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.motion_bounds import TRAVEL, bound_bench, place_chain
+from benchdragon.kernels.motion_bounds import BenchBound, bound_bench, place_chain
 from benchdragon.kernels.swept_boxes import EDGE, walks_on
-from benchdragon.kernels.time_of_impact import Chain, Limits, Pairs, Search, bisect, box_slot, open_step
-from benchdragon.kernels.walk_search import ASTRAY, WIDTH_ROUNDINGS
+from benchdragon.kernels.time_of_impact import (
+    Chain,
+    Ending,
+    Goal,
+    Limits,
+    Note,
+    Pairs,
+    Search,
+    bisect,
+    box_slot,
+    open_step,
+)
+from benchdragon.kernels.walk_search import WIDTH_ROUNDINGS, WalkEnding
 
 # Stretches of route, m, of which what is far off is passed over at once: longer ones are passed over
 # less often, shorter ones are more.
@@ -57,7 +67,7 @@ def walks_step(bench: Bench, search: Search) -> bool:
 def centre_distance(boxes: FloatArray, n: int, x: float, y: float) -> float:
     """Distance of point (x, y) from box n, m; 0 inside."""
     along, across = offset(boxes, n, x, y)
-    ahead, aside = abs(along) - boxes[n, box.HALF_LENGTH], abs(across) - boxes[n, box.HALF_WIDTH]
+    ahead, aside = abs(along) - boxes[n, Box.HALF_LENGTH], abs(across) - boxes[n, Box.HALF_WIDTH]
     return math.hypot(max(ahead, 0.0), max(aside, 0.0))
 
 
@@ -69,9 +79,9 @@ def gather_near(bench: Bench, standing: Standing, search: Search, wanted: float)
     """
     bound_bench(search.handles, 0, bench.sizes, 0, search.sweeps[0])
     place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, search.boxes, 0)
-    x, y = search.boxes[0, box.CX], search.boxes[0, box.CY]
+    x, y = search.boxes[0, Box.CX], search.boxes[0, Box.CY]
     reach = half_diagonal(search.boxes, 0)
-    reach += search.sweeps[0, TRAVEL] + wanted + EDGE
+    reach += search.sweeps[0, BenchBound.TRAVEL] + wanted + EDGE
     count = 0
     for n in range(standing.boxes.shape[0]):
         if not centre_distance(standing.boxes, n, x, y) > reach:
@@ -88,22 +98,22 @@ def search_step(
     bench: Bench, standing: Standing, search: Search, goal: int, limits: Limits, note: FloatArray
 ) -> int:
     """Search the step whose ends are placed in slots 0 and 1 for `goal`; how that ended."""
-    wanted = note[steps.NEAREST] - limits.slack if goal == steps.LEAST else limits.margin + limits.slack
+    wanted = note[Note.NEAREST] - limits.slack if goal == Goal.LEAST else limits.margin + limits.slack
     start, end = search.at[0], search.at[1]
     count = gather_near(bench, standing, search, wanted)
     if count == 0:
-        note[steps.LOWER] = end
-        return steps.CLEAR
+        note[Note.LOWER] = end
+        return Ending.CLEAR
     near, members = standing.near[:count], standing.members
     chain = Chain(bench.rows, bench.link, note[:0], bench.sizes, members, near, bench.seams)
     box_slot(chain, search, 0)
     box_slot(chain, search, 1)
     top = open_step(search, count, start, end)
-    before, note[steps.PAIR] = note[steps.PAIR], -1.0
+    before, note[Note.PAIR] = note[Note.PAIR], -1.0
     pairs = Pairs(standing.first[:count], standing.second[:count])
     ending = bisect(search, goal, chain, pairs, top, 2, limits, note)
-    p = int(note[steps.PAIR])
-    note[steps.PAIR] = before if p < 0 else float(standing.number[p])
+    p = int(note[Note.PAIR])
+    note[Note.PAIR] = before if p < 0 else float(standing.number[p])
     return ending
 
 
@@ -116,21 +126,23 @@ def search_span(
 
     ASTRAY: past note[LOWER] it could not be shown that the bench walks on.
     """
-    at, step, worst = start, STRETCH, steps.CLEAR
+    at, step, worst = start, STRETCH, Ending.CLEAR
     while at < end:
         ahead = end if at + step >= end else at + step
         search.at[0], search.at[1] = at, ahead
-        note[steps.EVALUATIONS] += 2.0
+        note[Note.EVALUATIONS] += 2.0
         if not walks_step(bench, search):
             step = 0.5 * min(step, end - at)
             if step < finest(at):
-                note[steps.LOWER], note[steps.UPPER] = at, ahead
-                return ASTRAY
+                note[Note.LOWER], note[Note.UPPER] = at, ahead
+                return WalkEnding.ASTRAY
             continue
         narrow = max(limits.width, WIDTH_ROUNDINGS * UNIT * abs(ahead))
         fitting = Limits(limits.margin, limits.slack, narrow, limits.most)
         ending = search_step(bench, standing, search, goal, fitting, note)
-        if ending not in (steps.CLEAR, steps.GRAZE) or (ending == steps.GRAZE and goal != steps.LEAST):
+        if ending not in (Ending.CLEAR, Ending.GRAZE) or (
+            ending == Ending.GRAZE and goal != Goal.LEAST
+        ):
             return ending
         worst = max(worst, ending)
         at, step = ahead, min(2.0 * step, STRETCH)
@@ -149,15 +161,15 @@ def look_along(bench: Bench, standing: Standing, search: Search, spans: Table, n
             continue
         place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, standing.near, 0)
         near = standing.near
-        x, y = near[0, box.CX], near[0, box.CY]
+        x, y = near[0, Box.CX], near[0, Box.CY]
         around = half_diagonal(near, 0)
         for n in range(standing.boxes.shape[0]):
-            if centre_distance(standing.boxes, n, x, y) - around < note[steps.NEAREST]:
+            if centre_distance(standing.boxes, n, x, y) - around < note[Note.NEAREST]:
                 for k in range(box.BOX_COLUMNS):
                     near[1, k] = standing.boxes[n, k]
                 apart = box_distance(near, 0, 1)
-                if apart < note[steps.NEAREST]:
-                    note[steps.NEAREST], note[steps.UPPER], note[steps.PAIR] = apart, search.at[0], n
+                if apart < note[Note.NEAREST]:
+                    note[Note.NEAREST], note[Note.UPPER], note[Note.PAIR] = apart, search.at[0], n
 
 
 @entry
@@ -172,7 +184,7 @@ def distances_to(boxes: Table, standing: Table, near: Table, out: Vector, which:
             near[0, k] = boxes[i, k]
         around = half_diagonal(boxes, i)
         for n in range(standing.shape[0]):
-            if centre_distance(standing, n, boxes[i, box.CX], boxes[i, box.CY]) - around < out[i]:
+            if centre_distance(standing, n, boxes[i, Box.CX], boxes[i, Box.CY]) - around < out[i]:
                 for k in range(box.BOX_COLUMNS):
                     near[1, k] = standing[n, k]
                 apart = box_distance(near, 0, 1)

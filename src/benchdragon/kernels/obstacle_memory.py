@@ -15,55 +15,90 @@ from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.kinds import same_size
-from benchdragon.kernels.memory import ROW
+from benchdragon.kernels.memory import ROW, Header
 from benchdragon.kernels.nearness import NEARNESS
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.obstacle import fill_boxes, sides
 from benchdragon.kernels.obstacle_contact import Bench, Standing
-from benchdragon.kernels.question import TOLD
+from benchdragon.kernels.question import Told
 from benchdragon.kernels.rounding import SEAM_COLUMNS, find_seams
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search_room import WIDER, placements, searches
-from benchdragon.kernels.spans import BEGUN, HIGH, LOW, PERIOD, REPEAT
+from benchdragon.kernels.spans import REPEAT, BegunRepeat, RepeatSpan
 from benchdragon.kernels.time_of_impact import NOTES, Search
 
-# What hosts say of an obstacle and of the walk, a row of floats.
-SORT = 0  # of what kind: see kernels/obstacle.py
-RADIUS = 1  # of a circle, m
-MARGIN = 2  # distance that benches must keep, m
-HEAD_FIRST = 3  # head positions, m, at which the walk begins and ends
-HEAD_LAST = 4
-LEAST_OFF = 5  # what computed distances count as off by at least, m
-WIDTH = 6  # parts of a step narrower than this, m, are not halved
-MOST = 7  # benches placed in one stretch of a search for touches
-MOST_LEAST = 8  # and for the least distance
-ASKED = 9
-# What is told, a row of floats that begins as kernels/question.py says.
-MADE = TOLD  # benches placed in searches
-ABOUT = 3  # what distances that mattered may be off by, m
-SOUND = 4  # past where a bench may not follow, m
-CLOSED_IN = 5  # 1 if the least distance is bracketed as was wanted
-COUNT = 6  # rows of what was found
-# From here on what a search keeps to itself: what it is after, how narrowly, m, and 1 as it begins.
-GOAL, NARROW, BEGINS = 7, 8, 9
-SOUGHT_OFF = 10  # what distances count as off by at least, m
-APART, APART_BENCH, APART_OFF = 11, 12, 13  # at the start
-NEAR, NEAR_BENCH, NEAR_AT = 14, 15, 16  # the least distance seen; NEAR_AT is NaN if at the start
-# The size at hand, by its first bench; the bench, and where the one before it stood at the start, m;
-# its spans, which of them comes next, and the rest of that at hand; how often it was grazed.
-SIZE, REPEATS, BENCH, AHEAD, SPANS, SPAN, FROM, TO, GRAZES = range(17, 26)
-TOLD_ROWS, SOONEST, FIGURES = (
-    26,
-    27,
-    28,
-)  # rows that are told of the head; where it is at a sure touch, m
-# What was found, a row each: of touches head positions between which one comes, of the least distance
-# its bracket, m; the bench (from 0), with the head at HEAD; and there the point that is nearest or
-# farthest out, how far from what stands still, m, and which feature it is (kernels/nearness.py).
-VALUE, LOW_END, HIGH_END, WHO, HEAD, SURE, AT_X, AT_Y, GAP, FEATURE, FOUND_COLUMNS = range(11)
-# How each size is walked: its first bench, how many, and from where to where and how much of it, m.
-WAY_BENCH, WAY_COUNT, WAY_LOW, WAY_HIGH, WAY_LENGTH, WAYS = range(6)
-# Memories of the block: of a search, and of what it finds, with so many rows at first.
-BESIDE_MEMORY, FOUND_MEMORY, FIRST_ROWS = 4, 5, 64
+
+class ObstacleGiven(Numbered):
+    """What hosts say of an obstacle and of the walk, a row of floats."""
+
+    SORT = 0  # of what kind: see kernels/obstacle.py
+    RADIUS = 1  # of a circle, m
+    MARGIN = 2  # distance that benches must keep, m
+    HEAD_FIRST = 3  # head positions, m, at which the walk begins and ends
+    HEAD_LAST = 4
+    LEAST_OFF = 5  # what computed distances count as off by at least, m
+    WIDTH = 6  # parts of a step narrower than this, m, are not halved
+    MOST = 7  # benches placed in one stretch of a search for touches
+    MOST_LEAST = 8  # and for the least distance
+
+
+OBSTACLE_GIVEN = len(ObstacleGiven)
+
+
+class ObstacleTold(Told):
+    """What is told, a row of floats that begins as kernels/question.py says."""
+
+    MADE = 2  # benches placed in searches
+    ABOUT = 3  # what distances that mattered may be off by, m
+    SOUND = 4  # past where a bench may not follow, m
+    CLOSED_IN = 5  # 1 if the least distance is bracketed as was wanted
+    COUNT = 6  # rows of what was found
+    # From here on what a search keeps to itself: what it is after, how narrowly, m, and 1 as it begins.
+    GOAL, NARROW, BEGINS = range(7, 10)
+    SOUGHT_OFF = 10  # what distances count as off by at least, m
+    APART, APART_BENCH, APART_OFF = range(11, 14)  # at the start
+    NEAR, NEAR_BENCH, NEAR_AT = range(14, 17)  # the least distance seen; NEAR_AT is NaN if at the start
+    # The size at hand, by its first bench; the bench, and where the one before it stood at the start,
+    # m; its spans, which of them comes next, and the rest of that at hand; how often it was grazed.
+    SIZE, REPEATS, BENCH, AHEAD, SPANS, SPAN, FROM, TO, GRAZES = range(17, 26)
+    TOLD_ROWS, SOONEST = 26, 27  # rows that are told of the head; where it is at a sure touch, m
+
+
+OBSTACLE_FIGURES = len(ObstacleTold)
+
+
+class ObstacleFound(Numbered):
+    """What was found, a row each.
+
+    Of touches head positions between which one comes, of the least distance its bracket, m; the bench
+    (from 0), with the head at HEAD; and there the point that is nearest or farthest out, how far from
+    what stands still, m, and which feature it is (kernels/nearness.py).
+    """
+
+    VALUE, LOW_END, HIGH_END, WHO, HEAD, SURE, AT_X, AT_Y, GAP, FEATURE = range(10)
+
+
+FOUND_COLUMNS = len(ObstacleFound)
+
+
+class SizeWay(Numbered):
+    """How each size is walked.
+
+    Its first bench, how many, and from where to where and how much of it, m.
+    """
+
+    BENCH, COUNT, LOW, HIGH, LENGTH = range(5)
+
+
+SIZE_WAY_COLUMNS = len(SizeWay)
+# Rows of what a search finds, at first.
+FIRST_ROWS = 64
+
+
+class ObstacleMemory(Numbered):
+    """Memories of the block: of a search, and of what it finds."""
+
+    BESIDE, FOUND = 4, 5
 
 
 class Beside(NamedTuple):
@@ -83,7 +118,7 @@ class Beside(NamedTuple):
     spans: Table  # of the bench at hand
     placed: Placements  # at the start and at the end
     s: Table  # route positions there, m, (handles, 2)
-    ways: Table  # (benches, WAYS)
+    ways: Table  # (benches, SIZE_WAY_COLUMNS)
     at: Vector
     chain: Placements
     lanes: Vector
@@ -111,10 +146,11 @@ def lay_beside(
     return memory.lay(slots, slot + AFTER_FOUND, address, (
         (rows, COLUMNS), one, (4, 1), (rows, SEAM_COLUMNS), (boxes, BOX_COLUMNS), (near, BOX_COLUMNS),
         each, each, each, one, *searches(2, boxes + 1, boxes + 1), row, (4, benches), row, (corners, 2),
-        (known, REPEAT), (known, BEGUN), (known, 2), (known + 1, 2), *placements(benches + 1, 2),
-        (benches + 1, 2), (benches, WAYS), (2, ROW), *placements(benches + 1, 1), row,
-        (benches + 1, ROW), row, (NEARNESS, ROW), one, (2, BOX_COLUMNS), (ASKED, ROW),
-        (FIGURES, ROW), (NOTES, ROW),
+        (known, REPEAT), (known, BegunRepeat.BEGUN), (known, 2), (known + 1, 2),
+        *placements(benches + 1, 2),
+        (benches + 1, 2), (benches, SIZE_WAY_COLUMNS), (2, ROW), *placements(benches + 1, 1), row,
+        (benches + 1, ROW), row, (NEARNESS, ROW), one, (2, BOX_COLUMNS), (OBSTACLE_GIVEN, ROW),
+        (OBSTACLE_FIGURES, ROW), (NOTES, ROW),
     ))  # fmt: skip
 
 
@@ -123,32 +159,34 @@ def make_beside(
     block: int, slot: int, rows: int, benches: int, corners: int, boxes: int, known: int
 ) -> bool:
     """Make room for a search at a slot of a block, where there may be one before; whether there is."""
-    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
-    memory.drop(slots, BESIDE_MEMORY)
-    if slots[memory.OWNED + FOUND_MEMORY] == 0:
-        if not memory.take(slots, FOUND_MEMORY, 8 * FIRST_ROWS * FOUND_COLUMNS):
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
+    memory.drop(slots, ObstacleMemory.BESIDE)
+    if slots[Header.OWNED + ObstacleMemory.FOUND] == 0:
+        if not memory.take(slots, ObstacleMemory.FOUND, 8 * FIRST_ROWS * FOUND_COLUMNS):
             return False
-        memory.lay_from(slots, slot, slots[memory.OWNED + FOUND_MEMORY])
+        memory.lay_from(slots, slot, slots[Header.OWNED + ObstacleMemory.FOUND])
         memory.lay_table(slots, FIRST_ROWS, FOUND_COLUMNS)
     size = lay_beside(slots, slot, 0, rows, benches, corners, boxes, known)
-    if not memory.take(slots, BESIDE_MEMORY, size):
+    if not memory.take(slots, ObstacleMemory.BESIDE, size):
         return False
-    lay_beside(slots, slot, slots[memory.OWNED + BESIDE_MEMORY], rows, benches, corners, boxes, known)
+    lay_beside(
+        slots, slot, slots[Header.OWNED + ObstacleMemory.BESIDE], rows, benches, corners, boxes, known
+    )
     return True
 
 
 @kernel
 def widen_found(block: int, slot: int) -> bool:
     """Make room for more rows of what is found; whether there is memory."""
-    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
-    before, rows = slots[memory.OWNED + FOUND_MEMORY], slots[slot + 1]
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
+    before, rows = slots[Header.OWNED + ObstacleMemory.FOUND], slots[slot + 1]
     known, count = memory.integers_at(before, rows * FOUND_COLUMNS), WIDER * rows
     address = memory.allocate(8 * count * FOUND_COLUMNS)
     if address == 0:
         return False
     memory.copy_row(memory.integers_at(address, rows * FOUND_COLUMNS), known)
     memory.release(before)
-    slots[memory.OWNED + FOUND_MEMORY] = address
+    slots[Header.OWNED + ObstacleMemory.FOUND] = address
     memory.lay_from(slots, slot, address)
     memory.lay_table(slots, count, FOUND_COLUMNS)
     return True
@@ -160,7 +198,7 @@ def begin_beside(
     asked: Vector,
 ) -> bool:  # fmt: skip
     """Begin a search at a slot of a block for a walk and an obstacle; whether there is memory."""
-    boxes = sides(int(asked[SORT]), outline.shape[0])
+    boxes = sides(int(asked[ObstacleGiven.SORT]), outline.shape[0])
     benches, known = links.shape[0], repeats.shape[0]
     if not make_beside(block, slot, rows.shape[0], benches, outline.shape[0], boxes, known):
         return False
@@ -182,8 +220,8 @@ def fill_beside(
     memory.clear(beside.figures)
     beside.standing.members[0] = 0
     for i in range(links.shape[0]):
-        beside.ways[i, WAY_COUNT] = 0.0
-    fill_boxes(int(asked[SORT]), outline, beside.standing.boxes)
+        beside.ways[i, SizeWay.COUNT] = 0.0
+    fill_boxes(int(asked[ObstacleGiven.SORT]), outline, beside.standing.boxes)
     find_seams(rows, beside.bench.seams)
     sort_repeats(repeats, beside.repeats)
     for i in range(links.shape[0]):
@@ -191,15 +229,22 @@ def fill_beside(
         while k < i and not same_size(sizes, i, sizes, k):
             k += 1
         beside.alike[i] = k
-    beside.figures[SOUGHT_OFF] = asked[LEAST_OFF]
+    beside.figures[ObstacleTold.SOUGHT_OFF] = asked[ObstacleGiven.LEAST_OFF]
 
 
 @kernel
 def sort_repeats(repeats: Table, out: Table) -> None:
     """Copy repeats, those first that leave out most."""
     for n in range(repeats.shape[0]):
-        m, way = n, repeats[n, LOW] - repeats[n, HIGH] + repeats[n, PERIOD]
-        while m > 0 and out[m - 1, LOW] - out[m - 1, HIGH] + out[m - 1, PERIOD] > way:
+        m, way = (
+            n,
+            repeats[n, RepeatSpan.LOW] - repeats[n, RepeatSpan.HIGH] + repeats[n, RepeatSpan.PERIOD],
+        )
+        while (
+            m > 0
+            and out[m - 1, RepeatSpan.LOW] - out[m - 1, RepeatSpan.HIGH] + out[m - 1, RepeatSpan.PERIOD]
+            > way
+        ):
             memory.copy_row(out[m], out[m - 1])
             m -= 1
         memory.copy_row(out[m], repeats[n])

@@ -6,12 +6,12 @@ Opened for a walk and an obstacle; each step ends as kernels/obstacle_search.py 
 from benchdragon.kernels import memory
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.entries import entry
-from benchdragon.kernels.obstacle_memory import COUNT, WAY_COUNT, Beside, begin_beside
+from benchdragon.kernels.obstacle_memory import Beside, ObstacleTold, SizeWay, begin_beside
 from benchdragon.kernels.obstacle_paths import stands
 from benchdragon.kernels.obstacle_search import seek_beside, step_beside
-from benchdragon.kernels.question import CLOSED, SPENT
+from benchdragon.kernels.question import QuestionEnding, Told
 
-BASE, SLOTS = 8 * memory.HEADER, memory.slot_count(Beside)
+BASE, BESIDE_SLOTS = 8 * memory.HEADER, memory.slot_count(Beside)
 
 
 @entry
@@ -23,7 +23,7 @@ def open_obstacle(
     The dragon must be able to stand at both ends. `repeats` are those parts of the route that lead back
     to where it was (spans.REPEAT); `asked` is as in kernels/obstacle_memory.py. All is copied.
     """
-    block = memory.new_block(SLOTS)
+    block = memory.new_block(BESIDE_SLOTS)
     if block == 0:
         return 0
     if begin_beside(block, memory.HEADER, rows, links, sizes, outline, repeats, asked):
@@ -50,8 +50,8 @@ def step_obstacle(handle: int, left: float) -> int:
     """Go on for some hundredths of a second; about so many handles may be placed. How that ended."""
     block = memory.recall(handle)
     if block == 0:
-        return CLOSED
-    memory.group_at(Beside, block + BASE).figures[SPENT] = 0.0
+        return QuestionEnding.CLOSED
+    memory.group_at(Beside, block + BASE).figures[Told.SPENT] = 0.0
     return step_beside(block, memory.HEADER, left)
 
 
@@ -72,7 +72,7 @@ def read_found(handle: int, first: int, found: Table) -> bool:
     if block == 0:
         return False
     beside = memory.group_at(Beside, block + BASE)
-    if first < 0 or first + found.shape[0] > beside.figures[COUNT]:
+    if first < 0 or first + found.shape[0] > beside.figures[ObstacleTold.COUNT]:
         return False
     for n in range(found.shape[0]):
         memory.copy_row(found[n], beside.found[first + n])
@@ -87,7 +87,7 @@ def read_ways(handle: int, ways: Table) -> int:
         return 0
     known = memory.group_at(Beside, block + BASE).ways
     for i in range(known.shape[0]):
-        if known[i, WAY_COUNT] > 0.0 and count < ways.shape[0]:
+        if known[i, SizeWay.COUNT] > 0.0 and count < ways.shape[0]:
             memory.copy_row(ways[count], known[i])
             count += 1
     return count

@@ -2,44 +2,39 @@
 
 import math
 
-from benchdragon.kernels import obstacle_memory as of
-from benchdragon.kernels.box import CX, CY, corner, place_box
+from benchdragon.kernels.box import Box, corner, place_box
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.continuation import UNIT
-from benchdragon.kernels.curve import KIND, S_START, SPIRAL, U_END, U_START, P, length_at
+from benchdragon.kernels.curve import CurveKind, RouteRow, length_at
 from benchdragon.kernels.double_double import head_drift
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.memory import copy_row
 from benchdragon.kernels.motion_bounds import place_chain
-from benchdragon.kernels.nearness import (
-    CORNER,
-    DISTANCE,
-    FEATURE,
-    GAP,
-    OWNER,
-    POINTS,
-    corner_feature,
-    nearness,
-)
-from benchdragon.kernels.obstacle import VENUE, forbids
+from benchdragon.kernels.nearness import Closest, corner_feature, nearness
+from benchdragon.kernels.obstacle import ObstacleKind, forbids
 from benchdragon.kernels.obstacle_contact import centre_distance, distances_to
-from benchdragon.kernels.obstacle_memory import Beside
-from benchdragon.kernels.question import SPENT
+from benchdragon.kernels.obstacle_memory import Beside, ObstacleFound, ObstacleGiven, ObstacleTold
+from benchdragon.kernels.question import Told
 from benchdragon.kernels.rounding import HALF_UNIT, handle_errors, mark_lanes
 from benchdragon.kernels.status import Status
 
 # Roundings of a route position, of the lengths that it is counted by.
 COUNTED = 24.0
 # Newton steps for the head position at which a handle comes to a place; about five are needed.
-MOST_STEPS = 100
+MOST_PLACE_STEPS = 100
 
 
 @kernel
 def put(beside: Beside, n: int, low: float, high: float, bench: float, sure: bool) -> None:
     """Fill row n of what is found."""
     row = beside.found[n]
-    row[of.LOW_END], row[of.HIGH_END], row[of.HEAD], row[of.WHO] = low, high, high, bench
-    row[of.SURE] = 1.0 if sure else 0.0
+    (
+        row[ObstacleFound.LOW_END],
+        row[ObstacleFound.HIGH_END],
+        row[ObstacleFound.HEAD],
+        row[ObstacleFound.WHO],
+    ) = low, high, high, bench
+    row[ObstacleFound.SURE] = 1.0 if sure else 0.0
 
 
 @kernel
@@ -50,18 +45,18 @@ def last_handle(beside: Beside, bench: int, head: float) -> tuple[float, float]:
     """
     rows, chain = beside.bench.rows, beside.chain
     beside.at[0] = head
-    beside.figures[SPENT] += bench + 1.0
+    beside.figures[Told.SPENT] += bench + 1.0
     march(rows, beside.links[:bench], beside.at, 0, 1, chain)
     if chain.failed[0, 0] != Status.OK:
         return math.nan, math.nan
     j = chain.row[bench, 0]
-    return rows[j, S_START] + length_at(rows, j, chain.u[bench, 0]), chain.ratio[bench, 0]
+    return rows[j, RouteRow.S_START] + length_at(rows, j, chain.u[bench, 0]), chain.ratio[bench, 0]
 
 
 @kernel
 def head_between(beside: Beside, bench: int, lower: float, upper: float) -> tuple[float, float]:
     """Head positions, m, between which a bench's front handle surely goes from lower to upper."""
-    low, high = beside.asked[of.HEAD_FIRST], beside.asked[of.HEAD_LAST]
+    low, high = beside.asked[ObstacleGiven.HEAD_FIRST], beside.asked[ObstacleGiven.HEAD_LAST]
     if bench == 0:
         return max(lower, low), min(upper, high)
     for _pass in range(2):  # by what errors are at the ends, then by what they are there
@@ -82,26 +77,26 @@ def handle_off(beside: Beside, bench: int, head: float) -> float:
     drift, doubt = head_drift(rows, head)
     counted = 0.0
     for j in range(rows.shape[0]):
-        if rows[j, KIND] == SPIRAL:
-            outmost = math.hypot(1.0, max(abs(rows[j, U_START]), abs(rows[j, U_END])))
-            counted += rows[j, P] * outmost * outmost
+        if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
+            outmost = math.hypot(1.0, max(abs(rows[j, RouteRow.U_START]), abs(rows[j, RouteRow.U_END])))
+            counted += rows[j, RouteRow.P] * outmost * outmost
     counted += abs(head)
     beside.at[0] = head
-    beside.figures[SPENT] += bench + 1.0
+    beside.figures[Told.SPENT] += bench + 1.0
     if place_chain(rows, links, beside.at, 0, 1, chain):
         mark_lanes(rows, links, chain, 0, 1, beside.lanes)
         handle_errors(rows, links, beside.bench.seams, chain, beside.lanes, 0, beside.errors)
         moved = beside.errors[bench]
-    off = beside.figures[of.SOUGHT_OFF] + moved + abs(drift) + doubt
+    off = beside.figures[ObstacleTold.SOUGHT_OFF] + moved + abs(drift) + doubt
     return off + COUNTED * HALF_UNIT * counted
 
 
 @kernel
 def head_bracket(beside: Beside, bench: int, s: float) -> tuple[float, float]:
     """Head positions, m, between which the front handle of a bench comes to s."""
-    low, high = beside.asked[of.HEAD_FIRST], beside.asked[of.HEAD_LAST]
+    low, high = beside.asked[ObstacleGiven.HEAD_FIRST], beside.asked[ObstacleGiven.HEAD_LAST]
     guess, fine = 0.5 * (low + high), 4.0 * UNIT * max(abs(low), abs(high), 1.0)
-    for step in range(MOST_STEPS):
+    for step in range(MOST_PLACE_STEPS):
         if high - low <= 2.0 * fine:
             break
         if not low < guess < high:
@@ -125,9 +120,13 @@ def show(beside: Beside, n: int) -> None:
     venue the point is the corner that is farthest out, and the gap minus how far.
     """
     row, asked, box, boxes = beside.found[n], beside.asked, beside.box, beside.standing.boxes
-    sort, bench, outline = int(asked[of.SORT]), int(beside.found[n, of.WHO]), beside.outline
-    at, _ratio = last_handle(beside, bench + 1, row[of.HEAD])
-    row[of.GAP] = math.nan
+    sort, bench, outline = (
+        int(asked[ObstacleGiven.SORT]),
+        int(beside.found[n, ObstacleFound.WHO]),
+        beside.outline,
+    )
+    at, _ratio = last_handle(beside, bench + 1, row[ObstacleFound.HEAD])
+    row[ObstacleFound.GAP] = math.nan
     if math.isnan(at):
         return
     place_box(beside.sizes, bench, bench, beside.chain.x, beside.chain.y, 0, box, 0)
@@ -135,14 +134,16 @@ def show(beside: Beside, n: int) -> None:
     copy_row(box[1], boxes[beside.which[0]])
     near = beside.nearest
     nearness(box, 0, 1, near)
-    x, y, apart = near[POINTS], near[POINTS + 1], near[DISTANCE]
-    own = near[OWNER] == 0.0
-    feature = corner_feature(int(near[CORNER])) if own else int(near[FEATURE])
-    gap = (near[GAP] if apart <= 0.0 else apart) - asked[of.RADIUS]
-    if gap > 0.0 and forbids(sort, outline, asked[of.RADIUS], box[0, CX], box[0, CY]):
+    x, y, apart = near[Closest.POINTS], near[Closest.POINTS + 1], near[Closest.DISTANCE]
+    own = near[Closest.OWNER] == 0.0
+    feature = corner_feature(int(near[Closest.CORNER])) if own else int(near[Closest.FEATURE])
+    gap = (near[Closest.GAP] if apart <= 0.0 else apart) - asked[ObstacleGiven.RADIUS]
+    if gap > 0.0 and forbids(
+        sort, outline, asked[ObstacleGiven.RADIUS], box[0, Box.CX], box[0, Box.CY]
+    ):
         gap = -gap
     farthest = math.inf
-    for k in range(4 if sort == VENUE else 0):
+    for k in range(4 if sort == ObstacleKind.VENUE else 0):
         corner_x, corner_y = corner(box, 0, k)
         if forbids(sort, outline, 0.0, corner_x, corner_y):
             beyond = math.inf
@@ -151,4 +152,9 @@ def show(beside: Beside, n: int) -> None:
             if -beyond < farthest:
                 farthest, gap, x, y = -beyond, -beyond, corner_x, corner_y
                 feature = corner_feature(k)
-    row[of.AT_X], row[of.AT_Y], row[of.GAP], row[of.FEATURE] = x, y, gap, feature
+    (
+        row[ObstacleFound.AT_X],
+        row[ObstacleFound.AT_Y],
+        row[ObstacleFound.GAP],
+        row[ObstacleFound.FEATURE],
+    ) = x, y, gap, feature

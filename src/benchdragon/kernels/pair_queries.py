@@ -8,25 +8,29 @@ import math
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.entries import entry
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.time_of_impact import (
-    LOWER,
-    NEAREST,
     NOTES,
-    UPPER,
     Chain,
     Limits,
+    Note,
     Pairs,
     Search,
     bisect,
     open_step,
 )
 
-# Columns of the answers.
-ENDING = 0  # how the search ended: see kernels/time_of_impact.py
-SOUGHT_LOW = 1  # the bracket of the time of impact, m of the head's arc length
-SOUGHT_HIGH = 2
-SEPARATION = 3  # the least separation seen, m, where it was the goal
-ANSWER_COLUMNS = 4
+
+class PairAnswer(Numbered):
+    """Columns of the answers."""
+
+    ENDING = 0  # how the search ended: see kernels/time_of_impact.py
+    SOUGHT_LOW = 1  # the bracket of the time of impact, m of the head's arc length
+    SOUGHT_HIGH = 2
+    SEPARATION = 3  # the least separation seen, m, where it was the goal
+
+
+ANSWER_COLUMNS = len(PairAnswer)
 # Scratch of integers: the two benches, and the pair by their places among these.
 NUMBERS = 4
 
@@ -50,10 +54,15 @@ def search_pairs(
         sizes[1, first[q]] = sizes[1, second[q]] = width[q]
         for n in range(NOTES):
             note[n] = 0.0
-        note[NEAREST] = math.inf
+        note[Note.NEAREST] = math.inf
         limits = Limits(0.0, slack, narrow, most)
         chain = Chain(rows, links[: second[q] + 1], note[:0], sizes, members, sizes[:0], seams)
         top = open_step(search, 1, spans[q, 0], spans[q, 1])
-        out[q, ENDING] = bisect(search, goal, chain, Pairs(mine, other), top, 0, limits, note)
-        out[q, SOUGHT_LOW], out[q, SOUGHT_HIGH] = note[LOWER], note[UPPER]
-        out[q, SEPARATION] = note[NEAREST]
+        out[q, PairAnswer.ENDING] = bisect(
+            search, goal, chain, Pairs(mine, other), top, 0, limits, note
+        )
+        out[q, PairAnswer.SOUGHT_LOW], out[q, PairAnswer.SOUGHT_HIGH] = (
+            note[Note.LOWER],
+            note[Note.UPPER],
+        )
+        out[q, PairAnswer.SEPARATION] = note[Note.NEAREST]

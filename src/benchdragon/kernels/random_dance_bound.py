@@ -12,50 +12,52 @@ from typing import NamedTuple
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.curve import (
-    KIND,
-    SPIRAL,
-    U_END,
-    U_START,
+    CurveKind,
     FloatArray,
-    P,
-    X,
-    Y,
+    RouteRow,
     curvature,
     parameter_at,
     place,
     spiral_length,
 )
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.stray_line import offset_at
 
 # Stretches into which a walk is divided, each bounded at once, are about so long, in shortest links.
-STRETCH = 2.5
+STRETCH_LINKS = 2.5
 # Beyond these the bound is not tried: angle between bench and route, rad; how far handles are off the
 # route, in its radii of curvature; a link's way along it, in links.
-MOST_ANGLE, MOST_ASIDE, MOST_WAY = 0.9, 0.3, 1.5
+MOST_BENCH_ANGLE, MOST_ASIDE, MOST_WAY = 0.9, 0.3, 1.5
 # So much of the route, in links of the whole dragon, a line that strays is known behind its head.
 WAYS = 1.1
 # Table of a line that strays, m; how much steeper it may be between; how far it is from what is
 # tabulated, across and along, m.
-GRID, STEEPER, ACROSS, ALONG = 0.25, 1.02, 1e-5, 0.1
+GRID, STEEPER, LINE_ACROSS, LINE_ALONG = 0.25, 1.02, 1e-5, 0.1
 # Entries of a table of the route's radius lie at most so far apart, m.
-APART = 0.5
+RADII_APART = 0.5
 # Stretches are searched together whose open benches differ by this factor at most.
 ALIKE = 1.3
 # What is left for rounding, m and rad.
-SPARE, SPARE_ANGLE = 1e-6, 1e-3
-# Numbers of a bound, a row of floats.
-B = 0  # pitch / 2 pi, m
-FIRST = 1  # head positions, m
-LAST = 2
-OUTWARD = 3  # +1 where left is outward, else -1
-LOW = 4  # route position of the first radius, m
-GRID_LOW = 5  # and of the first entry of the line's table
-MOST = 6  # how far any handle is off the route, m
-MOST_STRAY = 7  # and the line alone
-SLOPE = 8  # of the line, at most
-SLACK = 9  # angle between polar angles of two benches and of their handles, rad
-FACTS = 10
+SPARE_LENGTH, SPARE_ANGLE = 1e-6, 1e-3
+
+
+class BoundFact(Numbered):
+    """Numbers of a bound, a row of floats."""
+
+    B = 0  # pitch / 2 pi, m
+    FIRST = 1  # head positions, m
+    LAST = 2
+    OUTWARD = 3  # +1 where left is outward, else -1
+    LOW = 4  # route position of the first radius, m
+    GRID_LOW = 5  # and of the first entry of the line's table
+    MOST = 6  # how far any handle is off the route, m
+    MOST_STRAY = 7  # and the line alone
+    SLOPE = 8  # of the line, at most
+    SLACK = 9  # angle between polar angles of two benches and of their handles, rad
+
+
+FACTS = len(BoundFact)
 
 
 class Bound(NamedTuple):
@@ -83,8 +85,8 @@ def bounds(rows: FloatArray, benches: int) -> bool:
     """Whether a route is a single inward spiral, with benches enough to touch."""
     return (
         rows.shape[0] == 1
-        and rows[0, KIND] == SPIRAL
-        and rows[0, U_END] < rows[0, U_START]
+        and rows[0, RouteRow.KIND] == CurveKind.SPIRAL
+        and rows[0, RouteRow.U_END] < rows[0, RouteRow.U_START]
         and benches > 2
     )
 
@@ -92,14 +94,14 @@ def bounds(rows: FloatArray, benches: int) -> bool:
 @kernel
 def table_sizes(first: float, last: float, links: float) -> tuple[int, int]:
     """Entries of the tables of radii and of a line that strays, with a dragon that is so long, m."""
-    radii = 2 + int((last - first + MOST_WAY * links + 1.0) / APART)
-    return radii, math.ceil((last - first + WAYS * links + ALONG) / GRID)
+    radii = 2 + int((last - first + MOST_WAY * links + 1.0) / RADII_APART)
+    return radii, math.ceil((last - first + WAYS * links + LINE_ALONG) / GRID)
 
 
 @kernel
 def stretch_count(first: float, last: float, shortest: float) -> int:
     """Into how many stretches a walk is divided."""
-    return max(1, int((last - first) / (STRETCH * shortest)))
+    return max(1, int((last - first) / (STRETCH_LINKS * shortest)))
 
 
 @kernel
@@ -115,7 +117,11 @@ def greatest_size(values: FloatArray) -> float:
 def radius_at(bound: Bound, s: float) -> float:
     """The route's radius at s, m, from the table."""
     radius, last = bound.radius, bound.radius.shape[0] - 1
-    at = (s - bound.facts[LOW]) * last / (bound.facts[LAST] - bound.facts[LOW])
+    at = (
+        (s - bound.facts[BoundFact.LOW])
+        * last
+        / (bound.facts[BoundFact.LAST] - bound.facts[BoundFact.LOW])
+    )
     n = min(max(int(at), 0), last - 1)
     return radius[n] + min(max(at - n, 0.0), 1.0) * (radius[n + 1] - radius[n])
 
@@ -129,15 +135,20 @@ def prepare(
     facts, whole = bound.facts, 0.0
     for i in range(links.shape[0]):
         whole += links[i]
-    facts[B], facts[FIRST], facts[LAST] = rows[0, P], first, last
-    facts[LOW], facts[GRID_LOW] = first - MOST_WAY * whole - 1.0, first - WAYS * whole - ALONG
+    facts[BoundFact.B], facts[BoundFact.FIRST], facts[BoundFact.LAST] = rows[0, RouteRow.P], first, last
+    facts[BoundFact.LOW], facts[BoundFact.GRID_LOW] = (
+        first - MOST_WAY * whole - 1.0,
+        first - WAYS * whole - LINE_ALONG,
+    )
     u = parameter_at(rows, 0, last)
     x, y, tx, ty = place(rows, 0, u)
-    facts[OUTWARD] = math.copysign(1.0, (y - rows[0, Y]) * tx - (x - rows[0, X]) * ty)
+    facts[BoundFact.OUTWARD] = math.copysign(
+        1.0, (y - rows[0, RouteRow.Y]) * tx - (x - rows[0, RouteRow.X]) * ty
+    )
     above = tabulate(bound, rows, noise, stray)
     for i in range(bound.aside.shape[0]):
-        bound.aside[i] = facts[OUTWARD] * aside[i] if aside.shape[0] else 0.0
-    facts[MOST] = greatest_size(bound.aside) + facts[MOST_STRAY] + above
+        bound.aside[i] = facts[BoundFact.OUTWARD] * aside[i] if aside.shape[0] else 0.0
+    facts[BoundFact.MOST] = greatest_size(bound.aside) + facts[BoundFact.MOST_STRAY] + above
     if not follow(bound, rows, links, abs(curvature(rows, 0, u))):
         return False
     spread(bound, links, sizes)
@@ -149,18 +160,18 @@ def prepare(
 def tabulate(bound: Bound, rows: FloatArray, noise: FloatArray, stray: float) -> float:
     """Fill the tables of radii and of the line; by how much the radius lies above its, at most, m."""
     facts, radius, table = bound.facts, bound.radius, bound.stray
-    low, last, steepest = facts[LOW], radius.shape[0] - 1, 0.0
+    low, last, steepest = facts[BoundFact.LOW], radius.shape[0] - 1, 0.0
     for n in range(last + 1):
-        u = parameter_at(rows, 0, low + (facts[LAST] - low) * n / last)
-        radius[n] = facts[B] * u
+        u = parameter_at(rows, 0, low + (facts[BoundFact.LAST] - low) * n / last)
+        radius[n] = facts[BoundFact.B] * u
     for n in range(table.shape[0]):
-        value, slope = offset_at(noise, facts[LAST] - (facts[GRID_LOW] + n * GRID))
-        table[n], steepest = facts[OUTWARD] * stray * value, max(steepest, abs(stray * slope))
-    facts[SLOPE], facts[MOST_STRAY] = STEEPER * steepest, 0.0
+        value, slope = offset_at(noise, facts[BoundFact.LAST] - (facts[BoundFact.GRID_LOW] + n * GRID))
+        table[n], steepest = facts[BoundFact.OUTWARD] * stray * value, max(steepest, abs(stray * slope))
+    facts[BoundFact.SLOPE], facts[BoundFact.MOST_STRAY] = STEEPER * steepest, 0.0
     if table.shape[0]:
-        facts[MOST_STRAY] = greatest_size(table) + facts[SLOPE] * GRID + ACROSS
+        facts[BoundFact.MOST_STRAY] = greatest_size(table) + facts[BoundFact.SLOPE] * GRID + LINE_ACROSS
     # Between entries the radius lies above the line: its second derivative is at most b^2 / r^3.
-    return 0.125 * APART**2 * facts[B] ** 2 / max(radius[last], SPARE) ** 3
+    return 0.125 * RADII_APART**2 * facts[BoundFact.B] ** 2 / max(radius[last], SPARE_LENGTH) ** 3
 
 
 @kernel
@@ -171,7 +182,7 @@ def follow(bound: Bound, rows: FloatArray, links: FloatArray, bend: float) -> bo
     triangle whose third is the link; the angle between them is nearly right. `bend`: the greatest, 1/m.
     """
     facts, aside, nearest, farthest = bound.facts, bound.aside, bound.nearest, bound.farthest
-    most, slope, count = facts[MOST], facts[SLOPE], links.shape[0]
+    most, slope, count = facts[BoundFact.MOST], facts[BoundFact.SLOPE], links.shape[0]
     if most * bend > MOST_ASIDE:
         return False
     roughly, whole, sound = 0.0, 0.0, True
@@ -179,17 +190,20 @@ def follow(bound: Bound, rows: FloatArray, links: FloatArray, bend: float) -> bo
     for i in range(count):
         link = links[i]
         apart = abs(aside[i + 1] - aside[i]) + slope * MOST_WAY * link
-        u = parameter_at(rows, 0, facts[LAST] - roughly / (1.0 + most * bend))
+        u = parameter_at(rows, 0, facts[BoundFact.LAST] - roughly / (1.0 + most * bend))
         local = abs(curvature(rows, 0, u))
         angle = 0.5 * local / (1.0 - most * local) * MOST_WAY * link
         chord = 1.0 - angle**2 / 6.0  # of an arc, at least
         longest = apart * angle + math.hypot(link, apart * angle)
         shortest = math.sqrt(max(link**2 - apart**2, 0.0)) - apart * angle
-        off = abs(aside[i]) + facts[MOST_STRAY]
-        bound.apart[i], bound.ways[i] = apart, longest / (max(chord, SPARE) * (1.0 - off * local))
+        off = abs(aside[i]) + facts[BoundFact.MOST_STRAY]
+        bound.apart[i], bound.ways[i] = (
+            apart,
+            longest / (max(chord, SPARE_LENGTH) * (1.0 - off * local)),
+        )
         nearest[i + 1] = nearest[i] + shortest / (1.0 + off * local)
         farthest[i + 1] = farthest[i] + bound.ways[i]
-        sound = sound and bound.ways[i] < MOST_WAY * link and angle + apart / link < MOST_ANGLE
+        sound = sound and bound.ways[i] < MOST_WAY * link and angle + apart / link < MOST_BENCH_ANGLE
         roughly, whole = roughly + link - apart, whole + link
     return sound and not (bound.stray.shape[0] and farthest[count] > WAYS * whole)
 
@@ -203,33 +217,33 @@ def polar(size: float, radius: float, off: float) -> float:
 @kernel
 def spread(bound: Bound, links: FloatArray, sizes: FloatArray) -> None:
     """Fill how far the polar angles of points of a bench are off its handles."""
-    facts, most, body = bound.facts, bound.facts[MOST], 0.0
-    off = most * facts[B]
+    facts, most, body = bound.facts, bound.facts[BoundFact.MOST], 0.0
+    off = most * facts[BoundFact.B]
     for i in range(links.shape[0]):
-        radius = max(radius_at(bound, facts[LAST] - bound.nearest[i]) - most, SPARE)
+        radius = max(radius_at(bound, facts[BoundFact.LAST] - bound.nearest[i]) - most, SPARE_LENGTH)
         half, front, rear = 0.5 * sizes[1, i], sizes[2, i], sizes[3, i]
         body = max(body, polar(math.hypot(links[i] + max(front, rear), half), radius, off))
         bound.ahead[i] = polar(math.hypot(front, half), radius, off)
         bound.behind[i] = polar(math.hypot(rear, half), radius, off)
-    facts[SLACK] = 2.0 * body
+    facts[BoundFact.SLACK] = 2.0 * body
 
 
 @kernel
 def compare_turns(bound: Bound) -> None:
     """Fill by how much the line may lie farther out than one turn farther out."""
-    facts, stray, b, count = bound.facts, bound.stray, bound.facts[B], bound.stray.shape[0]
+    facts, stray, b, count = bound.facts, bound.stray, bound.facts[BoundFact.B], bound.stray.shape[0]
     if count == 0:
         return
     turn = 2.0 * math.pi
-    widest = max(radius_at(bound, facts[GRID_LOW]), 0.0)
-    near = 2 + int((facts[SLACK] * (widest + 2.0 * turn * b) + 2.0 * ALONG) / GRID)
+    widest = max(radius_at(bound, facts[BoundFact.GRID_LOW]), 0.0)
+    near = 2 + int((facts[BoundFact.SLACK] * (widest + 2.0 * turn * b) + 2.0 * LINE_ALONG) / GRID)
     for n in range(count):
-        theta = radius_at(bound, facts[GRID_LOW] + n * GRID) / b
+        theta = radius_at(bound, facts[BoundFact.GRID_LOW] + n * GRID) / b
         outer = n - (spiral_length(b, theta + turn) - spiral_length(b, theta)) / GRID
         middle, lowest = int(max(outer, 0.0)), math.inf
         for m in range(max(middle - near, 0), min(middle + near, count - 1) + 1):
             lowest = min(lowest, stray[m])
-        bound.more[n] = stray[n] - lowest + 2.0 * facts[SLOPE] * GRID
+        bound.more[n] = stray[n] - lowest + 2.0 * facts[BoundFact.SLOPE] * GRID
 
 
 @kernel
@@ -239,7 +253,7 @@ def fill_excess(bound: Bound, links: FloatArray, sizes: FloatArray, first: float
     At distance t from the foot of the centre on the line of two handles, p from the centre, the
     excess has the second derivative p^2 / r^3 + 2 b p t / r^4: positive, at most 1 / p + b / p^2.
     """
-    facts, b, most, edge = bound.facts, bound.facts[B], bound.facts[MOST], math.inf
+    facts, b, most, edge = bound.facts, bound.facts[BoundFact.B], bound.facts[BoundFact.MOST], math.inf
     for i in range(links.shape[0] + 1):
         bound.low[i] = radius_at(bound, last - bound.nearest[i]) - most
         bound.high[i] = radius_at(bound, first - bound.farthest[i]) + most
@@ -247,7 +261,7 @@ def fill_excess(bound: Bound, links: FloatArray, sizes: FloatArray, first: float
         link, width, front, rear = links[i], sizes[1, i], sizes[2, i], sizes[3, i]
         low, way, longer = bound.low[i], bound.ways[i], max(front, rear)
         # From the middle of the handles to the foot, and from there to the farther handle, at most.
-        apart = b * way / max(low, SPARE) + bound.apart[i] + SPARE
+        apart = b * way / max(low, SPARE_LENGTH) + bound.apart[i] + SPARE_LENGTH
         far = apart * bound.high[i + 1] / link + 0.5 * link
         foot = math.sqrt(max(low**2 - far**2, 0.0))
         p = foot - 0.5 * width
@@ -256,9 +270,9 @@ def fill_excess(bound: Bound, links: FloatArray, sizes: FloatArray, first: float
         edge = min(edge, p)
         bend, gradient = 1.0 / p + b / p**2, math.hypot(1.0, b / p)
         at, after = bound.aside[i], bound.aside[i + 1]
-        tilt, steep = (at - after) / link, facts[SLOPE] * way / link
-        rest = 0.5 * width * gradient + longer * steep + SPARE
-        rest += most * (gradient - 1.0 + facts[SLOPE] ** 2) + 0.5 * most**2 * bend
+        tilt, steep = (at - after) / link, facts[BoundFact.SLOPE] * way / link
+        rest = 0.5 * width * gradient + longer * steep + SPARE_LENGTH
+        rest += most * (gradient - 1.0 + facts[BoundFact.SLOPE] ** 2) + 0.5 * most**2 * bend
         ahead = max(front * tilt + 0.5 * bend * front * (link + front), 0.0)
         behind = max(-rear * tilt + 0.5 * bend * rear * (link + rear), 0.0)
         dip = min(at, after) - 0.125 * bend * link**2
@@ -270,7 +284,7 @@ def fill_excess(bound: Bound, links: FloatArray, sizes: FloatArray, first: float
 @kernel
 def add_strays(bound: Bound, first: float, last: float) -> None:
     """Add how much farther out the line may lie under each bench than one turn farther out, m."""
-    more, end, low = bound.more, bound.more.shape[0] - 1, bound.facts[GRID_LOW]
+    more, end, low = bound.more, bound.more.shape[0] - 1, bound.facts[BoundFact.GRID_LOW]
     if end < 0:
         return
     for i in range(bound.out.shape[0]):
@@ -284,7 +298,7 @@ def add_strays(bound: Bound, first: float, last: float) -> None:
 @kernel
 def is_shut(bound: Bound, room: float) -> bool:
     """Whether benches on one turn, or two turns apart, keep apart in a stretch."""
-    nearest, count, b = bound.nearest, bound.out.shape[0], bound.facts[B]
+    nearest, count, b = bound.nearest, bound.out.shape[0], bound.facts[BoundFact.B]
     most, least = bound.out[0], bound.dip[0]
     for i in range(count):
         most, least = max(most, bound.out[i]), min(least, bound.dip[i])
@@ -301,12 +315,12 @@ def open_benches(
     bound: Bound, links: FloatArray, sizes: FloatArray, start: float, end: float, wanted: float
 ) -> int:
     """How many benches from the head hold all pairs that may come near in a stretch."""
-    count, b, slack = links.shape[0], bound.facts[B], bound.facts[SLACK]
-    edge = fill_excess(bound, links, sizes, start - ALONG, end + ALONG)
+    count, b, slack = links.shape[0], bound.facts[BoundFact.B], bound.facts[BoundFact.SLACK]
+    edge = fill_excess(bound, links, sizes, start - LINE_ALONG, end + LINE_ALONG)
     if not edge > 0.0:
         return count
-    add_strays(bound, start - ALONG, end + ALONG)
-    room, pitch = wanted * math.hypot(1.0, b / edge) + SPARE, 2.0 * math.pi * b
+    add_strays(bound, start - LINE_ALONG, end + LINE_ALONG)
+    room, pitch = wanted * math.hypot(1.0, b / edge) + SPARE_LENGTH, 2.0 * math.pi * b
     if not is_shut(bound, room):
         return count
     found, nearest, farthest = 0, bound.nearest, bound.farthest
@@ -328,7 +342,7 @@ def fill_parts(bound: Bound, links: FloatArray, sizes: FloatArray, wanted: float
 
     Outside them no two non-adjacent benches come as near as `wanted`, m. As many rows as stretches.
     """
-    first, last, count = bound.facts[FIRST], bound.facts[LAST], parts.shape[0]
+    first, last, count = bound.facts[BoundFact.FIRST], bound.facts[BoundFact.LAST], parts.shape[0]
     found, end = 0, first
     for n in range(count):
         start, end = end, first + (last - first) * (n + 1) / count

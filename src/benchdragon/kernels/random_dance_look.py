@@ -7,22 +7,27 @@ from benchdragon.kernels import random_dance_memory as m
 from benchdragon.kernels.box import nearest_of
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.every_pair import PAIR_WORK
-from benchdragon.kernels.question import SPENT
-from benchdragon.kernels.random_dance_memory import Dance
+from benchdragon.kernels.numbered import Numbered
+from benchdragon.kernels.question import Told
+from benchdragon.kernels.random_dance_memory import Dance, DanceGiven, DanceSought, DanceTold
 from benchdragon.kernels.time_of_impact import Chain, close_left, evaluate_slot
 
 # Head positions looked at, as a share of the shortest link; how often the range about the least
 # distance is then looked at in so many parts.
-LOOK, SHRINKS, SHARES = 0.3, 4, 8
+LOOK, LOOK_SHRINKS, LOOK_PARTS = 0.3, 4, 8
 # How far around a place known from another pitch, as a share of the longest link; how many benches
 # beyond those that met there.
 AROUND, BEYOND = 1.5, 12
 # The end of the walk that tells about how near benches come where none can touch, m.
 NEAR_END = 20.0
 # Pitches are sought to this, m.
-TOLERANCE = 1e-5
-# What a question is doing.
-ANSWERED, BEGINNING, LOOKING, SEARCHING, JUDGING, SPOILT = range(6)
+PITCH_TOLERANCE = 1e-5
+
+
+class DanceStage(Numbered):
+    """What a question is doing."""
+
+    ANSWERED, BEGINNING, LOOKING, SEARCHING, JUDGING, SPOILT = range(6)
 
 
 class Meeting(NamedTuple):
@@ -53,16 +58,20 @@ def place_count(dance: Dance, first: float, last: float, share: float) -> int:
 def note_low(dance: Dance, found: Meeting) -> None:
     """Take down a meeting as the lowest one."""
     figures = dance.figures
-    figures[m.LOW], figures[m.LOW_AT] = found.distance, found.s
-    figures[m.LOW_FRONT], figures[m.LOW_REAR] = found.i, found.j
+    figures[DanceTold.LOW], figures[DanceTold.LOW_AT] = found.distance, found.s
+    figures[DanceTold.LOW_FRONT], figures[DanceTold.LOW_REAR] = found.i, found.j
 
 
 @kernel
 def set_hint(dance: Dance, n: int, s: float, j: int) -> None:
     """Let hint n be a place of the head, m, as told to a dance with another pitch."""
     figures, hints = dance.figures, dance.hints
-    hints[n, 0], hints[n, 1], hints[n, 2] = s - figures[m.START], figures[m.END] - s, j + 1 + BEYOND
-    figures[m.HINTS] = max(figures[m.HINTS], n + 1)
+    hints[n, 0], hints[n, 1], hints[n, 2] = (
+        s - figures[DanceTold.START],
+        figures[DanceTold.END] - s,
+        j + 1 + BEYOND,
+    )
+    figures[DanceTold.HINTS] = max(figures[DanceTold.HINTS], n + 1)
 
 
 @kernel
@@ -83,7 +92,7 @@ def look(dance: Dance, count: int, s: float, fresh: bool, least: float) -> Meeti
         search.boxes[:0],
         seams,
     )
-    dance.figures[SPENT] += count + 1 + 0.5 * PAIR_WORK * count * count
+    dance.figures[Told.SPENT] += count + 1 + 0.5 * PAIR_WORK * count * count
     search.at[slot] = s
     if not evaluate_slot(chain, search, slot, 0):
         return Meeting(math.nan, s, 0, 0)
@@ -100,16 +109,16 @@ def lowest(dance: Dance, best: Meeting, low: float, high: float, count: int, rou
     """The lowest meeting of the first benches about the range from low to high, m, or `best`."""
     for _ in range(rounds):
         seen, at = math.inf, 0
-        for n in range(SHARES + 1):
-            found = look(dance, count, low + (high - low) * n / SHARES, n == 0, seen)
+        for n in range(LOOK_PARTS + 1):
+            found = look(dance, count, low + (high - low) * n / LOOK_PARTS, n == 0, seen)
             if math.isnan(found.distance):
                 return found
             if found.distance < seen:
                 seen, at = found.distance, n
             if found.distance < best.distance:
                 best = found
-        step = (high - low) / SHARES
-        low, high = low + step * max(at - 1, 0), low + step * min(at + 1, SHARES)
+        step = (high - low) / LOOK_PARTS
+        low, high = low + step * max(at - 1, 0), low + step * min(at + 1, LOOK_PARTS)
         count = min(count, best.j + 1 + BEYOND)
     return best
 
@@ -120,7 +129,12 @@ def meeting_near(dance: Dance, hint: int) -> Meeting:
 
     Counted from the start and from the end: whichever is nearer to touching.
     """
-    start, end, hints, longest = dance.figures[m.START], dance.figures[m.END], dance.hints, 0.0
+    start, end, hints, longest = (
+        dance.figures[DanceTold.START],
+        dance.figures[DanceTold.END],
+        dance.hints,
+        0.0,
+    )
     for i in range(dance.drawn.links.shape[0]):
         longest = max(longest, dance.drawn.links[i])
     count = min(int(hints[hint, 2]), dance.drawn.links.shape[0])
@@ -130,7 +144,7 @@ def meeting_near(dance: Dance, hint: int) -> Meeting:
     for n in range(1 if abs(other - one) < 0.1 * around else 2):
         s = one if n == 0 else other
         low, high = max(s - around, start), min(s + around, end)
-        best = lowest(dance, best, low, high, count, SHRINKS + 1)
+        best = lowest(dance, best, low, high, count, LOOK_SHRINKS + 1)
         if math.isnan(best.distance):
             return best
     return best
@@ -141,9 +155,9 @@ def part_at(dance: Dance, part: int, share: float) -> tuple[float, float, int, i
     """Where a part begins and ends, m, its benches and places; if none is open, the walk's end."""
     figures, parts = dance.figures, dance.parts
     start, end, count = parts[part, 0], parts[part, 1], int(parts[part, 2])
-    if figures[m.PARTS] == 0.0:
-        end, count = figures[m.END], dance.drawn.links.shape[0]
-        start = max(figures[m.START], end - NEAR_END)
+    if figures[DanceTold.PARTS] == 0.0:
+        end, count = figures[DanceTold.END], dance.drawn.links.shape[0]
+        start = max(figures[DanceTold.START], end - NEAR_END)
     return start, end, count, place_count(dance, start, end, share)
 
 
@@ -154,66 +168,86 @@ def is_sure(dance: Dance) -> bool:
     Lines that stray are drawn by arcs, whose number leaps with the pitch, and distances with it. Under
     a pitch that is clear each one must be told clear or touching, or the same would be tried again.
     """
-    pitch, touching = dance.figures[m.PITCH], dance.figures[m.TOUCHING]
-    near = 0.0 < pitch - touching <= TOLERANCE or pitch < dance.figures[m.CLEAR] < math.inf
-    return near or dance.limits[m.WHAT] != m.NEEDED
+    pitch, touching = dance.figures[DanceTold.PITCH], dance.figures[DanceTold.TOUCHING]
+    near = (
+        0.0 < pitch - touching <= PITCH_TOLERANCE or pitch < dance.figures[DanceTold.CLEAR] < math.inf
+    )
+    return near or dance.limits[DanceGiven.WHAT] != DanceSought.NEEDED
 
 
 @kernel
 def weigh(dance: Dance) -> None:
     """Let the lowest distance seen tell the room, or be the reason to search."""
     figures = dance.figures
-    if math.isnan(figures[m.LOW]):
-        figures[m.DOING] = JUDGING
+    if math.isnan(figures[DanceTold.LOW]):
+        figures[DanceTold.DOING] = DanceStage.JUDGING
         return
-    set_hint(dance, 0, figures[m.LOW_AT], int(figures[m.LOW_REAR]))
-    room = figures[m.LOW] - dance.limits[m.MARGIN]
-    figures[m.ROOM], figures[m.DOING] = room, JUDGING
-    if room >= 0.0 and (is_sure(dance) or room <= TOLERANCE):
-        figures[m.DOING], figures[m.PART], figures[m.PLACE] = SEARCHING, 0.0, 0.0
+    set_hint(dance, 0, figures[DanceTold.LOW_AT], int(figures[DanceTold.LOW_REAR]))
+    room = figures[DanceTold.LOW] - dance.limits[DanceGiven.MARGIN]
+    figures[DanceTold.ROOM], figures[DanceTold.DOING] = room, DanceStage.JUDGING
+    if room >= 0.0 and (is_sure(dance) or room <= PITCH_TOLERANCE):
+        figures[DanceTold.DOING], figures[DanceTold.PART], figures[DanceTold.PLACE] = (
+            DanceStage.SEARCHING,
+            0.0,
+            0.0,
+        )
 
 
 @kernel
 def look_first(dance: Dance) -> None:
     """Look where benches met with other pitches; begin to look all over where they just do not now."""
     figures = dance.figures
-    note_low(dance, Meeting(math.inf, figures[m.START], 0, 0))
-    for n in range(int(figures[m.HINTS])):
+    note_low(dance, Meeting(math.inf, figures[DanceTold.START], 0, 0))
+    for n in range(int(figures[DanceTold.HINTS])):
         found = meeting_near(dance, n)
         if math.isnan(found.distance):
             return
-        if found.distance < figures[m.LOW]:
+        if found.distance < figures[DanceTold.LOW]:
             note_low(dance, found)
-    figures[m.DOING], figures[m.PART], figures[m.PLACE] = LOOKING, 0.0, 0.0
-    figures[m.SEEN], figures[m.SEEN_PART], figures[m.SEEN_PLACE] = math.inf, 0.0, 0.0
-    room = figures[m.LOW] - dance.limits[m.MARGIN]
-    if room < 0.0 or TOLERANCE < room < math.inf:
+    figures[DanceTold.DOING], figures[DanceTold.PART], figures[DanceTold.PLACE] = (
+        DanceStage.LOOKING,
+        0.0,
+        0.0,
+    )
+    figures[DanceTold.SEEN], figures[DanceTold.SEEN_PART], figures[DanceTold.SEEN_PLACE] = (
+        math.inf,
+        0.0,
+        0.0,
+    )
+    room = figures[DanceTold.LOW] - dance.limits[DanceGiven.MARGIN]
+    if room < 0.0 or PITCH_TOLERANCE < room < math.inf:
         weigh(dance)
 
 
 @kernel
 def look_on(dance: Dance) -> None:
     """Look at some more places; about the lowest one at last."""
-    figures, part = dance.figures, int(dance.figures[m.PART])
+    figures, part = dance.figures, int(dance.figures[DanceTold.PART])
     start, end, count, places = part_at(dance, part, LOOK)
-    n = int(figures[m.PLACE])
-    for t in range(n, min(n + m.STEPS, places)):
-        found = look(dance, count, start + (end - start) * t / (places - 1), t == n, figures[m.SEEN])
+    n = int(figures[DanceTold.PLACE])
+    for t in range(n, min(n + m.STEPS_TOGETHER, places)):
+        found = look(
+            dance, count, start + (end - start) * t / (places - 1), t == n, figures[DanceTold.SEEN]
+        )
         if math.isnan(found.distance):
-            figures[m.DOING] = JUDGING
+            figures[DanceTold.DOING] = DanceStage.JUDGING
             return
-        if found.distance < figures[m.SEEN]:
-            figures[m.SEEN], figures[m.SEEN_PART], figures[m.SEEN_PLACE] = found.distance, part, t
-    figures[m.PLACE] = n + m.STEPS
-    if n + m.STEPS < places:
+        if found.distance < figures[DanceTold.SEEN]:
+            figures[DanceTold.SEEN], figures[DanceTold.SEEN_PART], figures[DanceTold.SEEN_PLACE] = (
+                found.distance,
+                part,
+                t,
+            )
+    figures[DanceTold.PLACE] = n + m.STEPS_TOGETHER
+    if n + m.STEPS_TOGETHER < places:
         return
-    figures[m.PART], figures[m.PLACE] = part + 1.0, 0.0
-    if part + 1 < figures[m.PARTS]:
+    figures[DanceTold.PART], figures[DanceTold.PLACE] = part + 1.0, 0.0
+    if part + 1 < figures[DanceTold.PARTS]:
         return
-    start, end, count, places = part_at(dance, int(figures[m.SEEN_PART]), LOOK)
-    step, t = (end - start) / (places - 1), figures[m.SEEN_PLACE]
+    start, end, count, places = part_at(dance, int(figures[DanceTold.SEEN_PART]), LOOK)
+    step, t = (end - start) / (places - 1), figures[DanceTold.SEEN_PLACE]
     low, high = start + step * max(t - 1.0, 0.0), start + step * min(t + 1.0, places - 1.0)
-    found = lowest(dance, Meeting(math.inf, start, 0, count - 1), low, high, count, SHRINKS)
-    if not found.distance >= figures[m.LOW]:
+    found = lowest(dance, Meeting(math.inf, start, 0, count - 1), low, high, count, LOOK_SHRINKS)
+    if not found.distance >= figures[DanceTold.LOW]:
         note_low(dance, found)
     weigh(dance)

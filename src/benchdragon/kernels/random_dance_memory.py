@@ -2,7 +2,6 @@
 
 from typing import NamedTuple
 
-from benchdragon.kernels import random_numbers
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import COLUMNS
@@ -10,8 +9,8 @@ from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.family import Family, copy_family, family_shapes
 from benchdragon.kernels.memory import (
     HEADER,
-    OWNED,
     ROW,
+    Header,
     clear,
     copy_row,
     drop,
@@ -20,65 +19,99 @@ from benchdragon.kernels.memory import (
     slot_of,
     take,
 )
-from benchdragon.kernels.question import TOLD
+from benchdragon.kernels.numbered import Numbered
+from benchdragon.kernels.question import Told
 from benchdragon.kernels.random_dance_bound import FACTS, Bound
-from benchdragon.kernels.random_numbers import DEVIATIONS
+from benchdragon.kernels.random_numbers import DEVIATIONS, Random
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search_room import placements, searches, walks
 from benchdragon.kernels.time_of_impact import NOTES, Search
 from benchdragon.kernels.workspace import Walk, copy_walk
 
-# What hosts say of a question, a row of floats.
-WHAT = 0  # NEEDED: the pitch that the dance needs; TOUCHES: whether benches touch with the plan's own
-MARGIN = 1  # distance that benches must keep, m
-FIRST = 2  # where the head of the plan's own walk begins and ends, m
-LAST = 3
-GUESS = 4  # pitch from which is sought, m
-SEED = 5
-DANCE = 6  # its number, from 0
-BYTES = 7  # that tables may take
-BY = 8  # and from here on how far from exact it is: see kernels/random_numbers.py
-ASIDE, STRAY = BY + random_numbers.ASIDE, BY + random_numbers.STRAY
-LIMITS = BY + DEVIATIONS
-NEEDED, TOUCHES = 0, 1
-# What is told of it, a row of floats that begins as kernels/question.py says.
-RESULT = TOLD  # the pitch needed, m, or 1 if benches touch, else 0
-DOING = TOLD + 1
-PITCH = TOLD + 2  # at hand, m
-START = TOLD + 3  # where the head begins and ends along the line, m
-END = TOLD + 4
-PARTS = TOLD + 5  # of the way that must be searched
-PART = TOLD + 6  # at hand
-PLACE = TOLD + 7  # in it, from 0
-PARTNERS = TOLD + 8  # pairs that a bench may have near it
-HINTS = TOLD + 9
-LOW = TOLD + 10  # the lowest distance seen, m; where the head was then, and which benches it was
-LOW_AT = TOLD + 11
-LOW_FRONT = TOLD + 12
-LOW_REAR = TOLD + 13
-SEEN = TOLD + 14  # the lowest of the places looked at here and there, m; in which part, and place
-SEEN_PART = TOLD + 15
-SEEN_PLACE = TOLD + 16
-ROOM = TOLD + 17  # with the pitch at hand, m: NaN where a bench cannot follow
-TRIALS = TOLD + 18
-TOUCHING = TOLD + 19  # the greatest pitch that touches, m, and the least one that is surely clear
-CLEAR = TOLD + 20
-BEFORE = TOLD + 21  # the pitch of the trial before, m, and its room
-ROOM_BEFORE = TOLD + 22
-FIGURES = TOLD + 23
-# How large is what varies with the pitch, a row of whole numbers.
-ROUTE_ROWS = 0
-POINTS = 1  # of the line
-NUMBERS = 2  # of its noise
-RADII = 3
-GRIDS = 4
-STRETCHES = 5
-PAIRS = 6
-SIZES = 7
-# Of the block: rows of the route, the line, what a step is searched in, and all that keeps its size.
-ROWS_MEMORY, LINE_MEMORY, STEP_MEMORY, OWN_MEMORY = 0, 1, 2, 3
+
+class DanceGiven(Numbered):
+    """What hosts say of a question, a row of floats."""
+
+    # NEEDED: the pitch that the dance needs; TOUCHES: whether benches touch with the plan's own
+    WHAT = 0
+    MARGIN = 1  # distance that benches must keep, m
+    FIRST = 2  # where the head of the plan's own walk begins and ends, m
+    LAST = 3
+    GUESS = 4  # pitch from which is sought, m
+    SEED = 5
+    DANCE = 6  # its number, from 0
+    BYTES = 7  # that tables may take
+    BY = 8  # and from here on how far from exact it is: see kernels/random_numbers.py
+    ASIDE = BY + Random.ASIDE
+    STRAY = BY + Random.STRAY
+
+
+DANCE_LIMITS = DanceGiven.BY + DEVIATIONS
+
+
+class DanceSought(Numbered):
+    """What is asked of a dance."""
+
+    NEEDED, TOUCHES = 0, 1
+
+
+class DanceTold(Told):
+    """What is told of it, a row of floats that begins as kernels/question.py says."""
+
+    RESULT = 2  # the pitch needed, m, or 1 if benches touch, else 0
+    DOING = 3
+    PITCH = 4  # at hand, m
+    START = 5  # where the head begins and ends along the line, m
+    END = 6
+    PARTS = 7  # of the way that must be searched
+    PART = 8  # at hand
+    PLACE = 9  # in it, from 0
+    PARTNERS = 10  # pairs that a bench may have near it
+    HINTS = 11
+    LOW = 12  # the lowest distance seen, m; where the head was then, and which benches it was
+    LOW_AT = 13
+    LOW_FRONT = 14
+    LOW_REAR = 15
+    SEEN = 16  # the lowest of the places looked at here and there, m; in which part, and place
+    SEEN_PART = 17
+    SEEN_PLACE = 18
+    ROOM = 19  # with the pitch at hand, m: NaN where a bench cannot follow
+    TRIALS = 20
+    TOUCHING = 21  # the greatest pitch that touches, m, and the least one that is surely clear
+    CLEAR = 22
+    BEFORE = 23  # the pitch of the trial before, m, and its room
+    ROOM_BEFORE = 24
+
+
+DANCE_FIGURES = len(DanceTold)
+
+
+class DanceSize(Numbered):
+    """How large is what varies with the pitch, a row of whole numbers."""
+
+    ROUTE_ROWS = 0
+    POINTS = 1  # of the line
+    NUMBERS = 2  # of its noise
+    RADII = 3
+    GRIDS = 4
+    STRETCHES = 5
+    PAIRS = 6
+
+
+DANCE_SIZES = len(DanceSize)
+
+
+class DanceMemory(Numbered):
+    """Memories of the block.
+
+    They hold rows of the route, the line, what a step is searched in, and all that keeps its size.
+    """
+
+    ROWS, LINE, STEP, OWN = range(4)
+
+
 # Trials of pitches at most. Steps of the head that are searched in one call.
-MOST_TRIALS, STEPS = 60, 100
+MOST_PITCHES, STEPS_TOGETHER = 60, 100
 
 
 class Drawn(NamedTuple):
@@ -117,7 +150,7 @@ class Dance(NamedTuple):
 
 
 LINE_SLOT, STEP_SLOT = slot_of(Dance, "line"), slot_of(Dance, "first")
-END_SLOT = HEADER + slot_count(Dance)
+DANCE_END_SLOT = HEADER + slot_count(Dance)
 BASE = 8 * HEADER
 
 
@@ -125,23 +158,24 @@ BASE = 8 * HEADER
 def lay_own(slots: IntArray, address: int, family: Family, walk: Walk, limits: Vector) -> int:
     """Lay from an address on all that keeps its size; the bytes that takes."""
     benches, (_four, kinds) = walk.benches.kind.shape[0], walk.kinds.sizes.shape
-    aside = benches + 1 if limits[ASIDE] > 0.0 or limits[STRAY] > 0.0 else 0
+    aside = benches + 1 if limits[DanceGiven.ASIDE] > 0.0 or limits[DanceGiven.STRAY] > 0.0 else 0
     row = (benches, ROW)
     return lay(slots, HEADER + 3, address, (
         *walks(benches, kinds), *family_shapes(family), row, (4, benches),
         (aside, ROW), (1, ROW), *placements(benches + 1, 1), row, (5, benches),
-        (MOST_TRIALS + 2, 3), (STEPS + 1, ROW), (NOTES, ROW), (LIMITS, ROW), (FIGURES, ROW),
-        (SIZES, ROW),
+        (MOST_PITCHES + 2, 3), (STEPS_TOGETHER + 1, ROW), (NOTES, ROW), (DANCE_LIMITS, ROW),
+        (DANCE_FIGURES, ROW),
+        (DANCE_SIZES, ROW),
     ))  # fmt: skip
 
 
 @kernel
 def make_rows(slots: IntArray, rows: int) -> bool:
     """Make room for so many rows of the route; whether there is memory."""
-    drop(slots, ROWS_MEMORY)
-    if not take(slots, ROWS_MEMORY, 8 * rows * COLUMNS):
+    drop(slots, DanceMemory.ROWS)
+    if not take(slots, DanceMemory.ROWS, 8 * rows * COLUMNS):
         return False
-    lay(slots, HEADER, slots[OWNED + ROWS_MEMORY], ((rows, COLUMNS),))
+    lay(slots, HEADER, slots[Header.OWNED + DanceMemory.ROWS], ((rows, COLUMNS),))
     return True
 
 
@@ -151,17 +185,24 @@ def lay_line(slots: IntArray, address: int, sizes: IntVector, benches: int) -> i
 
     The line is the route where there are no points.
     """
-    points, bounded = sizes[POINTS], benches if sizes[RADII] else 0
+    points, bounded = sizes[DanceSize.POINTS], benches if sizes[DanceSize.RADII] else 0
     own, after = 0, address
     if points:
         own = lay(slots, LINE_SLOT, address, ((2 * points - 1, COLUMNS),))
         after += own
     else:
-        lay(slots, LINE_SLOT, slots[OWNED + ROWS_MEMORY], ((sizes[ROUTE_ROWS], COLUMNS),))
+        lay(
+            slots,
+            LINE_SLOT,
+            slots[Header.OWNED + DanceMemory.ROWS],
+            ((sizes[DanceSize.ROUTE_ROWS], COLUMNS),),
+        )
     one, more = (bounded, ROW), (bounded + 1, ROW)
     return own + lay(slots, LINE_SLOT + 3, after, (
-        (points, ROW), (points, ROW), (sizes[NUMBERS], ROW), (max(sizes[STRETCHES], 1), 3),
-        (FACTS, ROW), (sizes[RADII], ROW), (sizes[GRIDS], ROW), (sizes[GRIDS], ROW),
+        (points, ROW), (points, ROW), (sizes[DanceSize.NUMBERS], ROW), (max(sizes[DanceSize.STRETCHES],
+        1), 3),
+        (FACTS, ROW), (sizes[DanceSize.RADII], ROW), (sizes[DanceSize.GRIDS], ROW),
+        (sizes[DanceSize.GRIDS], ROW),
         more, one, one, more, more, one, one, one, one, more, more,
     ))  # fmt: skip
 
@@ -185,18 +226,18 @@ def roomy(slots: IntArray, memory: int, size: int, most: float) -> int:
 @kernel
 def make_line(slots: IntArray, sizes: IntVector, benches: int, most: float) -> int:
     """Make that room, as `roomy` does."""
-    ending = roomy(slots, LINE_MEMORY, lay_line(slots, 0, sizes, benches), most)
+    ending = roomy(slots, DanceMemory.LINE, lay_line(slots, 0, sizes, benches), most)
     if ending == 0:
-        lay_line(slots, slots[OWNED + LINE_MEMORY], sizes, benches)
+        lay_line(slots, slots[Header.OWNED + DanceMemory.LINE], sizes, benches)
     return ending
 
 
 @kernel
 def make_step(slots: IntArray, pairs: int, benches: int, most: float) -> int:
     """Make room to search steps of so many pairs in, as `roomy` does."""
-    ending = roomy(slots, STEP_MEMORY, lay_step(slots, 0, pairs, benches), most)
+    ending = roomy(slots, DanceMemory.STEP, lay_step(slots, 0, pairs, benches), most)
     if ending == 0:
-        lay_step(slots, slots[OWNED + STEP_MEMORY], pairs, benches)
+        lay_step(slots, slots[Header.OWNED + DanceMemory.STEP], pairs, benches)
     return ending
 
 

@@ -10,15 +10,22 @@ import math
 from benchdragon.kernels.angles import sincos
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.numbered import Numbered
 
 WORD = 0xFFFFFFFF
 # Its multipliers, and what its keys grow by from round to round.
 TIMES, OTHER_TIMES = 0xD2511F53, 0xCD9E8D57
 PLUS, OTHER_PLUS = 0x9E3779B9, 0xBB67AE85
 ROUNDS = 10
-# What is random in a dance, by its standard deviation, m: see `Deviations` of solve/tolerance.py.
-ASIDE, STRAY, PLAY, HEIGHT, LENGTH, WIDTH = range(6)
-DEVIATIONS = 6
+
+
+class Random(Numbered):
+    """What is random in a dance, by its standard deviation, m: `Deviations` of solve/tolerance.py."""
+
+    ASIDE, STRAY, PLAY, HEIGHT, LENGTH, WIDTH = range(6)
+
+
+DEVIATIONS = len(Random)
 
 
 @kernel
@@ -64,13 +71,13 @@ def draw_benches(
     """
     for i in range(plain.shape[1]):
         front, rear = plain[2, i], plain[3, i]
-        sizes[0, i] = plain[0, i] + deviations[LENGTH] * normal_at(seed, dance, LENGTH, i)
-        sizes[1, i] = plain[1, i] + deviations[WIDTH] * normal_at(seed, dance, WIDTH, i)
+        sizes[0, i] = plain[0, i] + deviations[Random.LENGTH] * normal_at(seed, dance, Random.LENGTH, i)
+        sizes[1, i] = plain[1, i] + deviations[Random.WIDTH] * normal_at(seed, dance, Random.WIDTH, i)
         link = sizes[0, i] - front - rear
-        height = deviations[HEIGHT] * normal_at(seed, dance, HEIGHT, i)
+        height = deviations[Random.HEIGHT] * normal_at(seed, dance, Random.HEIGHT, i)
         longer = math.sqrt(max(link * link - height * height, 0.0)) - link
-        longer += deviations[PLAY] * normal_at(seed, dance, PLAY, i)
+        longer += deviations[Random.PLAY] * normal_at(seed, dance, Random.PLAY, i)
         # Pins with play move the benches, not their edges: the rear inset takes it up.
         sizes[2, i], sizes[3, i] = front, rear - longer
     for i in range(aside.shape[0]):
-        aside[i] = deviations[ASIDE] * normal_at(seed, dance, ASIDE, i)
+        aside[i] = deviations[Random.ASIDE] * normal_at(seed, dance, Random.ASIDE, i)

@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import KIND, SPIRAL, FloatArray, P, bend_slope, curvature, stretch
-from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TURNING, jump_beside
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow, bend_slope, curvature, stretch
+from benchdragon.kernels.drive import DriveRate, jump_beside
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.motion_bounds import bench_angles
 from benchdragon.kernels.rounding import ABOUT, HALF_UNIT, angle_error, link_error, place_error
@@ -43,8 +43,8 @@ class Errors(NamedTuple):
 def bend_error(rows: FloatArray, j: int, u: float, along: float) -> float:
     """What the curvature at u of row j may be off by, 1/m, whose place is off by `along`, m."""
     size = abs(curvature(rows, j, u))
-    if rows[j, KIND] != SPIRAL:  # of what may cancel there
-        size += abs(rows[j, P])
+    if rows[j, RouteRow.KIND] != CurveKind.SPIRAL:  # of what may cancel there
+        size += abs(rows[j, RouteRow.P])
     along += HALF_UNIT * abs(u) * stretch(rows, j, u)
     return bend_slope(rows, j, u) * along + BEND_UNITS * HALF_UNIT * size
 
@@ -149,19 +149,19 @@ def value_error(
     See `drive.value_at`.
     """
     ratio, off, speed = places.ratio[i, t], errors.ratio[i, t], math.sqrt(square)
-    if quantity == SPEEDS:  # the root of the square of what was said is that
+    if quantity == DriveRate.SPEEDS:  # the root of the square of what was said is that
         steady = i == 0 and rate == 0.0
         return ratio * speed * (off if steady else off + SPEED_UNITS * HALF_UNIT)
-    if quantity == TURNING:
+    if quantity == DriveRate.TURNING:
         return errors.turn[i - 1, t] * speed if i > 0 else 0.0
     moved = ratio * abs(rate) * (off + SUM_UNITS * HALF_UNIT)
     moved += (errors.change[i, t] + SUM_UNITS * HALF_UNIT * abs(change[i, t])) * square
-    if quantity == ALONG:
+    if quantity == DriveRate.ALONG:
         return moved
     bend = abs(curvature(rows, places.row[i, t], places.u[i, t]))
     aside = ratio * ratio * square
     aside *= bend * (2.0 * off + SUM_UNITS * HALF_UNIT) + errors.bend[i, t]
-    return aside if quantity == ACROSS else moved + aside
+    return aside if quantity == DriveRate.ACROSS else moved + aside
 
 
 @kernel

@@ -13,12 +13,21 @@ import math
 
 from benchdragon.kernels import curve
 from benchdragon.kernels.arrays import Table, Vector
-from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH
+from benchdragon.kernels.box import Box
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import FloatArray, curvature, heading, place, stretch
+from benchdragon.kernels.curve import (
+    CurveKind,
+    FloatArray,
+    RouteRow,
+    curvature,
+    heading,
+    place,
+    stretch,
+)
 from benchdragon.kernels.drive import jump_beside
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.motion_bounds import bench_angles, reach
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import on_bend
 from benchdragon.kernels.spiral import takes_link
 
@@ -40,9 +49,18 @@ TANGENT_UNITS, TURN_UNITS = 5.0, 4.0
 RATIO_UNITS, COSINE_UNITS = 16.0, 4.0
 # Tangents that differ by more at a joint, rad, make a kink: nobody took it for rounding.
 KINK = 1e-9
-# Columns of a table of seams, one row a row of the route: what joints up to its start may be off by.
-GAP, TILT = 0, 1  # m, rad
-SEAM_COLUMNS = 2
+
+
+class Seam(Numbered):
+    """Columns of a table of seams, one row a row of the route.
+
+    What joints up to its start may be off by.
+    """
+
+    GAP, TILT = 0, 1  # m, rad
+
+
+SEAM_COLUMNS = len(Seam)
 # What errors to first order are widened by.
 ABOUT = 1.0 + 1e-9
 
@@ -50,19 +68,19 @@ ABOUT = 1.0 + 1e-9
 @kernel
 def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float:
     """How far the place (x, y) of parameter u on row j may be from the exact one, m."""
-    kind, off = rows[j, curve.KIND], abs(x) + abs(y)
-    if kind == curve.SPIRAL:
-        return HALF_UNIT * (off + SPIRAL_UNITS * rows[j, curve.P] * u)
+    kind, off = rows[j, RouteRow.KIND], abs(x) + abs(y)
+    if kind == CurveKind.SPIRAL:
+        return HALF_UNIT * (off + SPIRAL_UNITS * rows[j, RouteRow.P] * u)
     if u == 0.0:  # the start of a row is as it is stored
         return 0.0
-    far = abs(x - rows[j, curve.X]) + abs(y - rows[j, curve.Y])
-    if kind == curve.LINE:  # along an axis nothing is rounded but the sum
-        along = rows[j, curve.AXIS_X] == 0.0 or rows[j, curve.AXIS_Y] == 0.0
+    far = abs(x - rows[j, RouteRow.X]) + abs(y - rows[j, RouteRow.Y])
+    if kind == CurveKind.LINE:  # along an axis nothing is rounded but the sum
+        along = rows[j, RouteRow.AXIS_X] == 0.0 or rows[j, RouteRow.AXIS_Y] == 0.0
         return HALF_UNIT * (off if along else off + LINE_UNITS * far)
-    off += PIECE_UNITS * far + (ARC_UNITS if kind == curve.ARC else WAY_UNITS) * abs(u)
-    turn = heading(rows, j, u) - rows[j, curve.ANGLE]
+    off += PIECE_UNITS * far + (ARC_UNITS if kind == CurveKind.ARC else WAY_UNITS) * abs(u)
+    turn = heading(rows, j, u) - rows[j, RouteRow.ANGLE]
     # Where it winds on, its angle counts by its radius.
-    if kind != curve.ARC and abs(turn) > curve.CLOTHOID_TURN:
+    if kind != CurveKind.ARC and abs(turn) > curve.CLOTHOID_TURN:
         off += TURN_UNITS * abs(turn / curvature(rows, j, u))
     return HALF_UNIT * off
 
@@ -70,11 +88,11 @@ def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float
 @kernel
 def tilt_error(rows: FloatArray, j: int, u: float) -> float:
     """How far the computed heading at u of row j may be off, rad."""
-    kind, turn = rows[j, curve.KIND], 0.0
-    if kind != curve.SPIRAL:
-        turn = abs(heading(rows, j, u) - rows[j, curve.ANGLE])
+    kind, turn = rows[j, RouteRow.KIND], 0.0
+    if kind != CurveKind.SPIRAL:
+        turn = abs(heading(rows, j, u) - rows[j, RouteRow.ANGLE])
     # Bends either way may cancel, their rounding does not.
-    if kind not in (curve.LINE, curve.ARC, curve.SPIRAL):
+    if kind not in (CurveKind.LINE, CurveKind.ARC, CurveKind.SPIRAL):
         turn = max(turn, curve.CLOTHOID_TURN)
     return HALF_UNIT * (TANGENT_UNITS + TURN_UNITS * turn)
 
@@ -85,9 +103,9 @@ def find_seams(rows: Table, out: Table) -> None:
 
     Exactly, each row begins where the one before it ends, in its direction unless it makes a kink.
     """
-    out[0, GAP], out[0, TILT] = 0.0, 0.0
+    out[0, Seam.GAP], out[0, Seam.TILT] = 0.0, 0.0
     for j in range(1, rows.shape[0]):
-        end, start = rows[j - 1, curve.U_END], rows[j, curve.U_START]
+        end, start = rows[j - 1, RouteRow.U_END], rows[j, RouteRow.U_START]
         x, y, tx, ty = place(rows, j - 1, end)
         next_x, next_y, next_tx, next_ty = place(rows, j, start)
         gap = abs(next_x - x) + abs(next_y - y)
@@ -96,7 +114,7 @@ def find_seams(rows: Table, out: Table) -> None:
         tilt = tilt_error(rows, j - 1, end) + tilt_error(rows, j, start)
         if swing <= KINK and tx * next_tx + ty * next_ty > 0.0:
             tilt += swing
-        out[j, GAP], out[j, TILT] = out[j - 1, GAP] + gap, out[j - 1, TILT] + tilt
+        out[j, Seam.GAP], out[j, Seam.TILT] = out[j - 1, Seam.GAP] + gap, out[j - 1, Seam.TILT] + tilt
 
 
 @kernel
@@ -109,10 +127,10 @@ def seam_error(rows: FloatArray, seams: FloatArray, seen: int, j: int, x: float,
     if j == seen:
         return 0.0
     a, b = min(j, seen), max(j, seen)
-    start_x, start_y, _, _ = place(rows, b, rows[b, curve.U_START])
+    start_x, start_y, _, _ = place(rows, b, rows[b, RouteRow.U_START])
     far = math.sqrt((x - start_x) ** 2 + (y - start_y) ** 2)
-    far = far + rows[b, curve.S_START] - rows[a + 1, curve.S_START]
-    return seams[b, GAP] - seams[a, GAP] + (seams[b, TILT] - seams[a, TILT]) * far
+    far = far + rows[b, RouteRow.S_START] - rows[a + 1, RouteRow.S_START]
+    return seams[b, Seam.GAP] - seams[a, Seam.GAP] + (seams[b, Seam.TILT] - seams[a, Seam.TILT]) * far
 
 
 @kernel
@@ -148,10 +166,10 @@ def link_error(
     x, y, back_x, back_y = places.x[i, t], places.y[i, t], places.x[i + 1, t], places.y[i + 1, t]
     off = CHORD_UNITS * HALF_UNIT * link
     if j == k and on_bend(rows, j, u, link) == v:
-        return LINE_CHORD * HALF_UNIT * link if rows[j, curve.KIND] == curve.LINE else off, along
+        return LINE_CHORD * HALF_UNIT * link if rows[j, RouteRow.KIND] == CurveKind.LINE else off, along
     off += place_error(rows, j, u, x, y) + place_error(rows, k, v, back_x, back_y)
     off += seam_error(rows, seams, j, k, back_x, back_y)
-    if rows[j, curve.KIND] == curve.SPIRAL:
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
         off += HALF_UNIT * abs(u) * stretch(rows, j, u)
     return off, along
 
@@ -181,8 +199,8 @@ def bend_beyond(rows: FloatArray, j: int, u: float, along: float) -> float:
     k = jump_beside(rows, j, u, along)
     if k < 0:
         return 0.0
-    after = curvature(rows, k + 1, rows[k + 1, curve.U_START])
-    return abs(after - curvature(rows, k, rows[k, curve.U_END]))
+    after = curvature(rows, k + 1, rows[k + 1, RouteRow.U_START])
+    return abs(after - curvature(rows, k, rows[k, RouteRow.U_END]))
 
 
 @kernel
@@ -204,7 +222,10 @@ def angle_error(
     turned += place_error(rows, k, v, places.x[i + 1, t], places.y[i + 1, t])
     turned = (turned + abs(rear_sine) * added) / link
     if j != k:
-        turned += abs(seams[j, TILT] - seams[k, TILT]) + abs(seams[j, GAP] - seams[k, GAP]) / link
+        turned += (
+            abs(seams[j, Seam.TILT] - seams[k, Seam.TILT])
+            + abs(seams[j, Seam.GAP] - seams[k, Seam.GAP]) / link
+        )
     beyond = bend_beyond(rows, k, v, errors[i + 1])
     front = (abs(bend - turn) + bend_beyond(rows, j, u, moved)) * moved
     rear = (abs(follows * rear_bend - turn) + follows * beyond) * moved
@@ -254,7 +275,12 @@ def bench_error(
 @kernel
 def still_error(boxes: FloatArray, n: int) -> float:
     """How far any point of box n, which stands still, may be off, m: by rounding of its corners."""
-    around = boxes[n, HALF_LENGTH] + boxes[n, HALF_WIDTH] + abs(boxes[n, CX]) + abs(boxes[n, CY])
+    around = (
+        boxes[n, Box.HALF_LENGTH]
+        + boxes[n, Box.HALF_WIDTH]
+        + abs(boxes[n, Box.CX])
+        + abs(boxes[n, Box.CY])
+    )
     return 4.0 * HALF_UNIT * around
 
 

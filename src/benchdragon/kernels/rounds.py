@@ -13,25 +13,11 @@ import numpy as np
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import (
-    ANGLE,
-    ARC,
-    CLOTHOID,
-    KIND,
-    LENGTH,
-    LINE,
-    S_START,
-    U_BACK,
-    FloatArray,
-    P,
-    Q,
-    X,
-    Y,
-)
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow
 from benchdragon.kernels.entries import allocates, entry, kernel
-from benchdragon.kernels.rounding import GAP, KINK, TILT
+from benchdragon.kernels.rounding import KINK, Seam
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.spans import BEGUN, HIGH, LOW, MISSED, PERIOD, REPEAT, begin_repeats, new_spans
+from benchdragon.kernels.spans import REPEAT, BegunRepeat, RepeatSpan, begin_repeats, new_spans
 
 # A round leads back to where it began if it misses that by less, m; distances count as off by twice it.
 MOST_MISSED = 1e-4
@@ -46,7 +32,11 @@ ROOM = 64
 @kernel
 def has_shape(rows: FloatArray, j: int) -> bool:
     """Whether the shape of row j is looked at."""
-    return rows[j, KIND] == LINE or rows[j, KIND] == ARC or rows[j, KIND] == CLOTHOID
+    return (
+        rows[j, RouteRow.KIND] == CurveKind.LINE
+        or rows[j, RouteRow.KIND] == CurveKind.ARC
+        or rows[j, RouteRow.KIND] == CurveKind.CLOTHOID
+    )
 
 
 @kernel
@@ -55,10 +45,10 @@ def alike(rows: FloatArray, j: int, period: int) -> bool:
     k = j - period
     return (
         k >= 0
-        and rows[k, LENGTH] == rows[j, LENGTH]
-        and rows[k, KIND] == rows[j, KIND]
-        and rows[k, P] == rows[j, P]
-        and rows[k, Q] == rows[j, Q]
+        and rows[k, RouteRow.LENGTH] == rows[j, RouteRow.LENGTH]
+        and rows[k, RouteRow.KIND] == rows[j, RouteRow.KIND]
+        and rows[k, RouteRow.P] == rows[j, RouteRow.P]
+        and rows[k, RouteRow.Q] == rows[j, RouteRow.Q]
         and has_shape(rows, j)
     )
 
@@ -76,9 +66,11 @@ def is_smooth(rows: FloatArray, j: int) -> bool:
         return True
     if not has_shape(rows, j) or not has_shape(rows, j - 1):
         return False
-    length = rows[j - 1, LENGTH]
-    end = rows[j - 1, ANGLE] + length * (rows[j - 1, P] + 0.5 * rows[j - 1, Q] * length)
-    return abs(wrapped(rows[j, ANGLE] - end)) <= KINK
+    length = rows[j - 1, RouteRow.LENGTH]
+    end = rows[j - 1, RouteRow.ANGLE] + length * (
+        rows[j - 1, RouteRow.P] + 0.5 * rows[j - 1, RouteRow.Q] * length
+    )
+    return abs(wrapped(rows[j, RouteRow.ANGLE] - end)) <= KINK
 
 
 @kernel
@@ -105,8 +97,8 @@ def add_repeat(
     """Take down what repeats, where there is room; how many there are then."""
     if count == known.shape[0]:
         return count
-    known[count, LOW], known[count, HIGH] = low, high
-    known[count, PERIOD], known[count, MISSED] = period, missed
+    known[count, RepeatSpan.LOW], known[count, RepeatSpan.HIGH] = low, high
+    known[count, RepeatSpan.PERIOD], known[count, RepeatSpan.MISSED] = period, missed
     return count + 1
 
 
@@ -118,14 +110,16 @@ def returned(
     missed = 0.0
     for copy in range(first + period, last + 1):
         before = first + (copy - first) % period
-        turned = abs(wrapped(rows[copy, ANGLE] - rows[before, ANGLE]))
-        joint = seams[copy, GAP] + seams[copy, TILT] * (
-            rows[copy, S_START] + rows[copy, LENGTH] + reach
+        turned = abs(wrapped(rows[copy, RouteRow.ANGLE] - rows[before, RouteRow.ANGLE]))
+        joint = seams[copy, Seam.GAP] + seams[copy, Seam.TILT] * (
+            rows[copy, RouteRow.S_START] + rows[copy, RouteRow.LENGTH] + reach
         )
-        other = rows[before, S_START] + rows[before, LENGTH] + reach
-        off = abs(rows[copy, X] - rows[before, X]) + abs(rows[copy, Y] - rows[before, Y])
-        other = seams[before, GAP] + seams[before, TILT] * other
-        off += turned * (rows[copy, LENGTH] + reach) + joint + other
+        other = rows[before, RouteRow.S_START] + rows[before, RouteRow.LENGTH] + reach
+        off = abs(rows[copy, RouteRow.X] - rows[before, RouteRow.X]) + abs(
+            rows[copy, RouteRow.Y] - rows[before, RouteRow.Y]
+        )
+        other = seams[before, Seam.GAP] + seams[before, Seam.TILT] * other
+        off += turned * (rows[copy, RouteRow.LENGTH] + reach) + joint + other
         if off > MOST_MISSED:
             return copy - 1, missed
         missed = max(missed, off)
@@ -137,12 +131,12 @@ def find_bends(rows: FloatArray, back: bool, known: FloatArray) -> int:
     """Fill in the rows that are the same everywhere, or that lead back round their circle; how many."""
     count = 0
     for j in range(rows.shape[0]):
-        arc = rows[j, KIND] == ARC
-        low, high = rows[j, S_START], rows[j, S_START] + rows[j, LENGTH]
-        if back and arc and rows[j, P] != 0.0:
-            count = add_repeat(known, count, low, high, TURN / abs(rows[j, P]), 0.0)
-        elif not back and (arc or rows[j, KIND] == LINE):
-            low = -math.inf if j == 0 and math.isinf(rows[0, U_BACK]) else low
+        arc = rows[j, RouteRow.KIND] == CurveKind.ARC
+        low, high = rows[j, RouteRow.S_START], rows[j, RouteRow.S_START] + rows[j, RouteRow.LENGTH]
+        if back and arc and rows[j, RouteRow.P] != 0.0:
+            count = add_repeat(known, count, low, high, TURN / abs(rows[j, RouteRow.P]), 0.0)
+        elif not back and (arc or rows[j, RouteRow.KIND] == CurveKind.LINE):
+            low = -math.inf if j == 0 and math.isinf(rows[0, RouteRow.U_BACK]) else low
             count = add_repeat(known, count, low, high, 0.0, 0.0)
     return count
 
@@ -161,8 +155,11 @@ def add_run(
         return count
     for k in range(first, end + 1):
         used[k] = 1
-    way, high = rows[first, S_START] - rows[begin, S_START], rows[end, S_START] + rows[end, LENGTH]
-    return add_repeat(known, count, rows[begin, S_START], high, way, missed)
+    way, high = (
+        rows[first, RouteRow.S_START] - rows[begin, RouteRow.S_START],
+        rows[end, RouteRow.S_START] + rows[end, RouteRow.LENGTH],
+    )
+    return add_repeat(known, count, rows[begin, RouteRow.S_START], high, way, missed)
 
 
 @kernel
@@ -226,9 +223,16 @@ def spans_left(
         length += links[i]
     order, kept = np.empty(total, dtype=np.int64), np.empty(total)
     for n in range(total):
-        order[n], kept[n] = n, known[n, LOW] - known[n, HIGH] + known[n, PERIOD]
+        order[n], kept[n] = (
+            n,
+            known[n, RepeatSpan.LOW] - known[n, RepeatSpan.HIGH] + known[n, RepeatSpan.PERIOD],
+        )
         put_in_order(kept, n + 1, order)
-    ordered, begun, skips = np.empty((total, REPEAT)), np.empty((total, BEGUN)), np.empty((total, 2))
+    ordered, begun, skips = (
+        np.empty((total, REPEAT)),
+        np.empty((total, BegunRepeat.BEGUN)),
+        np.empty((total, 2)),
+    )
     for n in range(total):
         for k in range(REPEAT):
             ordered[n, k] = known[order[n], k]

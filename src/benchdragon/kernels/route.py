@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from benchdragon.kernels import curve
 from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.curve import CurveKind, RouteRow
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.status import Status
 
@@ -31,7 +32,7 @@ def row_at(rows: curve.FloatArray, s: float) -> int:
     high = rows.shape[0] - 1
     while low < high:
         middle = (low + high + 1) // 2
-        if rows[middle, curve.S_START] <= s:
+        if rows[middle, RouteRow.S_START] <= s:
             low = middle
         else:
             high = middle - 1
@@ -42,10 +43,10 @@ def row_at(rows: curve.FloatArray, s: float) -> int:
 def locate(rows: curve.FloatArray, s: float) -> tuple[int, float, Status]:
     """Row and parameter of route position s (m), which may lie on the extension behind the start."""
     j = row_at(rows, s)
-    u = curve.parameter_at(rows, j, min(s - rows[j, curve.S_START], rows[j, curve.LENGTH]))
-    if s > rows[j, curve.S_START] + rows[j, curve.LENGTH] + END_SLACK:
+    u = curve.parameter_at(rows, j, min(s - rows[j, RouteRow.S_START], rows[j, RouteRow.LENGTH]))
+    if s > rows[j, RouteRow.S_START] + rows[j, RouteRow.LENGTH] + END_SLACK:
         return j, u, Status.AFTER_ROUTE
-    if s < 0.0 and math.isfinite(rows[0, curve.U_BACK]):
+    if s < 0.0 and math.isfinite(rows[0, RouteRow.U_BACK]):
         return j, u, Status.BEFORE_ROUTE
     return j, u, Status.OK
 
@@ -68,7 +69,7 @@ def evaluate(rows: Table, s: Vector, out: Table) -> None:
 def positions(rows: Table, row: IntVector, u: Vector, out: Vector) -> None:
     """Fill out with the route positions, m, of the places (row, u); all flat."""
     for i in range(out.shape[0]):
-        out[i] = rows[row[i], curve.S_START] + curve.length_at(rows, row[i], u[i])
+        out[i] = rows[row[i], RouteRow.S_START] + curve.length_at(rows, row[i], u[i])
 
 
 @kernel
@@ -77,8 +78,8 @@ def step_back(rows: curve.FloatArray, j: int, u: float, reach: float) -> float:
     sign = curve.walks_up(rows, j)
     if sign < 0.0:  # the arc grows with theta: divide by what it is at the far end
         reach /= curve.stretch(rows, j, u + reach / curve.stretch(rows, j, u))
-        return min(u + reach, rows[j, curve.U_BACK])
-    return max(u - reach / curve.stretch(rows, j, u), rows[j, curve.U_BACK])
+        return min(u + reach, rows[j, RouteRow.U_BACK])
+    return max(u - reach / curve.stretch(rows, j, u), rows[j, RouteRow.U_BACK])
 
 
 @kernel
@@ -140,12 +141,12 @@ def growing_chord(
 @kernel
 def on_bend(rows: curve.FloatArray, j: int, u: float, link: float) -> float:
     """The parameter one link behind u on row j, where that is a line or an arc; NaN if none is."""
-    bend, back = abs(rows[j, curve.P]), math.nan
-    if rows[j, curve.KIND] == curve.LINE:
+    bend, back = abs(rows[j, RouteRow.P]), math.nan
+    if rows[j, RouteRow.KIND] == CurveKind.LINE:
         back = u - link
-    elif rows[j, curve.KIND] == curve.ARC and 0.5 * link * bend < 1.0:
+    elif rows[j, RouteRow.KIND] == CurveKind.ARC and 0.5 * link * bend < 1.0:
         back = u - 2.0 * math.asin(0.5 * link * bend) / bend
-    return back if back >= rows[j, curve.U_BACK] else math.nan
+    return back if back >= rows[j, RouteRow.U_BACK] else math.nan
 
 
 @kernel
@@ -162,11 +163,11 @@ def next_handle(
         return j, back, Status.OK
     slack = link
     for _ in range(MAX_STEPS + 2 * rows.shape[0]):
-        if u == rows[j, curve.U_BACK]:
+        if u == rows[j, RouteRow.U_BACK]:
             if j == 0:
                 return j, u, Status.ROUTE_TOO_SHORT
             j -= 1
-            u = rows[j, curve.U_END]
+            u = rows[j, RouteRow.U_END]
         else:
             u = step_back(rows, j, u, slack)
         px, py, tx, ty = curve.place(rows, j, u)
@@ -194,6 +195,6 @@ def next_handle(
 def folded(rows: curve.FloatArray, front: int, rear: int, link: float) -> Status:
     """What to call a fold between two rows: the link's length, if an arc is to blame."""
     for j in (front, rear):
-        if rows[j, curve.KIND] == curve.ARC and link * abs(rows[j, curve.P]) >= 2.0:
+        if rows[j, RouteRow.KIND] == CurveKind.ARC and link * abs(rows[j, RouteRow.P]) >= 2.0:
             return Status.LINK_OVER_DIAMETER
     return Status.FOLDED

@@ -9,24 +9,39 @@ from typing import NamedTuple
 from benchdragon.kernels import curve
 from benchdragon.kernels.angles import sincos_of
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.curve import FloatArray, curvature, heading, length_at, place
+from benchdragon.kernels.curve import (
+    CurveKind,
+    FloatArray,
+    RouteRow,
+    curvature,
+    heading,
+    length_at,
+    place,
+)
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import locate
 
-PART_KIND = 0  # as KIND of a row
-PART_X = 1  # start point; of a spiral the centre, m
-PART_Y = 2
-PART_ANGLE = 3  # heading at the start; of a spiral the polar axis, rad
-SIZE = 4  # length; of an arc the radius, of a spiral the pitch, m
-FIRST = 5  # curvature at the start, 1/m; of an arc the sweep, of a spiral the first theta, rad
-LAST = 6  # curvature at the end, 1/m; of a spiral the last theta, rad
-HAND = 7  # of a spiral: +1, or -1 if mirrored
-PART_COLUMNS = 8
+
+class RoutePart(Numbered):
+    """Columns of parts of a route, one row a part."""
+
+    KIND = 0  # as KIND of a row
+    X = 1  # start point; of a spiral the centre, m
+    Y = 2
+    ANGLE = 3  # heading at the start; of a spiral the polar axis, rad
+    SIZE = 4  # length; of an arc the radius, of a spiral the pitch, m
+    FIRST = 5  # curvature at the start, 1/m; of an arc the sweep, of a spiral the first theta, rad
+    LAST = 6  # curvature at the end, 1/m; of a spiral the last theta, rad
+    HAND = 7  # of a spiral: +1, or -1 if mirrored
+
+
+PART_COLUMNS = len(RoutePart)
 
 # What is greater by no more than this share is as great: of equals the first is meant, on every engine.
 EQUAL = 1.0 + 1e-9
 # Places at which a route's reach is looked at; a turn has some 1e3.
-MOST_PLACES = 1e6
+MOST_REACH_PLACES = 1e6
 
 
 class Pose(NamedTuple):
@@ -40,9 +55,9 @@ class Pose(NamedTuple):
 @kernel
 def cuts(parts: FloatArray, i: int) -> int:
     """Rows that part i fills: a clothoid several, if it turns too far for one quadrature."""
-    if parts[i, PART_KIND] != curve.CLOTHOID:
+    if parts[i, RoutePart.KIND] != CurveKind.CLOTHOID:
         return 1
-    turn = parts[i, SIZE] * max(abs(parts[i, FIRST]), abs(parts[i, LAST]))
+    turn = parts[i, RoutePart.SIZE] * max(abs(parts[i, RoutePart.FIRST]), abs(parts[i, RoutePart.LAST]))
     return max(1, math.ceil(turn / curve.CLOTHOID_TURN))
 
 
@@ -69,13 +84,13 @@ def lay_rows(parts: Table, start: Pose, first: int, stop: int, rows: Table) -> N
         write_row(parts, i, rows, j, s)
         if first <= i < stop:
             move_row(rows, j, pose)
-            parts[i, PART_X] = rows[j, curve.X]
-            parts[i, PART_Y] = rows[j, curve.Y]
-            parts[i, PART_ANGLE] = rows[j, curve.ANGLE]
+            parts[i, RoutePart.X] = rows[j, RouteRow.X]
+            parts[i, RoutePart.Y] = rows[j, RouteRow.Y]
+            parts[i, RoutePart.ANGLE] = rows[j, RouteRow.ANGLE]
         count = cuts(parts, i)
-        piece = rows[j, curve.LENGTH]
+        piece = rows[j, RouteRow.LENGTH]
         for n in range(1, count):
-            bend = parts[i, FIRST] + rows[j, curve.Q] * piece * n
+            bend = parts[i, RoutePart.FIRST] + rows[j, RouteRow.Q] * piece * n
             continue_clothoid(rows, j + n, s + piece * n, bend)
         j += count
         s += piece * (count - 1) + piece
@@ -85,51 +100,56 @@ def lay_rows(parts: Table, start: Pose, first: int, stop: int, rows: Table) -> N
 @kernel
 def set_axis(rows: FloatArray, j: int) -> None:
     """Fill the cosine and sine of row j's ANGLE."""
-    rows[j, curve.AXIS_Y], rows[j, curve.AXIS_X] = sincos_of(rows[j, curve.ANGLE])
+    rows[j, RouteRow.AXIS_Y], rows[j, RouteRow.AXIS_X] = sincos_of(rows[j, RouteRow.ANGLE])
 
 
 @kernel
 def write_row(parts: FloatArray, i: int, rows: FloatArray, j: int, s: float) -> None:
     """Row j, at route position s, for part i; for a clothoid that is cut the first of its rows."""
-    kind, size, first, last = parts[i, PART_KIND], parts[i, SIZE], parts[i, FIRST], parts[i, LAST]
-    rows[j, curve.KIND] = kind
-    rows[j, curve.PART] = i
-    rows[j, curve.S_START] = s
-    rows[j, curve.X] = parts[i, PART_X]
-    rows[j, curve.Y] = parts[i, PART_Y]
-    rows[j, curve.ANGLE] = parts[i, PART_ANGLE]
-    rows[j, curve.P] = first
-    rows[j, curve.Q] = 0.0
-    rows[j, curve.U_START] = 0.0
-    rows[j, curve.LENGTH] = size
-    if kind == curve.SPIRAL:
-        rows[j, curve.P] = size / (2.0 * math.pi)
-        rows[j, curve.Q] = parts[i, HAND]
-        rows[j, curve.U_START] = first
-        rows[j, curve.U_END] = last
-        rows[j, curve.LENGTH] = length_at(rows, j, last)
-    elif kind == curve.ARC:
-        rows[j, curve.P] = math.copysign(1.0 / size, first)
-        rows[j, curve.LENGTH] = size * abs(first)
-    elif kind == curve.CLOTHOID:
-        rows[j, curve.LENGTH] = size / cuts(parts, i)
-        rows[j, curve.Q] = (last - first) / size
-    elif kind == curve.LOG_SPIRAL:
-        rows[j, curve.Q] = (first - last) / last / size
-    if kind != curve.SPIRAL:
-        rows[j, curve.U_END] = rows[j, curve.LENGTH]
+    kind, size, first, last = (
+        parts[i, RoutePart.KIND],
+        parts[i, RoutePart.SIZE],
+        parts[i, RoutePart.FIRST],
+        parts[i, RoutePart.LAST],
+    )
+    rows[j, RouteRow.KIND] = kind
+    rows[j, RouteRow.PART] = i
+    rows[j, RouteRow.S_START] = s
+    rows[j, RouteRow.X] = parts[i, RoutePart.X]
+    rows[j, RouteRow.Y] = parts[i, RoutePart.Y]
+    rows[j, RouteRow.ANGLE] = parts[i, RoutePart.ANGLE]
+    rows[j, RouteRow.P] = first
+    rows[j, RouteRow.Q] = 0.0
+    rows[j, RouteRow.U_START] = 0.0
+    rows[j, RouteRow.LENGTH] = size
+    if kind == CurveKind.SPIRAL:
+        rows[j, RouteRow.P] = size / (2.0 * math.pi)
+        rows[j, RouteRow.Q] = parts[i, RoutePart.HAND]
+        rows[j, RouteRow.U_START] = first
+        rows[j, RouteRow.U_END] = last
+        rows[j, RouteRow.LENGTH] = length_at(rows, j, last)
+    elif kind == CurveKind.ARC:
+        rows[j, RouteRow.P] = math.copysign(1.0 / size, first)
+        rows[j, RouteRow.LENGTH] = size * abs(first)
+    elif kind == CurveKind.CLOTHOID:
+        rows[j, RouteRow.LENGTH] = size / cuts(parts, i)
+        rows[j, RouteRow.Q] = (last - first) / size
+    elif kind == CurveKind.LOG_SPIRAL:
+        rows[j, RouteRow.Q] = (first - last) / last / size
+    if kind != CurveKind.SPIRAL:
+        rows[j, RouteRow.U_END] = rows[j, RouteRow.LENGTH]
     set_axis(rows, j)
-    rows[j, curve.U_BACK] = rows[j, curve.U_START]
+    rows[j, RouteRow.U_BACK] = rows[j, RouteRow.U_START]
     if j == 0:
-        rows[j, curve.U_BACK] = extension_end(kind, first, last)
+        rows[j, RouteRow.U_BACK] = extension_end(kind, first, last)
 
 
 @kernel
 def extension_end(kind: float, first: float, last: float) -> float:
     """U_BACK of a route's first row: a line runs on straight behind it, an inward spiral outward."""
-    if kind == curve.LINE:
+    if kind == CurveKind.LINE:
         return -math.inf
-    if kind == curve.SPIRAL:
+    if kind == CurveKind.SPIRAL:
         return math.inf if last < first else first
     return 0.0
 
@@ -140,27 +160,27 @@ def continue_clothoid(rows: FloatArray, j: int, s: float, bend: float) -> None:
     for column in range(curve.COLUMNS):
         rows[j, column] = rows[j - 1, column]
     pose = end_pose(rows, j - 1)
-    rows[j, curve.X], rows[j, curve.Y], rows[j, curve.ANGLE] = pose.x, pose.y, pose.heading
+    rows[j, RouteRow.X], rows[j, RouteRow.Y], rows[j, RouteRow.ANGLE] = pose.x, pose.y, pose.heading
     set_axis(rows, j)
-    rows[j, curve.S_START] = s
-    rows[j, curve.P] = bend
-    rows[j, curve.U_BACK] = 0.0
+    rows[j, RouteRow.S_START] = s
+    rows[j, RouteRow.P] = bend
+    rows[j, RouteRow.U_BACK] = 0.0
 
 
 @kernel
 def move_row(rows: FloatArray, j: int, pose: Pose) -> None:
     """Let row j begin at a pose."""
-    if rows[j, curve.KIND] != curve.SPIRAL:
-        rows[j, curve.X], rows[j, curve.Y], rows[j, curve.ANGLE] = pose.x, pose.y, pose.heading
+    if rows[j, RouteRow.KIND] != CurveKind.SPIRAL:
+        rows[j, RouteRow.X], rows[j, RouteRow.Y], rows[j, RouteRow.ANGLE] = pose.x, pose.y, pose.heading
         set_axis(rows, j)
         return
     old = start_pose(rows, j)
     turn = pose.heading - old.heading
     s, c = sincos_of(turn)
-    dx, dy = rows[j, curve.X] - old.x, rows[j, curve.Y] - old.y
-    rows[j, curve.X] = pose.x + c * dx - s * dy
-    rows[j, curve.Y] = pose.y + s * dx + c * dy
-    rows[j, curve.ANGLE] += turn
+    dx, dy = rows[j, RouteRow.X] - old.x, rows[j, RouteRow.Y] - old.y
+    rows[j, RouteRow.X] = pose.x + c * dx - s * dy
+    rows[j, RouteRow.Y] = pose.y + s * dx + c * dy
+    rows[j, RouteRow.ANGLE] += turn
     set_axis(rows, j)
 
 
@@ -174,13 +194,13 @@ def pose_at(rows: FloatArray, j: int, u: float) -> Pose:
 @entry
 def start_pose(rows: Table, j: int) -> Pose:
     """The pose at the start of row j."""
-    return pose_at(rows, j, rows[j, curve.U_START])
+    return pose_at(rows, j, rows[j, RouteRow.U_START])
 
 
 @entry
 def end_pose(rows: Table, j: int) -> Pose:
     """The pose at the end of row j."""
-    return pose_at(rows, j, rows[j, curve.U_END])
+    return pose_at(rows, j, rows[j, RouteRow.U_END])
 
 
 @kernel
@@ -202,8 +222,8 @@ def put_part(parts: FloatArray, i: int, pose: Pose, row: FloatArray) -> Pose:
     """Let part i, which fills one row, begin at a pose; the pose at its end."""
     write_row(parts, i, row, 0, 0.0)
     move_row(row, 0, pose)
-    parts[i, PART_X], parts[i, PART_Y] = row[0, curve.X], row[0, curve.Y]
-    parts[i, PART_ANGLE] = row[0, curve.ANGLE]
+    parts[i, RoutePart.X], parts[i, RoutePart.Y] = row[0, RouteRow.X], row[0, RouteRow.Y]
+    parts[i, RoutePart.ANGLE] = row[0, RouteRow.ANGLE]
     return end_pose(row, 0)
 
 
@@ -212,9 +232,9 @@ def move_parts(parts: Table, turned: float, x: float, y: float) -> None:
     """Turn parts about the origin by an angle, rad, and then move them, m."""
     c, s = math.cos(turned), math.sin(turned)
     for i in range(parts.shape[0]):
-        at_x, at_y = parts[i, PART_X], parts[i, PART_Y]
-        parts[i, PART_X], parts[i, PART_Y] = c * at_x - s * at_y + x, s * at_x + c * at_y + y
-        parts[i, PART_ANGLE] += turned
+        at_x, at_y = parts[i, RoutePart.X], parts[i, RoutePart.Y]
+        parts[i, RoutePart.X], parts[i, RoutePart.Y] = c * at_x - s * at_y + x, s * at_x + c * at_y + y
+        parts[i, RoutePart.ANGLE] += turned
 
 
 @entry
@@ -223,22 +243,22 @@ def settle_rows(rows: Table, x: float, y: float) -> None:
 
     Far from the origin rounding leaves gaps between rows; here they are closed.
     """
-    rows[0, curve.X] -= x
-    rows[0, curve.Y] -= y
+    rows[0, RouteRow.X] -= x
+    rows[0, RouteRow.Y] -= y
     for j in range(1, rows.shape[0]):
-        end_x, end_y, _, _ = place(rows, j - 1, rows[j - 1, curve.U_END])
-        rows[j, curve.X] = rows[j, curve.Y] = 0.0
-        start_x, start_y, _, _ = place(rows, j, rows[j, curve.U_START])
-        rows[j, curve.X], rows[j, curve.Y] = end_x - start_x, end_y - start_y
+        end_x, end_y, _, _ = place(rows, j - 1, rows[j - 1, RouteRow.U_END])
+        rows[j, RouteRow.X] = rows[j, RouteRow.Y] = 0.0
+        start_x, start_y, _, _ = place(rows, j, rows[j, RouteRow.U_START])
+        rows[j, RouteRow.X], rows[j, RouteRow.Y] = end_x - start_x, end_y - start_y
 
 
 @entry
 def misfits(rows: Table, out: Table) -> None:
     """Fill out[i] with the gap, m, and the kink, rad, between parts i and i + 1."""
     for j in range(1, rows.shape[0]):
-        if rows[j, curve.PART] == rows[j - 1, curve.PART]:
+        if rows[j, RouteRow.PART] == rows[j - 1, RouteRow.PART]:
             continue
-        i = int(rows[j, curve.PART]) - 1
+        i = int(rows[j, RouteRow.PART]) - 1
         before, after = end_pose(rows, j - 1), start_pose(rows, j)
         out[i, 0] = math.hypot(after.x - before.x, after.y - before.y)
         kink = after.heading - before.heading
@@ -251,10 +271,10 @@ def tightest_bend(rows: Table) -> tuple[float, float]:
     most, there, where = 0.0, 0.0, 0.0
     for j in range(rows.shape[0]):
         for n in range(2):
-            bend = abs(curvature(rows, j, rows[j, curve.U_END if n else curve.U_START]))
+            bend = abs(curvature(rows, j, rows[j, RouteRow.U_END if n else RouteRow.U_START]))
             most = max(most, bend)
             if bend > there * EQUAL:
-                there, where = bend, rows[j, curve.S_START] + n * rows[j, curve.LENGTH]
+                there, where = bend, rows[j, RouteRow.S_START] + n * rows[j, RouteRow.LENGTH]
     return most, where
 
 
@@ -264,7 +284,7 @@ def farthest(rows: Table, first: float, last: float, step: float) -> float:
 
     There are MOST_PLACES at most.
     """
-    count = math.ceil(min((last - first) / step, MOST_PLACES)) + 1
+    count = math.ceil(min((last - first) / step, MOST_REACH_PLACES)) + 1
     most = 0.0
     for n in range(count + 1):
         j, u, _status = locate(rows, first + (last - first) * n / count)

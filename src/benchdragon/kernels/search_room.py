@@ -7,38 +7,68 @@ from benchdragon.kernels import box_hierarchy as of
 from benchdragon.kernels import memory, workspace
 from benchdragon.kernels.arrays import IntVector
 from benchdragon.kernels.box import BOX_COLUMNS
-from benchdragon.kernels.box_hierarchy import Grids, Hierarchy
-from benchdragon.kernels.curve import LENGTH, S_START
+from benchdragon.kernels.box_hierarchy import BenchGroup, BoxCount, Grids, Hierarchy
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
-from benchdragon.kernels.memory import ROW, Shapes
+from benchdragon.kernels.memory import ROW, Header, Shapes
 from benchdragon.kernels.motion_bounds import BENCH_COLUMNS, HANDLE_COLUMNS
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search_start import CELL_SHARE, begin_walk
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.time_of_impact import DEPTH
-from benchdragon.kernels.workspace import HeadSamples, SearchProgress, StepIndex, Walk, Workspace
+from benchdragon.kernels.workspace import (
+    Course,
+    HeadSamples,
+    SearchProgress,
+    StepIndex,
+    Walk,
+    WalkTally,
+    Workspace,
+)
 
-# What a room begins with, a row of whole numbers, which analysis/tables.py names and explains.
-A_CELL, AT_FIRST, FIRST_PAIRS, FIRST_MEMBERS, FIRST_DOUBTS, MOST_CELLS, PLACES = range(7)
-BEGINNINGS = 7
-# How much room there is, a row of whole numbers.
-ROUTE_ROWS = 0
-OF_CELLS = 1
-OF_PARTS = 2
-OF_ENTRIES = 3
-OF_DOUBTS = 4
-OF_PAIRS = 5  # of benches in a step
-OF_MEMBERS = 6
-MOST = 7  # cells there may be
-SIZES = 8
+
+class Beginning(Numbered):
+    """What a room begins with, a row of whole numbers, which analysis/tables.py names and explains."""
+
+    A_CELL, AT_FIRST, FIRST_PAIRS, FIRST_MEMBERS, FIRST_DOUBTS, MOST_CELLS, PLACES = range(7)
+
+
+BEGINNINGS = len(Beginning)
+
+
+class RoomSize(Numbered):
+    """How much room there is, a row of whole numbers."""
+
+    ROUTE_ROWS = 0
+    CELLS = 1
+    PARTS = 2
+    ENTRIES = 3
+    DOUBTS = 4
+    PAIRS = 5  # of benches in a step
+    MEMBERS = 6
+    MOST_CELLS = 7  # cells there may be
+
+
+ROOM_SIZES = len(RoomSize)
 # Rooms that turn out too small become so many times as wide as is wanted.
 WIDER = 2
-# How making room ended.
-ROOMY, UNSTEADY, TOO_LONG, TOO_LARGE, NO_MEMORY, FOR_GROUND = range(6)
-# The memory of the block that the ground and what a step is searched in lie in.
-GROUND_MEMORY, STEP_MEMORY = 1, 2
+
+
+class RoomEnding(Numbered):
+    """How making room ended."""
+
+    ROOMY, UNSTEADY, TOO_LONG, TOO_LARGE, NO_MEMORY, FOR_GROUND = range(6)
+
+
+class SearchMemory(Numbered):
+    """The memory of the block that the ground and what a step is searched in lie in."""
+
+    GROUND, STEP = 1, 2
+
+
 # Where parts of a room begin, in slots from its own first.
 BLOCK = memory.slot_count(Hierarchy) + memory.slot_count(Grids)
 MEETING = (
@@ -84,12 +114,13 @@ def walks(benches: int, kinds: int) -> Shapes:
 @kernel
 def lay_ground(slots: IntArray, slot: int, address: int, sizes: IntVector, groups: int) -> int:
     """Lay what is known of the route, from a slot and an address on; the bytes that takes."""
-    cells, pairs, rows = sizes[OF_CELLS], sizes[OF_ENTRIES], sizes[ROUTE_ROWS]
-    boxes = groups * cells + sizes[OF_PARTS]
+    cells, pairs, rows = sizes[RoomSize.CELLS], sizes[RoomSize.ENTRIES], sizes[RoomSize.ROUTE_ROWS]
+    boxes = groups * cells + sizes[RoomSize.PARTS]
     return memory.lay(slots, slot, address, (
-        (of.COUNTS, ROW), (of.MEASURES, ROW), (groups, of.WAYS + groups), (groups * groups * rows, 2),
+        (of.BOX_COUNTS, ROW), (of.MEASURES, ROW), (groups, BenchGroup.WAYS + groups),
+        (groups * groups * rows, 2),
         (cells, groups * groups), (cells, 2), (boxes, of.HULL_COLUMNS), (boxes, of.TREE_COLUMNS),
-        (pairs, 2), (boxes, ROW), (pairs, 2), (sizes[OF_DOUBTS], 2), (rows, SEAM_COLUMNS),
+        (pairs, 2), (boxes, ROW), (pairs, 2), (sizes[RoomSize.DOUBTS], 2), (rows, SEAM_COLUMNS),
         *grid(cells), *grid(groups * cells), (groups * cells, ROW),
     ))  # fmt: skip
 
@@ -97,10 +128,10 @@ def lay_ground(slots: IntArray, slot: int, address: int, sizes: IntVector, group
 @kernel
 def ground_bytes(sizes: IntVector, groups: int) -> int:
     """What counts of that as the memory of a question."""
-    cells = sizes[OF_CELLS]
-    boxes = groups * cells + sizes[OF_PARTS]
+    cells = sizes[RoomSize.CELLS]
+    boxes = groups * cells + sizes[RoomSize.PARTS]
     columns = of.HULL_COLUMNS + of.TREE_COLUMNS + 1
-    return 8 * (boxes * columns + 4 * sizes[OF_ENTRIES] + cells * groups * (groups + 2))
+    return 8 * (boxes * columns + 4 * sizes[RoomSize.ENTRIES] + cells * groups * (groups + 2))
 
 
 @kernel
@@ -126,10 +157,10 @@ def searches(handles: int, members: int, pairs: int) -> Shapes:
 @kernel
 def lay_step(slots: IntArray, slot: int, address: int, sizes: IntVector, benches: int) -> int:
     """Lay the pairs of a step and what it is searched in; the bytes that takes."""
-    pairs = sizes[OF_PAIRS]
+    pairs = sizes[RoomSize.PAIRS]
     return memory.lay(slots, slot + MEETING, address, (
         (pairs, ROW), (pairs, ROW), (pairs, ROW), (pairs, ROW), (benches, ROW), (benches, ROW),
-        *searches(benches + 1, sizes[OF_MEMBERS], pairs),
+        *searches(benches + 1, sizes[RoomSize.MEMBERS], pairs),
     ))  # fmt: skip
 
 
@@ -163,49 +194,52 @@ def size_workspace(
     for i in range(benches):
         shortest = min(shortest, walk.benches.links[i])
     cell, end = CELL_SHARE * shortest, rows.shape[0] - 1
-    foremost = min(last, rows[end, S_START] + rows[end, LENGTH])
+    foremost = min(last, rows[end, RouteRow.S_START] + rows[end, RouteRow.LENGTH])
     wanted = max(math.floor(foremost / cell) - math.floor(tail / cell), 0) + 2
-    cells = min(wanted, beginnings[MOST_CELLS])
-    most = min(beginnings[A_CELL] * cells, beginnings[AT_FIRST])
-    sizes[OF_CELLS], sizes[OF_PARTS], sizes[OF_ENTRIES] = cells, most, most
-    sizes[OF_DOUBTS], sizes[OF_PAIRS] = beginnings[FIRST_DOUBTS], beginnings[FIRST_PAIRS]
-    sizes[OF_MEMBERS] = min(beginnings[FIRST_MEMBERS], benches)
-    sizes[MOST] = beginnings[MOST_CELLS]
+    cells = min(wanted, beginnings[Beginning.MOST_CELLS])
+    most = min(beginnings[Beginning.A_CELL] * cells, beginnings[Beginning.AT_FIRST])
+    sizes[RoomSize.CELLS], sizes[RoomSize.PARTS], sizes[RoomSize.ENTRIES] = cells, most, most
+    sizes[RoomSize.DOUBTS], sizes[RoomSize.PAIRS] = (
+        beginnings[Beginning.FIRST_DOUBTS],
+        beginnings[Beginning.FIRST_PAIRS],
+    )
+    sizes[RoomSize.MEMBERS] = min(beginnings[Beginning.FIRST_MEMBERS], benches)
+    sizes[RoomSize.MOST_CELLS] = beginnings[Beginning.MOST_CELLS]
 
 
 @kernel
 def make_ground(slots: IntArray, slot: int, sizes: IntVector, groups: int, most: float) -> int:
     """Make room for a route of which nothing is known, of at most so many bytes; how that ended."""
     if ground_bytes(sizes, groups) > most:
-        return TOO_LARGE
+        return RoomEnding.TOO_LARGE
     size = lay_ground(slots, slot, 0, sizes, groups)
-    if not memory.take(slots, GROUND_MEMORY, size):
-        return NO_MEMORY
-    lay_ground(slots, slot, slots[memory.OWNED + GROUND_MEMORY], sizes, groups)
-    return ROOMY
+    if not memory.take(slots, SearchMemory.GROUND, size):
+        return RoomEnding.NO_MEMORY
+    lay_ground(slots, slot, slots[Header.OWNED + SearchMemory.GROUND], sizes, groups)
+    return RoomEnding.ROOMY
 
 
 @kernel
 def make_step(block: int, slot: int, sizes: IntVector) -> int:
     """Make room to search a step in, whose pairs of benches stay known; how that ended."""
-    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
     room = memory.group_at(Workspace, block + 8 * slot)
     first, second = room.meeting.first, room.meeting.second
-    before = slots[memory.OWNED + STEP_MEMORY]
-    benches, pairs = room.crowd.found.shape[0], sizes[OF_PAIRS]
+    before = slots[Header.OWNED + SearchMemory.STEP]
+    benches, pairs = room.crowd.found.shape[0], sizes[RoomSize.PAIRS]
     address = memory.allocate(lay_step(slots, slot, 0, sizes, benches))
     if address == 0:
-        return NO_MEMORY
+        return RoomEnding.NO_MEMORY
     lay_step(slots, slot, address, sizes, benches)
-    slots[memory.OWNED + STEP_MEMORY] = address
+    slots[Header.OWNED + SearchMemory.STEP] = address
     known = memory.integers_at(address, 4 * pairs + 2 * benches)
     for p in range(min(first.shape[0], pairs)):
         known[p], known[pairs + p] = first[p], second[p]
     for i in range(benches):
         known[4 * pairs + benches + i] = -1  # `place`
     memory.release(before)
-    room.course.tally[workspace.PLACED] = 0
-    return ROOMY
+    room.course.tally[WalkTally.PLACED] = 0
+    return RoomEnding.ROOMY
 
 
 @kernel
@@ -222,41 +256,45 @@ def begin_in(walk: Walk, room: Workspace, aim: Aim) -> int:
     side = square_side(walk, aim.reach)
     empty_grid_again(room.grids.middles, side)
     empty_grid_again(room.grids.boxes, side)
-    return ROOMY if begin_walk(walk, room, aim.first, aim.last, aim.reach) else UNSTEADY
+    return (
+        RoomEnding.ROOMY
+        if begin_walk(walk, room, aim.first, aim.last, aim.reach)
+        else RoomEnding.UNSTEADY
+    )
 
 
 @kernel
 def enlarge(sizes: IntVector, room: Workspace) -> int:
     """Let sizes be large enough where they were not: FOR_GROUND, or ROOMY for the step at hand."""
     counts, tally, ground = room.ground.counts, room.course.tally, room.ground
-    cells, before = sizes[OF_CELLS], ground.middles.shape[0]
-    if counts[of.CELLS] >= cells:
-        if cells == sizes[MOST]:
-            return TOO_LONG
-        sizes[OF_CELLS] = cells = min(WIDER * cells, sizes[MOST])
-    parts = counts[of.ROWS] - ground.groups.shape[0] * before
-    entries, short = max(counts[of.ENTRIES], counts[of.NEAR]), cells > before
-    if parts > sizes[OF_PARTS]:
-        sizes[OF_PARTS], short = WIDER * parts, True
-    if entries > sizes[OF_ENTRIES]:
-        sizes[OF_ENTRIES], short = WIDER * entries, True
-    if counts[of.DOUBTS] > sizes[OF_DOUBTS]:
-        sizes[OF_DOUBTS], short = WIDER * counts[of.DOUBTS], True
+    cells, before = sizes[RoomSize.CELLS], ground.middles.shape[0]
+    if counts[BoxCount.CELLS] >= cells:
+        if cells == sizes[RoomSize.MOST_CELLS]:
+            return RoomEnding.TOO_LONG
+        sizes[RoomSize.CELLS] = cells = min(WIDER * cells, sizes[RoomSize.MOST_CELLS])
+    parts = counts[BoxCount.ROWS] - ground.groups.shape[0] * before
+    entries, short = max(counts[BoxCount.ENTRIES], counts[BoxCount.NEAR]), cells > before
+    if parts > sizes[RoomSize.PARTS]:
+        sizes[RoomSize.PARTS], short = WIDER * parts, True
+    if entries > sizes[RoomSize.ENTRIES]:
+        sizes[RoomSize.ENTRIES], short = WIDER * entries, True
+    if counts[BoxCount.DOUBTS] > sizes[RoomSize.DOUBTS]:
+        sizes[RoomSize.DOUBTS], short = WIDER * counts[BoxCount.DOUBTS], True
     if short:
-        return FOR_GROUND
-    pairs = WIDER * tally[workspace.PAIRS]
-    sizes[OF_PAIRS] = max(sizes[OF_PAIRS], pairs)
-    sizes[OF_MEMBERS] = max(sizes[OF_MEMBERS], min(pairs, room.crowd.found.shape[0]))
-    return ROOMY
+        return RoomEnding.FOR_GROUND
+    pairs = WIDER * tally[WalkTally.PAIRS]
+    sizes[RoomSize.PAIRS] = max(sizes[RoomSize.PAIRS], pairs)
+    sizes[RoomSize.MEMBERS] = max(sizes[RoomSize.MEMBERS], min(pairs, room.crowd.found.shape[0]))
+    return RoomEnding.ROOMY
 
 
 @kernel
 def begin_workspace(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
     """Begin a walk in the room at a slot of a block; how that ended."""
-    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
-    if slots[memory.OWNED + GROUND_MEMORY] == 0:
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
+    if slots[Header.OWNED + SearchMemory.GROUND] == 0:
         ending = make_ground(slots, slot, sizes, group_count(walk), aim.most)
-        if ending != ROOMY:
+        if ending != RoomEnding.ROOMY:
             return ending
     return begin_in(walk, memory.group_at(Workspace, block + 8 * slot), aim)
 
@@ -264,18 +302,18 @@ def begin_workspace(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Ai
 @kernel
 def grow_workspace(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
     """Make room where it did not do: for the step at hand, or for the route, which begins anew."""
-    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[memory.SLOTS])
+    slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
     room = memory.group_at(Workspace, block + 8 * slot)
     ending = enlarge(sizes, room)
-    if ending == TOO_LONG:
+    if ending == RoomEnding.TOO_LONG:
         return ending
-    if ending == ROOMY:
+    if ending == RoomEnding.ROOMY:
         return make_step(block, slot, sizes)
-    at, goal = room.course.way[workspace.AT], room.course.way[workspace.GOAL]
-    memory.drop(slots, GROUND_MEMORY)
+    at, goal = room.course.way[Course.AT], room.course.way[Course.GOAL]
+    memory.drop(slots, SearchMemory.GROUND)
     ending = begin_workspace(block, slot, sizes, walk, aim)
-    if ending == ROOMY:
+    if ending == RoomEnding.ROOMY:
         way = room.course.way
-        way[workspace.AT] = way[workspace.UPTO] = way[workspace.KNOWN] = way[workspace.SOUND] = at
-        way[workspace.GOAL] = goal
+        way[Course.AT] = way[Course.UPTO] = way[Course.KNOWN] = way[Course.SOUND] = at
+        way[Course.GOAL] = goal
     return ending

@@ -3,8 +3,8 @@
 import math
 
 from benchdragon.kernels import box_hierarchy
-from benchdragon.kernels.box_hierarchy import Hierarchy, Kinds
-from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
+from benchdragon.kernels.box_hierarchy import BenchGroup, BoxCount, BoxMeasure, Hierarchy, Kinds
+from benchdragon.kernels.curve import FloatArray, RouteRow
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.kinds import least_ways
 from benchdragon.kernels.links import link_of
@@ -12,15 +12,9 @@ from benchdragon.kernels.rounding import find_seams
 from benchdragon.kernels.spiral_bound import clear_spans, shape_of
 from benchdragon.kernels.swept_boxes import EDGE
 from benchdragon.kernels.workspace import (
-    AT,
-    GOAL,
-    KNOWN,
-    SOUND,
-    STEP_END,
-    STEP_START,
     TALLY,
-    UPTO,
     Benches,
+    Course,
     SearchProgress,
     Walk,
     Workspace,
@@ -47,31 +41,31 @@ def begin_group(benches: Benches, kinds: Kinds, ground: Hierarchy, s: FloatArray
         if kinds.group[benches.kind[i]] == g:
             hind = min(hind, s[i, 0])
             foremost, rearmost = min(foremost, benches.ahead[i]), benches.ahead[i]
-    for b in range(counts[box_hierarchy.GROUPS]):
-        if groups[g, box_hierarchy.WAYS + b] < math.inf or groups[b, box_hierarchy.WAYS + g] < math.inf:
+    for b in range(counts[BoxCount.GROUPS]):
+        if groups[g, BenchGroup.WAYS + b] < math.inf or groups[b, BenchGroup.WAYS + g] < math.inf:
             alone = 0.0
-    groups[g, box_hierarchy.ARM], groups[g, box_hierarchy.HIND] = (
-        arm + ground.measures[box_hierarchy.CELL],
+    groups[g, BenchGroup.ARM], groups[g, BenchGroup.HIND] = (
+        arm + ground.measures[BoxMeasure.CELL],
         hind,
     )
-    groups[g, box_hierarchy.WIDEST], groups[g, box_hierarchy.ALONE], groups[g, box_hierarchy.FIRST] = (
+    groups[g, BenchGroup.WIDEST], groups[g, BenchGroup.ALONE], groups[g, BenchGroup.FIRST] = (
         0.0,
         alone,
         math.inf,
     )
-    groups[g, box_hierarchy.FOREMOST], groups[g, box_hierarchy.REARMOST] = foremost, rearmost
+    groups[g, BenchGroup.FOREMOST], groups[g, BenchGroup.REARMOST] = foremost, rearmost
 
 
 @kernel
 def find_clear_spans(rows: FloatArray, kinds: Kinds, ground: Hierarchy, shortest: float) -> None:
     """Fill the spans of the route where benches of two groups keep apart, a shortest link between."""
-    groups, spans = ground.counts[box_hierarchy.GROUPS], ground.spans
+    groups, spans = ground.counts[BoxCount.GROUPS], ground.spans
     each = spans.shape[0] // (groups * groups)  # as many as rows, or more
     for n in range(spans.shape[0]):
         spans[n, 0], spans[n, 1] = math.inf, -math.inf
     for pair in range(groups * groups):
-        if ground.groups[pair // groups, box_hierarchy.WAYS + pair % groups] < math.inf:
-            room = 0.5 * ground.measures[box_hierarchy.REACH]
+        if ground.groups[pair // groups, BenchGroup.WAYS + pair % groups] < math.inf:
+            room = 0.5 * ground.measures[BoxMeasure.REACH]
             ahead = shape_of(kinds.sizes, kinds.group, pair // groups, room)
             behind = shape_of(kinds.sizes, kinds.group, pair % groups, room)
             clear_spans(rows, ahead, behind, shortest, spans[pair * each : (pair + 1) * each])
@@ -83,9 +77,11 @@ def begin_course(
 ) -> None:
     """Let a walk be at its start, nothing known ahead; it goes no farther than the route."""
     way, last = course.way, rows.shape[0] - 1
-    ground.measures[box_hierarchy.END] = rows[last, S_START] + rows[last, LENGTH]
-    way[AT] = way[UPTO] = way[KNOWN] = way[SOUND] = way[STEP_START] = way[STEP_END] = start
-    way[GOAL] = min(end, ground.measures[box_hierarchy.END])
+    ground.measures[BoxMeasure.END] = rows[last, RouteRow.S_START] + rows[last, RouteRow.LENGTH]
+    way[Course.AT] = way[Course.UPTO] = way[Course.KNOWN] = way[Course.SOUND] = way[
+        Course.STEP_START
+    ] = way[Course.STEP_END] = start
+    way[Course.GOAL] = min(end, ground.measures[BoxMeasure.END])
     for n in range(TALLY):
         course.tally[n] = 0
 
@@ -102,18 +98,18 @@ def begin_walk(walk: Walk, room: Workspace, start: float, end: float, reach: flo
     for k in range(kinds.group.shape[0]):
         shortest = min(shortest, link_of(kinds.sizes, k))
     cell = CELL_SHARE * shortest
-    ground.measures[box_hierarchy.REACH], ground.measures[box_hierarchy.CELL] = reach + EDGE, cell
+    ground.measures[BoxMeasure.REACH], ground.measures[BoxMeasure.CELL] = reach + EDGE, cell
     begin_course(rows, ground, course, start, end)
     find_seams(rows, ground.seams)
     block.at[0] = start
     if not place_samples(rows, benches.links, block, course.tally, 1):
         return False
-    for n in range(box_hierarchy.COUNTS):
+    for n in range(box_hierarchy.BOX_COUNTS):
         counts[n] = 0
-    counts[box_hierarchy.GROUPS], counts[box_hierarchy.ROWS] = groups, groups * ground.middles.shape[0]
-    counts[box_hierarchy.LOW] = math.floor(block.s[benches.kind.shape[0] - 1, 0] / cell)
-    counts[box_hierarchy.REAR] = NOWHERE
-    least_ways(benches.links, benches.kind, kinds.group, groups, ground.groups, box_hierarchy.WAYS)
+    counts[BoxCount.GROUPS], counts[BoxCount.ROWS] = groups, groups * ground.middles.shape[0]
+    counts[BoxCount.LOW] = math.floor(block.s[benches.kind.shape[0] - 1, 0] / cell)
+    counts[BoxCount.REAR] = NOWHERE
+    least_ways(benches.links, benches.kind, kinds.group, groups, ground.groups, BenchGroup.WAYS)
     for g in range(groups):
         begin_group(benches, kinds, ground, block.s, g)
     find_clear_spans(rows, kinds, ground, shortest)

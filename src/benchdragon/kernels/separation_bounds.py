@@ -6,21 +6,20 @@ of `sweeps` bounds its motion in between (kernels/motion_bounds.py); h is the le
 
 import math
 
-from benchdragon.kernels import box
-from benchdragon.kernels import motion_bounds as bounds
-from benchdragon.kernels.box import box_distance, corner, half_diagonal, nearest_corner, offset
+from benchdragon.kernels.box import Box, box_distance, corner, half_diagonal, nearest_corner, offset
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.motion_bounds import BenchBound
 
 
 @kernel
 def separation(boxes: FloatArray, i: int, j: int, nx: float, ny: float) -> float:
     """How far box j lies beyond box i along the unit vector (nx, ny), m; a lower bound of distance."""
-    total = (boxes[j, box.CX] - boxes[i, box.CX]) * nx + (boxes[j, box.CY] - boxes[i, box.CY]) * ny
+    total = (boxes[j, Box.CX] - boxes[i, Box.CX]) * nx + (boxes[j, Box.CY] - boxes[i, Box.CY]) * ny
     for k in (i, j):
-        ux, uy = boxes[k, box.UX], boxes[k, box.UY]
-        total -= boxes[k, box.HALF_LENGTH] * abs(ux * nx + uy * ny)
-        total -= boxes[k, box.HALF_WIDTH] * abs(ux * ny - uy * nx)
+        ux, uy = boxes[k, Box.UX], boxes[k, Box.UY]
+        total -= boxes[k, Box.HALF_LENGTH] * abs(ux * nx + uy * ny)
+        total -= boxes[k, Box.HALF_WIDTH] * abs(ux * ny - uy * nx)
     return total
 
 
@@ -31,15 +30,15 @@ def chord_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) 
     The height of a corner P over a face with normal N and foot Y is (P - Y) . N, with second derivative
     at most pull + 2 pace turn + |P - Y| (twist + turn^2).
     """
-    along, across = offset(boxes, j, boxes[i, box.CX], boxes[i, box.CY])
-    ahead = max(abs(along) - boxes[j, box.HALF_LENGTH], 0.0)
-    aside = max(abs(across) - boxes[j, box.HALF_WIDTH], 0.0)
-    pace = sweeps[i, bounds.POINT_SPEED] + sweeps[j, bounds.POINT_SPEED]
+    along, across = offset(boxes, j, boxes[i, Box.CX], boxes[i, Box.CY])
+    ahead = max(abs(along) - boxes[j, Box.HALF_LENGTH], 0.0)
+    aside = max(abs(across) - boxes[j, Box.HALF_WIDTH], 0.0)
+    pace = sweeps[i, BenchBound.POINT_SPEED] + sweeps[j, BenchBound.POINT_SPEED]
     far = math.hypot(ahead, aside) + half_diagonal(boxes, i)
-    turn = sweeps[j, bounds.TURN]
-    second = sweeps[i, bounds.POINT_ACCELERATION] + sweeps[j, bounds.POINT_ACCELERATION]
+    turn = sweeps[j, BenchBound.TURN]
+    second = sweeps[i, BenchBound.POINT_ACCELERATION] + sweeps[j, BenchBound.POINT_ACCELERATION]
     second += 2.0 * pace * turn
-    second += (far + pace * h) * (sweeps[j, bounds.ANGULAR_ACCELERATION] + turn * turn)
+    second += (far + pace * h) * (sweeps[j, BenchBound.ANGULAR_ACCELERATION] + turn * turn)
     return 0.125 * second * h * h
 
 
@@ -47,7 +46,7 @@ def chord_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) 
 def face_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
     """Least separation that a face of bench j keeps from bench i over a step, m."""
     ib, jb = end + i, end + j
-    ax, ay, bx, by = boxes[j, box.UX], boxes[j, box.UY], boxes[jb, box.UX], boxes[jb, box.UY]
+    ax, ay, bx, by = boxes[j, Box.UX], boxes[j, Box.UY], boxes[jb, Box.UX], boxes[jb, Box.UY]
     front = min(separation(boxes, j, i, ax, ay), separation(boxes, jb, ib, bx, by))
     rear = min(separation(boxes, j, i, -ax, -ay), separation(boxes, jb, ib, -bx, -by))
     left = min(separation(boxes, j, i, -ay, ax), separation(boxes, jb, ib, -by, bx))
@@ -72,7 +71,7 @@ def face_upper_bound(
                 x, y = corner(boxes, row, k)
                 along, across = offset(boxes, base, x, y)
                 out = along if face < 2 else across
-                half = boxes[base, box.HALF_LENGTH] if face < 2 else boxes[base, box.HALF_WIDTH]
+                half = boxes[base, Box.HALF_LENGTH] if face < 2 else boxes[base, Box.HALF_WIDTH]
                 height = max(height, (out if face % 2 == 0 else -out) - half)
             nearest = min(nearest, height)
         most = max(most, nearest)
@@ -95,16 +94,21 @@ def nearest_direction_bound(
     owner, other = (i, j) if mine else (j, i)
     x, y = corner(boxes, owner, which)
     along, across = offset(boxes, other, x, y)
-    half, wide = boxes[other, box.HALF_LENGTH], boxes[other, box.HALF_WIDTH]
+    half, wide = boxes[other, Box.HALF_LENGTH], boxes[other, Box.HALF_WIDTH]
     ahead, aside = along - min(max(along, -half), half), across - min(max(across, -wide), wide)
     apart = math.hypot(ahead, aside)
     if apart == 0.0:
         return -math.inf
-    ux, uy = boxes[other, box.UX], boxes[other, box.UY]
+    ux, uy = boxes[other, Box.UX], boxes[other, Box.UY]
     nx, ny = (ahead * ux - aside * uy) / apart, (ahead * uy + aside * ux) / apart
     if mine:  # from i towards j
         nx, ny = -nx, -ny
-    loss = 0.125 * (sweeps[i, bounds.POINT_ACCELERATION] + sweeps[j, bounds.POINT_ACCELERATION]) * h * h
+    loss = (
+        0.125
+        * (sweeps[i, BenchBound.POINT_ACCELERATION] + sweeps[j, BenchBound.POINT_ACCELERATION])
+        * h
+        * h
+    )
     return min(separation(boxes, i, j, nx, ny), separation(boxes, end + i, end + j, nx, ny)) - loss
 
 
@@ -118,8 +122,10 @@ def separation_lower_bound(
     others follow faces and directions to second order.
     """
     before, after = box_distance(boxes, i, j), box_distance(boxes, end + i, end + j)
-    best = 0.5 * (before + after - sweeps[i, bounds.TRAVEL] - sweeps[j, bounds.TRAVEL])
-    smooth = math.isfinite(sweeps[i, bounds.POINT_ACCELERATION] + sweeps[j, bounds.POINT_ACCELERATION])
+    best = 0.5 * (before + after - sweeps[i, BenchBound.TRAVEL] - sweeps[j, BenchBound.TRAVEL])
+    smooth = math.isfinite(
+        sweeps[i, BenchBound.POINT_ACCELERATION] + sweeps[j, BenchBound.POINT_ACCELERATION]
+    )
     if best > wanted or not smooth:
         return best
     best = max(best, face_bound(boxes, sweeps, end, i, j, h))

@@ -8,11 +8,11 @@ from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import COLUMNS
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.family import FIXED, ROUTE, Family, copy_family, family_shapes
+from benchdragon.kernels.family import Family, PlanNumber, RouteKind, copy_family, family_shapes
 from benchdragon.kernels.memory import (
     HEADER,
-    OWNED,
     ROW,
+    Header,
     clear,
     copy_row,
     copy_table,
@@ -25,17 +25,18 @@ from benchdragon.kernels.memory import (
     slot_of,
     take,
 )
-from benchdragon.kernels.obstacle_memory import ASKED, Beside
-from benchdragon.kernels.question import TOLD
+from benchdragon.kernels.numbered import Numbered
+from benchdragon.kernels.obstacle_memory import OBSTACLE_GIVEN, Beside
+from benchdragon.kernels.question import Told
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.rounds import ROOM as REPEATS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search_room import (
     BEGINNINGS,
-    GROUND_MEMORY,
-    ROOMY,
-    ROUTE_ROWS,
-    SIZES,
+    ROOM_SIZES,
+    RoomEnding,
+    RoomSize,
+    SearchMemory,
     lay_block,
     make_step,
     placements,
@@ -43,58 +44,90 @@ from benchdragon.kernels.search_room import (
     square_side,
     walks,
 )
-from benchdragon.kernels.size_bracket import MOST_GROWTHS, MOST_TRIALS, STATE
+from benchdragon.kernels.size_bracket import BRACKET_NUMBERS, MOST_GROWTHS, MOST_TRIALS
 from benchdragon.kernels.size_search import MEETINGS
 from benchdragon.kernels.spans import REPEAT
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.time_of_impact import NOTES
 from benchdragon.kernels.workspace import TALLY, Walk, Workspace, copy_walk
 
-# What hosts say of a question, a row of floats.
-MARGIN = 0  # distance that benches must keep, m
-LEAST_OFF = 1  # what computed distances count as off by at least, m
-WIDTH = 2  # parts of a step narrower than this, m, are not halved
-MOST = 3  # chains marched in one step of a search
-ORIGIN_X = 4  # from where the dance is searched, m
-ORIGIN_Y = 5
-BYTES = 6  # that tables may take
-SAFER = 7  # +1 where larger sizes are safer, -1 where smaller ones are
-NARROW = 8  # how wide the bracket may be, m
-BEGIN = 9  # where the head of the plan's own walk begins and ends, m
-END = 10
-PLAN_SIZE = 11  # of the plan itself, m
-LIMITS = 12
-# What stands on the square, a row each: as in kernels/obstacle_memory.py; how many of the corners it
-# has, and what these may be off by, m.
-SORT, RADIUS, KEPT_OFF, CORNERS, OFF, THING = range(6)
-# What is told of it, a row of floats that begins as kernels/question.py says.
-MARCHED = TOLD  # chains, in searches of walks
-RESULT = 3  # of the last trial: PASSES, FAILS or UNDECIDED
-DOING = 4
-ONE = 5  # 1 if but one trial is wanted
-LEFT = 6  # chains that may be marched in a step of the walk that is searched
-FIRST = 7  # where its head begins and ends, m
-LAST = 8
-AT_THING = 9  # the obstacle that is looked at, and whether it is begun
-BEGUN = 10
-UNSURE = 11  # 1 if it could not be told whether benches keep from all obstacles
-BLOCKED = 12  # the last size that failed by an obstacle alone, m, which that was, and whether surely
-BLOCKED_BY = 13
-SURELY = 14
-KNOWN = 15  # rows of repeats
-FIGURES = 16
-# What a question is doing.
-IDLE, SEEKING, WAITING, BESIDE, SEARCHING, BROKEN = range(6)
+
+class SizeGiven(Numbered):
+    """What hosts say of a question, a row of floats."""
+
+    MARGIN = 0  # distance that benches must keep, m
+    LEAST_OFF = 1  # what computed distances count as off by at least, m
+    WIDTH = 2  # parts of a step narrower than this, m, are not halved
+    MOST = 3  # chains marched in one step of a search
+    ORIGIN_X = 4  # from where the dance is searched, m
+    ORIGIN_Y = 5
+    BYTES = 6  # that tables may take
+    SAFER = 7  # +1 where larger sizes are safer, -1 where smaller ones are
+    NARROW = 8  # how wide the bracket may be, m
+    BEGIN = 9  # where the head of the plan's own walk begins and ends, m
+    END = 10
+    PLAN_SIZE = 11  # of the plan itself, m
+
+
+SIZE_LIMITS = len(SizeGiven)
+
+
+class Thing(Numbered):
+    """What stands on the square, a row each.
+
+    As in kernels/obstacle_memory.py; how many of the corners it has, and what these may be off by, m.
+    """
+
+    SORT, RADIUS, KEPT_OFF, CORNERS, OFF = range(5)
+
+
+THING_COLUMNS = len(Thing)
+
+
+class SizeTold(Told):
+    """What is told of it, a row of floats that begins as kernels/question.py says."""
+
+    MARCHED = 2  # chains, in searches of walks
+    RESULT = 3  # of the last trial: PASSES, FAILS or UNDECIDED
+    DOING = 4
+    ONE = 5  # 1 if but one trial is wanted
+    LEFT = 6  # chains that may be marched in a step of the walk that is searched
+    FIRST = 7  # where its head begins and ends, m
+    LAST = 8
+    AT_THING = 9  # the obstacle that is looked at, and whether it is begun
+    BEGUN = 10
+    UNSURE = 11  # 1 if it could not be told whether benches keep from all obstacles
+    # the last size that failed by an obstacle alone, m, which that was, and whether surely
+    BLOCKED = 12
+    BLOCKED_BY = 13
+    SURELY = 14
+    KNOWN = 15  # rows of repeats
+
+
+SIZE_FIGURES = len(SizeTold)
+
+
+class SizeStage(Numbered):
+    """What a question is doing."""
+
+    IDLE, SEEKING, WAITING, BESIDE, SEARCHING, BROKEN = range(6)
+
+
 # Head positions at which a pair is looked at, at least.
 FEWEST = 4
-# The memory of the block that the rows of the route lie in, and all that keeps its size.
-ROWS_MEMORY, OWN_MEMORY = 0, 3
+
+
+class SizeMemory(SearchMemory):
+    """The memory of the block that the rows of the route lie in, and all that keeps its size."""
+
+    ROWS = 0
+    OWN = 3
 
 
 class Square(NamedTuple):
     """Obstacles and the venue's edge."""
 
-    things: Table  # (obstacles, THING)
+    things: Table  # (obstacles, THING_COLUMNS)
     outlines: Table  # all their corners, m
 
 
@@ -126,10 +159,10 @@ class Sought(NamedTuple):
     beside: Beside
 
 
-WALK_SLOT, SEAMS_SLOT = slot_of(Sought, "walk"), slot_of(Sought, "seams")
-ROOM_SLOT, FAMILY_SLOT = slot_of(Sought, "room"), slot_of(Sought, "family")
+SIZE_WALK_SLOT, SEAMS_SLOT = slot_of(Sought, "walk"), slot_of(Sought, "seams")
+SIZE_ROOM_SLOT, FAMILY_SLOT = slot_of(Sought, "room"), slot_of(Sought, "family")
 BESIDE_SLOT = slot_of(Sought, "beside")
-END_SLOT = HEADER + slot_count(Sought)
+SIZE_END_SLOT = HEADER + slot_count(Sought)
 # Where it begins in a block, in bytes.
 BASE = 8 * HEADER
 
@@ -140,32 +173,34 @@ def lay_all(
 ) -> int:
     """Lay from an address on all that keeps its size; the bytes that takes."""
     benches, (_four, kinds) = walk.benches.kind.shape[0], walk.kinds.sizes.shape
-    fixed = family.numbers[ROUTE] == FIXED and square.things.shape[0] > 0
+    fixed = family.numbers[PlanNumber.ROUTE] == RouteKind.FIXED and square.things.shape[0] > 0
     repeats = 4 * walk.rows.shape[0] + REPEATS if fixed else 0
     count = max(FEWEST, min(LANES, places // (benches + 1)))
-    room = address + lay(slots, WALK_SLOT + 3, address, walks(benches, kinds))
-    end = lay_block(slots, ROOM_SLOT, room, benches, places)
+    room = address + lay(slots, SIZE_WALK_SLOT + 3, address, walks(benches, kinds))
+    end = lay_block(slots, SIZE_ROOM_SLOT, room, benches, places)
     return end - address + lay(slots, FAMILY_SLOT, end, (
-        *family_shapes(family), (SIZES, ROW), (BEGINNINGS, ROW), (count, ROW),
+        *family_shapes(family), (ROOM_SIZES, ROW), (BEGINNINGS, ROW), (count, ROW),
         *placements(benches + 1, count), *placements(benches + 1, 1), (2, BOX_COLUMNS), (benches, ROW),
-        (benches + 1, ROW), (benches, ROW), (LIMITS, ROW), (FIGURES, ROW), (STATE, ROW),
-        (MOST_TRIALS + MOST_GROWTHS, ROW), (MEETINGS, 4), (NOTES, ROW), (square.things.shape[0], THING),
+        (benches + 1, ROW), (benches, ROW), (SIZE_LIMITS, ROW), (SIZE_FIGURES, ROW), (BRACKET_NUMBERS,
+        ROW),
+        (MOST_TRIALS + MOST_GROWTHS, ROW), (MEETINGS, 4), (NOTES, ROW), (square.things.shape[0],
+        THING_COLUMNS),
         (square.outlines.shape[0], 2), (repeats, REPEAT),
-        (ASKED, ROW),
+        (OBSTACLE_GIVEN, ROW),
     ))  # fmt: skip
 
 
 @kernel
 def make_route(slots: IntArray, rows: int) -> bool:
     """Make room for so many rows of the route and their seams, all 0; whether there is memory."""
-    drop(slots, ROWS_MEMORY)
+    drop(slots, SizeMemory.ROWS)
     count = rows * (COLUMNS + SEAM_COLUMNS)
-    if not take(slots, ROWS_MEMORY, 8 * count):
+    if not take(slots, SizeMemory.ROWS, 8 * count):
         return False
-    address = slots[OWNED + ROWS_MEMORY]
-    address += lay(slots, WALK_SLOT, address, ((rows, COLUMNS),))
+    address = slots[Header.OWNED + SizeMemory.ROWS]
+    address += lay(slots, SIZE_WALK_SLOT, address, ((rows, COLUMNS),))
     lay(slots, SEAMS_SLOT, address, ((rows, SEAM_COLUMNS),))
-    numbers = floats_at(slots[OWNED + ROWS_MEMORY], count)
+    numbers = floats_at(slots[Header.OWNED + SizeMemory.ROWS], count)
     for n in range(count):
         numbers[n] = 0.0
     return True
@@ -176,14 +211,22 @@ def make_searches(block: int) -> bool:
     """Make room for searches of walks about as long as the plan's; whether there is memory."""
     sought = group_at(Sought, block + BASE)
     limits, sizes = sought.limits, sought.sizes
-    drop(integers_at(block, END_SLOT), GROUND_MEMORY)
-    sizes[ROUTE_ROWS] = sought.walk.rows.shape[0]
+    drop(integers_at(block, SIZE_END_SLOT), SearchMemory.GROUND)
+    sizes[RoomSize.ROUTE_ROWS] = sought.walk.rows.shape[0]
     whole = 0.0
     for i in range(sought.walk.benches.links.shape[0]):
         whole += sought.walk.benches.links[i]
-    size_workspace(sizes, sought.beginnings, sought.walk, limits[BEGIN] - 1.5 * whole, limits[END])
-    sought.room.crowd.grid.side[0] = square_side(sought.walk, limits[MARGIN] + limits[LEAST_OFF])
-    return make_step(block, ROOM_SLOT, sizes) == ROOMY
+    size_workspace(
+        sizes,
+        sought.beginnings,
+        sought.walk,
+        limits[SizeGiven.BEGIN] - 1.5 * whole,
+        limits[SizeGiven.END],
+    )
+    sought.room.crowd.grid.side[0] = square_side(
+        sought.walk, limits[SizeGiven.MARGIN] + limits[SizeGiven.LEAST_OFF]
+    )
+    return make_step(block, SIZE_ROOM_SLOT, sizes) == RoomEnding.ROOMY
 
 
 @kernel
@@ -193,14 +236,14 @@ def fill(
     """Copy what a host says."""
     copy_table(sought.square.things, square.things)
     for n in range(square.outlines.shape[0]):
-        sought.square.outlines[n, 0] = square.outlines[n, 0] - limits[ORIGIN_X]
-        sought.square.outlines[n, 1] = square.outlines[n, 1] - limits[ORIGIN_Y]
+        sought.square.outlines[n, 0] = square.outlines[n, 0] - limits[SizeGiven.ORIGIN_X]
+        sought.square.outlines[n, 1] = square.outlines[n, 1] - limits[SizeGiven.ORIGIN_Y]
     copy_family(sought.family, family)
     copy_walk(sought.walk, walk)
     copy_row(sought.limits, limits)
     copy_row(sought.beginnings, beginnings)
     clear(sought.figures)
-    sought.figures[BLOCKED] = math.nan
+    sought.figures[SizeTold.BLOCKED] = math.nan
     clear(sought.state)
     clear(sought.note)
     for n in range(TALLY):

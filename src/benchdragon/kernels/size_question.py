@@ -9,13 +9,13 @@ import math
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import nearest_pair
-from benchdragon.kernels.curve import LENGTH, S_START
+from benchdragon.kernels.curve import RouteRow
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.family import FIXED, ROUTE, Family, falls_soon, set_walk
+from benchdragon.kernels.family import Family, PlanNumber, RouteKind, falls_soon, set_walk
 from benchdragon.kernels.local_minima import MOST_SAMPLED, SHRINKS, local_minimum, low_pair
 from benchdragon.kernels.memory import (
     HEADER,
-    OWNED,
+    Header,
     clear,
     copy_row,
     copy_table,
@@ -28,75 +28,30 @@ from benchdragon.kernels.memory import (
     take,
 )
 from benchdragon.kernels.motion_bounds import place_chain
-from benchdragon.kernels.question import (
-    CLOSED,
-    MORE,
-    OUT_OF_MEMORY,
-    OVER_MEMORY,
-    SPENT,
-    WANTED,
-)
+from benchdragon.kernels.question import QuestionEnding, Told
 from benchdragon.kernels.rounding import bench_errors, find_seams
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.route_parts import settle_rows
 from benchdragon.kernels.search_room import (
-    NO_MEMORY,
-    PLACES,
-    ROOMY,
-    ROUTE_ROWS,
-    TOO_LARGE,
     Aim,
+    Beginning,
+    RoomEnding,
+    RoomSize,
     begin_workspace,
     ground_bytes,
     group_count,
     grow_workspace,
 )
-from benchdragon.kernels.size_bracket import (
-    BAD,
-    CAUTION,
-    FAILS,
-    FIRST_CAUTION,
-    GOOD,
-    NOW,
-    PASSES,
-    SENSE,
-    SIZE,
-    SLACK,
-    STAGE,
-    TOLERANCE,
-    TRIED,
-    UNDECIDED,
-)
+from benchdragon.kernels.size_bracket import FIRST_CAUTION, Bracket, SizeVerdict
 from benchdragon.kernels.size_memory import (
     BASE,
-    BESIDE,
-    BROKEN,
-    BYTES,
-    DOING,
-    END_SLOT,
-    FIRST,
-    IDLE,
-    LAST,
-    LEAST_OFF,
-    LEFT,
-    MARCHED,
-    MARGIN,
-    MOST,
-    NARROW,
-    ONE,
-    ORIGIN_X,
-    ORIGIN_Y,
-    OWN_MEMORY,
-    PLAN_SIZE,
-    RESULT,
-    ROOM_SLOT,
-    SAFER,
-    SEARCHING,
-    SEEKING,
-    UNSURE,
-    WAITING,
-    WALK_SLOT,
-    WIDTH,
+    SIZE_END_SLOT,
+    SIZE_ROOM_SLOT,
+    SIZE_WALK_SLOT,
+    SizeGiven,
+    SizeMemory,
+    SizeStage,
+    SizeTold,
     Sought,
     Square,
     fill,
@@ -105,48 +60,33 @@ from benchdragon.kernels.size_memory import (
     make_searches,
 )
 from benchdragon.kernels.size_search import (
-    BORDER,
-    DISTANCE,
-    FAILED,
-    GUIDE,
-    LOW_PAIR,
-    MEET_FRONT,
-    MEET_LEFT,
-    MEET_REAR,
-    MEET_S,
     MEETINGS,
-    NOBODY,
-    ROOTED,
-    WALK,
+    NO_MEETING,
+    KnownMeeting,
+    Meet,
+    SizeGoal,
+    SizeStep,
     next_task,
 )
 from benchdragon.kernels.size_square import GOES_ON, begin_square, looked_beside
 from benchdragon.kernels.swept_boxes import MOST_OFF
-from benchdragon.kernels.time_of_impact import (
-    CLEAR,
-    EVALUATIONS,
-    FALLEN,
-    FIRST_TOUCH,
-    LOWER,
-    OFF,
-    PAIR,
-    UPPER,
-)
-from benchdragon.kernels.walk_search import (
-    ASTRAY,
-    CALL,
-    CROWDED,
-    SEARCHED,
-    search_walk,
-    work_done,
-)
-from benchdragon.kernels.workspace import AT as WALKED
-from benchdragon.kernels.workspace import PLACED, SOUND, Walk
+from benchdragon.kernels.time_of_impact import Ending, Goal, Note
+from benchdragon.kernels.walk_search import CALL, SEARCHED, WalkEnding, search_walk, work_done
+from benchdragon.kernels.workspace import Course, Walk, WalkTally
 
-# What may be sought besides GROW and BORDER of size_search: how the walk of one size goes.
-ALONE = 3
-# How a step ends, besides WALK and the endings of size_search, and those of kernels/question.py.
-TRIED_ALONE = 7
+
+class SizeQuestionGoal(SizeGoal):
+    """What may be sought besides GROW and BORDER of size_search: how the walk of one size goes."""
+
+    ALONE = 3
+
+
+class SizeEnding(SizeStep):
+    """How a step ends, besides the endings of size_search and those of kernels/question.py."""
+
+    TRIED_ALONE = 7
+
+
 # Sizes are tried to so many times the plan's own where there are obstacles.
 FAR = 10.0
 
@@ -157,15 +97,15 @@ def open_size(family: Family, walk: Walk, square: Square, limits: Vector, beginn
 
     What is handed over is copied. See LIMITS, and `search_room.BEGINNINGS`.
     """
-    block = new_block(END_SLOT - HEADER)
+    block = new_block(SIZE_END_SLOT - HEADER)
     if block == 0:
         return 0
-    slots, places = integers_at(block, END_SLOT), beginnings[PLACES]
+    slots, places = integers_at(block, SIZE_END_SLOT), beginnings[Beginning.PLACES]
     size = lay_all(slots, 0, family, walk, square, places)
-    if take(slots, OWN_MEMORY, size) and make_route(slots, walk.rows.shape[0]):
-        lay_all(slots, slots[OWNED + OWN_MEMORY], family, walk, square, places)
+    if take(slots, SizeMemory.OWN, size) and make_route(slots, walk.rows.shape[0]):
+        lay_all(slots, slots[Header.OWNED + SizeMemory.OWN], family, walk, square, places)
         fill(group_at(Sought, block + BASE), family, walk, square, limits, beginnings)
-        if family.numbers[ROUTE] == FIXED:
+        if family.numbers[PlanNumber.ROUTE] == RouteKind.FIXED:
             settle(block)
         handle = remember(block) if make_searches(block) else 0
         if handle:
@@ -185,18 +125,18 @@ def seek_size(handle: int, stage: int, size: float, good: float) -> bool:
         return False
     sought = group_at(Sought, block + BASE)
     state, limits, figures = sought.state, sought.limits, sought.figures
-    figures[DOING], figures[ONE] = SEEKING, 0.0
-    if stage == ALONE:
-        figures[ONE], state[NOW] = 1.0, size
+    figures[SizeTold.DOING], figures[SizeTold.ONE] = SizeStage.SEEKING, 0.0
+    if stage == SizeQuestionGoal.ALONE:
+        figures[SizeTold.ONE], state[Bracket.NOW] = 1.0, size
         return True
     clear(state)
-    state[SENSE], state[TOLERANCE] = limits[SAFER], limits[NARROW]
-    state[SLACK], state[CAUTION] = limits[LEAST_OFF], FIRST_CAUTION
-    state[STAGE], state[SIZE] = stage, size
-    if stage == BORDER:
-        state[GOOD], state[BAD], state[TRIED] = good, size, 1.0
+    state[Bracket.SENSE], state[Bracket.TOLERANCE] = limits[SizeGiven.SAFER], limits[SizeGiven.NARROW]
+    state[Bracket.SLACK], state[Bracket.CAUTION] = limits[SizeGiven.LEAST_OFF], FIRST_CAUTION
+    state[Bracket.STAGE], state[Bracket.SIZE] = stage, size
+    if stage == SizeGoal.BORDER:
+        state[Bracket.GOOD], state[Bracket.BAD], state[Bracket.TRIED] = good, size, 1.0
     for n in range(MEETINGS):
-        sought.meetings[n, MEET_FRONT] = NOBODY
+        sought.meetings[n, Meet.FRONT] = NO_MEETING
     return True
 
 
@@ -217,19 +157,19 @@ def read_size(handle: int, figures: Vector, state: Vector, doubts: Vector, meeti
 @kernel
 def walk_of(block: int, size: float) -> tuple[int, float, float]:
     """Lay the walk of a size: its rows, 0 if there is none, and between which its head goes, m."""
-    slots = integers_at(block, END_SLOT)
+    slots = integers_at(block, SIZE_END_SLOT)
     while True:
         sought = group_at(Sought, block + BASE)
-        slots[WALK_SLOT + 1] = sought.sizes[ROUTE_ROWS]
+        slots[SIZE_WALK_SLOT + 1] = sought.sizes[RoomSize.ROUTE_ROWS]
         sought = group_at(Sought, block + BASE)
         count, first, last = set_walk(sought.family, sought.walk, sought.at, sought.placed, size)
         if count >= 0:
             break
         if not make_route(slots, -count) or not make_searches(block):
-            sought.figures[DOING] = BROKEN
+            sought.figures[SizeTold.DOING] = SizeStage.BROKEN
             return 0, math.nan, math.nan
-    slots[WALK_SLOT + 1] = count
-    if count > 0 and sought.family.numbers[ROUTE] != FIXED:
+    slots[SIZE_WALK_SLOT + 1] = count
+    if count > 0 and sought.family.numbers[PlanNumber.ROUTE] != RouteKind.FIXED:
         settle(block)
     return count, first, last
 
@@ -238,7 +178,7 @@ def walk_of(block: int, size: float) -> tuple[int, float, float]:
 def settle(block: int) -> None:
     """Let the rows of the route be told from where the dance is searched."""
     sought = group_at(Sought, block + BASE)
-    x, y = sought.limits[ORIGIN_X], sought.limits[ORIGIN_Y]
+    x, y = sought.limits[SizeGiven.ORIGIN_X], sought.limits[SizeGiven.ORIGIN_Y]
     if x != 0.0 or y != 0.0:
         settle_rows(sought.walk.rows, x, y)
 
@@ -246,7 +186,7 @@ def settle(block: int) -> None:
 @kernel
 def hint(block: int) -> float:
     """Fill GUIDE with a pair that comes near in the walk of NOW; how near less the margin, m."""
-    count, first, last = walk_of(block, group_at(Sought, block + BASE).state[NOW])
+    count, first, last = walk_of(block, group_at(Sought, block + BASE).state[Bracket.NOW])
     sought = group_at(Sought, block + BASE)
     walk, m = sought.walk, sought.meetings
     if count == 0 or not 3 <= walk.benches.kind.shape[0] <= MOST_SAMPLED:
@@ -255,8 +195,13 @@ def hint(block: int) -> float:
         walk.rows, walk.benches.links, walk.benches.sizes, first, last, sought.at, sought.placed,
         sought.boxes,
     )  # fmt: skip
-    m[GUIDE, MEET_S], m[GUIDE, MEET_LEFT], m[GUIDE, MEET_FRONT], m[GUIDE, MEET_REAR] = s, last - s, i, j
-    return least - sought.limits[MARGIN]
+    (
+        m[KnownMeeting.GUIDE, Meet.S],
+        m[KnownMeeting.GUIDE, Meet.LEFT],
+        m[KnownMeeting.GUIDE, Meet.FRONT],
+        m[KnownMeeting.GUIDE, Meet.REAR],
+    ) = s, last - s, i, j
+    return least - sought.limits[SizeGiven.MARGIN]
 
 
 @kernel
@@ -266,14 +211,19 @@ def distance(block: int) -> float:
     In a walk of another size that is as far from the start, or from the end: whichever is nearer to
     touching.
     """
-    count, first, last = walk_of(block, group_at(Sought, block + BASE).state[NOW])
+    count, first, last = walk_of(block, group_at(Sought, block + BASE).state[Bracket.NOW])
     sought = group_at(Sought, block + BASE)
     m, benches = sought.meetings, sought.walk.benches
-    if count == 0 or m[ROOTED, MEET_FRONT] == NOBODY:
+    if count == 0 or m[KnownMeeting.ROOTED, Meet.FRONT] == NO_MEETING:
         return math.nan
-    i, j = int(m[ROOTED, MEET_FRONT]), int(m[ROOTED, MEET_REAR])
+    i, j = int(m[KnownMeeting.ROOTED, Meet.FRONT]), int(m[KnownMeeting.ROOTED, Meet.REAR])
     near = 1.5 * max(benches.links[i], benches.links[j])
-    least, where, at, other = math.inf, math.inf, m[ROOTED, MEET_S], last - m[ROOTED, MEET_LEFT]
+    least, where, at, other = (
+        math.inf,
+        math.inf,
+        m[KnownMeeting.ROOTED, Meet.S],
+        last - m[KnownMeeting.ROOTED, Meet.LEFT],
+    )
     for n in range(2 if abs(other - at) > 0.1 * near else 1):
         middle = at if n == 0 else other
         apart, s = local_minimum(
@@ -282,23 +232,28 @@ def distance(block: int) -> float:
         )  # fmt: skip
         if apart < least or (apart == least and s < where):
             least, where = apart, s
-    m[ROOTED, MEET_S], m[ROOTED, MEET_LEFT] = where, last - where
-    return least - sought.limits[MARGIN] if abs(least) < math.inf else math.nan
+    m[KnownMeeting.ROOTED, Meet.S], m[KnownMeeting.ROOTED, Meet.LEFT] = where, last - where
+    return least - sought.limits[SizeGiven.MARGIN] if abs(least) < math.inf else math.nan
 
 
 @kernel
 def failed_alone(sought: Sought) -> int:
     """That a walk fails in which no two benches met."""
-    sought.meetings[FAILED, MEET_FRONT] = NOBODY
-    return FAILS
+    sought.meetings[KnownMeeting.FAILED, Meet.FRONT] = NO_MEETING
+    return SizeVerdict.FAILS
 
 
 @kernel
 def failed_at(sought: Sought, s: float, left: float, i: int, j: int) -> int:
     """That a walk fails in which benches i and j met."""
     m = sought.meetings
-    m[FAILED, MEET_S], m[FAILED, MEET_LEFT], m[FAILED, MEET_FRONT], m[FAILED, MEET_REAR] = s, left, i, j
-    return FAILS
+    (
+        m[KnownMeeting.FAILED, Meet.S],
+        m[KnownMeeting.FAILED, Meet.LEFT],
+        m[KnownMeeting.FAILED, Meet.FRONT],
+        m[KnownMeeting.FAILED, Meet.REAR],
+    ) = s, left, i, j
+    return SizeVerdict.FAILS
 
 
 @kernel
@@ -310,8 +265,8 @@ def standing(sought: Sought, s: float) -> int:
     apart, _time, i, j = nearest_pair(sizes, still.x, still.y)
     find_seams(walk.rows, sought.seams)
     bench_errors(walk.rows, links, sizes, sought.seams, still, 0, -1, sought.lanes, sought.errors, off)
-    if apart > limits[MARGIN] - max(limits[LEAST_OFF], off[i] + off[j]):
-        return PASSES
+    if apart > limits[SizeGiven.MARGIN] - max(limits[SizeGiven.LEAST_OFF], off[i] + off[j]):
+        return SizeVerdict.PASSES
     return failed_at(sought, s, 0.0, i, j)
 
 
@@ -319,32 +274,36 @@ def standing(sought: Sought, s: float) -> int:
 def roomy(sought: Sought, ending: int) -> int:
     """How a walk stands by how making room for it ended: GOES_ON, or UNDECIDED."""
     figures = sought.figures
-    if ending in (TOO_LARGE, NO_MEMORY):
-        figures[DOING] = BROKEN
-        if ending == TOO_LARGE:
-            figures[WANTED] = ground_bytes(sought.sizes, group_count(sought.walk))
-    return GOES_ON if ending == ROOMY else UNDECIDED
+    if ending in (RoomEnding.TOO_LARGE, RoomEnding.NO_MEMORY):
+        figures[SizeTold.DOING] = SizeStage.BROKEN
+        if ending == RoomEnding.TOO_LARGE:
+            figures[Told.WANTED] = ground_bytes(sought.sizes, group_count(sought.walk))
+    return GOES_ON if ending == RoomEnding.ROOMY else SizeVerdict.UNDECIDED
 
 
 @kernel
 def aim_of(sought: Sought) -> Aim:
     """What the search along the walk of NOW is after."""
     figures, limits = sought.figures, sought.limits
-    reach = limits[MARGIN] + limits[LEAST_OFF]
-    return Aim(figures[FIRST], figures[LAST], reach, limits[BYTES])
+    reach = limits[SizeGiven.MARGIN] + limits[SizeGiven.LEAST_OFF]
+    return Aim(figures[SizeTold.FIRST], figures[SizeTold.LAST], reach, limits[SizeGiven.BYTES])
 
 
 @kernel
 def laid(block: int) -> int:
     """How the walk of NOW goes, or GOES_ON once it is laid: to be looked at beside obstacles."""
     sought = group_at(Sought, block + BASE)
-    figures, times = sought.figures, sought.state[NOW] / sought.limits[PLAN_SIZE]
+    figures, times = sought.figures, sought.state[Bracket.NOW] / sought.limits[SizeGiven.PLAN_SIZE]
     if sought.square.things.shape[0] and not 1.0 / FAR <= times <= FAR:
         return failed_alone(sought)
-    count, first, last = walk_of(block, sought.state[NOW])
+    count, first, last = walk_of(block, sought.state[Bracket.NOW])
     if count == 0:
         return failed_alone(group_at(Sought, block + BASE))
-    figures[FIRST], figures[LAST], figures[DOING] = first, last, BESIDE
+    figures[SizeTold.FIRST], figures[SizeTold.LAST], figures[SizeTold.DOING] = (
+        first,
+        last,
+        SizeStage.BESIDE,
+    )
     begin_square(group_at(Sought, block + BASE))
     return GOES_ON
 
@@ -353,15 +312,20 @@ def laid(block: int) -> int:
 def begun(block: int) -> int:
     """How the walk of NOW goes, or GOES_ON once its search is begun."""
     sought = group_at(Sought, block + BASE)
-    walk, limits, figures, first = sought.walk, sought.limits, sought.figures, sought.figures[FIRST]
+    walk, limits, figures, first = (
+        sought.walk,
+        sought.limits,
+        sought.figures,
+        sought.figures[SizeTold.FIRST],
+    )
     sought.at[0] = first
     if not place_chain(walk.rows, walk.benches.links, sought.at, 0, 1, sought.placed):
         return failed_alone(sought)
-    if first == figures[LAST]:
+    if first == figures[SizeTold.LAST]:
         return standing(sought, first)
-    figures[LEFT] = limits[MOST]
+    figures[SizeTold.LEFT] = limits[SizeGiven.MOST]
     clear(sought.note)
-    return roomy(sought, begin_workspace(block, ROOM_SLOT, sought.sizes, walk, aim_of(sought)))
+    return roomy(sought, begin_workspace(block, SIZE_ROOM_SLOT, sought.sizes, walk, aim_of(sought)))
 
 
 @kernel
@@ -371,20 +335,23 @@ def searched_on(block: int, left: float) -> int:
         sought = group_at(Sought, block + BASE)
         walk, room, figures, note = sought.walk, sought.room, sought.figures, sought.note
         limits, benches = sought.limits, walk.benches.kind.shape[0]
-        most = max((left - figures[SPENT]) / (SEARCHED * (benches + 1)), 1.0)
-        figures[LEFT] = math.floor(min(most, figures[LEFT]))
-        known, marched = work_done(room, benches), note[EVALUATIONS]
+        most = max((left - figures[Told.SPENT]) / (SEARCHED * (benches + 1)), 1.0)
+        figures[SizeTold.LEFT] = math.floor(min(most, figures[SizeTold.LEFT]))
+        known, marched = work_done(room, benches), note[Note.EVALUATIONS]
         ending = search_walk(
-            walk, room, FIRST_TOUCH, limits[MARGIN], limits[LEAST_OFF], limits[WIDTH],
-            int(figures[LEFT]), note,
+            walk, room, Goal.FIRST_TOUCH, limits[SizeGiven.MARGIN], limits[SizeGiven.LEAST_OFF],
+            limits[SizeGiven.WIDTH],
+            int(figures[SizeTold.LEFT]), note,
         )  # fmt: skip
-        marched = (note[EVALUATIONS] - marched) * room.course.tally[PLACED]
-        figures[SPENT] += CALL + SEARCHED * marched + max(work_done(room, benches) - known, 0.0)
-        if ending == MORE or (ending == CROWDED and figures[SPENT] > left):
-            return MORE
-        if ending != CROWDED:
+        marched = (note[Note.EVALUATIONS] - marched) * room.course.tally[WalkTally.PLACED]
+        figures[Told.SPENT] += CALL + SEARCHED * marched + max(work_done(room, benches) - known, 0.0)
+        if ending == QuestionEnding.MORE or (
+            ending == WalkEnding.CROWDED and figures[Told.SPENT] > left
+        ):
+            return QuestionEnding.MORE
+        if ending != WalkEnding.CROWDED:
             return judged(sought, ending)
-        found = roomy(sought, grow_workspace(block, ROOM_SLOT, sought.sizes, walk, aim_of(sought)))
+        found = roomy(sought, grow_workspace(block, SIZE_ROOM_SLOT, sought.sizes, walk, aim_of(sought)))
         if found != GOES_ON:
             return found
 
@@ -392,21 +359,21 @@ def searched_on(block: int, left: float) -> int:
 @kernel
 def judged(sought: Sought, ending: int) -> int:
     """How a walk goes whose search ended so."""
-    walk, note, state, last = sought.walk, sought.note, sought.state, sought.figures[LAST]
+    walk, note, state, last = sought.walk, sought.note, sought.state, sought.figures[SizeTold.LAST]
     rows, end = walk.rows, walk.rows.shape[0] - 1
-    if note[OFF] > MOST_OFF:
-        return UNDECIDED
-    state[SLACK] = max(state[SLACK], note[OFF])
-    sought.figures[MARCHED] += note[EVALUATIONS]
-    if ending == CLEAR:
-        length = rows[end, S_START] + rows[end, LENGTH]
-        return failed_alone(sought) if last > length + END_SLACK else PASSES
-    if ending in (ASTRAY, FALLEN):
+    if note[Note.OFF] > MOST_OFF:
+        return SizeVerdict.UNDECIDED
+    state[Bracket.SLACK] = max(state[Bracket.SLACK], note[Note.OFF])
+    sought.figures[SizeTold.MARCHED] += note[Note.EVALUATIONS]
+    if ending == Ending.CLEAR:
+        length = rows[end, RouteRow.S_START] + rows[end, RouteRow.LENGTH]
+        return failed_alone(sought) if last > length + END_SLACK else SizeVerdict.PASSES
+    if ending in (WalkEnding.ASTRAY, Ending.FALLEN):
         way = sought.room.course.way
-        sound = note[LOWER] if ending == FALLEN else min(way[WALKED], way[SOUND])
+        sound = note[Note.LOWER] if ending == Ending.FALLEN else min(way[Course.AT], way[Course.SOUND])
         falls = falls_soon(rows, walk.benches.links, sound, sought.at, sought.placed)
-        return failed_alone(sought) if falls else UNDECIDED
-    pair, benches, s = int(note[PAIR]), walk.benches.kind.shape[0], note[UPPER]
+        return failed_alone(sought) if falls else SizeVerdict.UNDECIDED
+    pair, benches, s = int(note[Note.PAIR]), walk.benches.kind.shape[0], note[Note.UPPER]
     return failed_at(sought, s, last - s, pair // benches, pair % benches)
 
 
@@ -417,32 +384,36 @@ def pursued(block: int, value: float) -> int:
     while True:
         sought = group_at(Sought, block + BASE)
         task = next_task(sought.state, sought.doubts, sought.meetings, value)
-        if task == LOW_PAIR:
+        if task == SizeStep.LOW_PAIR:
             value = hint(block)
-        elif task == DISTANCE:
+        elif task == SizeStep.DISTANCE:
             value = distance(block)
         else:
-            figures[DOING] = WAITING if task == WALK else IDLE
-            return MORE if task == WALK else task
-        if figures[DOING] == BROKEN:
-            return OUT_OF_MEMORY
+            figures[SizeTold.DOING] = SizeStage.WAITING if task == SizeStep.WALK else SizeStage.IDLE
+            return QuestionEnding.MORE if task == SizeStep.WALK else task
+        if figures[SizeTold.DOING] == SizeStage.BROKEN:
+            return QuestionEnding.OUT_OF_MEMORY
 
 
 @kernel
 def gone_on(block: int, left: float) -> int:
     """How the walk of NOW goes, or MORE."""
     figures, result = group_at(Sought, block + BASE).figures, GOES_ON
-    if figures[DOING] == WAITING:
+    if figures[SizeTold.DOING] == SizeStage.WAITING:
         result = laid(block)
-    if result == GOES_ON and figures[DOING] == BESIDE:
+    if result == GOES_ON and figures[SizeTold.DOING] == SizeStage.BESIDE:
         result = looked_beside(block, left)
-        if result == FAILS:
+        if result == SizeVerdict.FAILS:
             failed_alone(group_at(Sought, block + BASE))
         if result == GOES_ON:
-            figures[DOING] = SEARCHING
+            figures[SizeTold.DOING] = SizeStage.SEARCHING
             result = begun(block)
     result = searched_on(block, left) if result == GOES_ON else result
-    return UNDECIDED if result == PASSES and figures[UNSURE] > 0.0 else result
+    return (
+        SizeVerdict.UNDECIDED
+        if result == SizeVerdict.PASSES and figures[SizeTold.UNSURE] > 0.0
+        else result
+    )
 
 
 @entry
@@ -453,20 +424,20 @@ def step_size(handle: int, left: float) -> int:
     """
     block = recall(handle)
     if block == 0:
-        return CLOSED
+        return QuestionEnding.CLOSED
     figures = group_at(Sought, block + BASE).figures
-    figures[SPENT], doing = 0.0, figures[DOING]
-    if doing == IDLE:
-        return CLOSED
-    if doing == SEEKING and figures[ONE]:
-        figures[DOING] = WAITING
-        return MORE
-    if doing == SEEKING:
+    figures[Told.SPENT], doing = 0.0, figures[SizeTold.DOING]
+    if doing == SizeStage.IDLE:
+        return QuestionEnding.CLOSED
+    if doing == SizeStage.SEEKING and figures[SizeTold.ONE]:
+        figures[SizeTold.DOING] = SizeStage.WAITING
+        return QuestionEnding.MORE
+    if doing == SizeStage.SEEKING:
         return pursued(block, 0.0)
-    result = gone_on(block, left) if doing != BROKEN else UNDECIDED
-    if figures[DOING] == BROKEN:
-        return OVER_MEMORY if figures[WANTED] else OUT_OF_MEMORY
-    if result == MORE:
-        return MORE
-    figures[RESULT], figures[DOING] = result, IDLE
-    return TRIED_ALONE if figures[ONE] else pursued(block, float(result))
+    result = gone_on(block, left) if doing != SizeStage.BROKEN else SizeVerdict.UNDECIDED
+    if figures[SizeTold.DOING] == SizeStage.BROKEN:
+        return QuestionEnding.OVER_MEMORY if figures[Told.WANTED] else QuestionEnding.OUT_OF_MEMORY
+    if result == QuestionEnding.MORE:
+        return QuestionEnding.MORE
+    figures[SizeTold.RESULT], figures[SizeTold.DOING] = result, SizeStage.IDLE
+    return SizeEnding.TRIED_ALONE if figures[SizeTold.ONE] else pursued(block, float(result))

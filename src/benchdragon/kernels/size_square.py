@@ -2,43 +2,32 @@
 
 import math
 
-from benchdragon.kernels import obstacle_memory as of
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.memory import group_at
-from benchdragon.kernels.obstacle_memory import Beside, begin_beside
+from benchdragon.kernels.obstacle_memory import (
+    Beside,
+    ObstacleFound,
+    ObstacleGiven,
+    ObstacleTold,
+    begin_beside,
+)
 from benchdragon.kernels.obstacle_paths import stands
-from benchdragon.kernels.obstacle_search import ALL_TOLD, seek_beside, step_beside
-from benchdragon.kernels.question import MORE, OUT_OF_MEMORY, SPENT
+from benchdragon.kernels.obstacle_search import ObstacleEnding, seek_beside, step_beside
+from benchdragon.kernels.question import QuestionEnding, Told
 from benchdragon.kernels.rounding import find_seams
 from benchdragon.kernels.rounds import find_repeats
-from benchdragon.kernels.size_bracket import FAILS, NOW, UNDECIDED
+from benchdragon.kernels.size_bracket import Bracket, SizeVerdict
 from benchdragon.kernels.size_memory import (
-    AT_THING,
     BASE,
-    BEGUN,
     BESIDE_SLOT,
-    BLOCKED,
-    BLOCKED_BY,
-    BROKEN,
-    CORNERS,
-    DOING,
-    FIRST,
-    KEPT_OFF,
-    KNOWN,
-    LAST,
-    LEAST_OFF,
-    MARCHED,
-    MOST,
-    OFF,
-    RADIUS,
-    SORT,
-    SURELY,
-    UNSURE,
-    WIDTH,
+    SizeGiven,
+    SizeStage,
+    SizeTold,
     Sought,
+    Thing,
 )
-from benchdragon.kernels.time_of_impact import FIRST_TOUCH
-from benchdragon.kernels.walk_search import ASTRAY, HANDLES_A_CALL
+from benchdragon.kernels.time_of_impact import Goal
+from benchdragon.kernels.walk_search import HANDLES_A_CALL, WalkEnding
 
 # How a walk stands that is to be searched on.
 GOES_ON = -2
@@ -48,12 +37,14 @@ GOES_ON = -2
 def begin_square(sought: Sought) -> None:
     """Begin to look at obstacles, the first of them next: where the route of NOW leads back."""
     walk, figures, reach = sought.walk, sought.figures, 0.0
-    figures[AT_THING] = figures[BEGUN] = figures[UNSURE] = figures[KNOWN] = 0.0
+    figures[SizeTold.AT_THING] = figures[SizeTold.BEGUN] = figures[SizeTold.UNSURE] = figures[
+        SizeTold.KNOWN
+    ] = 0.0
     if sought.repeats.shape[0]:
         for i in range(walk.benches.links.shape[0]):
             reach = max(reach, math.hypot(walk.benches.sizes[0, i], walk.benches.sizes[1, i]))
         find_seams(walk.rows, sought.seams)
-        figures[KNOWN] = find_repeats(walk.rows, sought.seams, reach, sought.repeats)
+        figures[SizeTold.KNOWN] = find_repeats(walk.rows, sought.seams, reach, sought.repeats)
 
 
 @kernel
@@ -61,17 +52,23 @@ def begin_thing(block: int) -> bool:
     """Begin to look at the obstacle at hand; whether there is memory."""
     sought = group_at(Sought, block + BASE)
     figures, limits, asked, walk = sought.figures, sought.limits, sought.asked, sought.walk
-    n, things, corner = int(figures[AT_THING]), sought.square.things, 0
+    n, things, corner = int(figures[SizeTold.AT_THING]), sought.square.things, 0
     for m in range(n):
-        corner += int(things[m, CORNERS])
-    outline = sought.square.outlines[corner : corner + int(things[n, CORNERS])]
-    asked[of.SORT], asked[of.RADIUS], asked[of.MARGIN] = (
-        things[n, SORT], things[n, RADIUS], things[n, KEPT_OFF]
+        corner += int(things[m, Thing.CORNERS])
+    outline = sought.square.outlines[corner : corner + int(things[n, Thing.CORNERS])]
+    asked[ObstacleGiven.SORT], asked[ObstacleGiven.RADIUS], asked[ObstacleGiven.MARGIN] = (
+        things[n, Thing.SORT], things[n, Thing.RADIUS], things[n, Thing.KEPT_OFF]
     )  # fmt: skip
-    asked[of.HEAD_FIRST], asked[of.HEAD_LAST] = figures[FIRST], figures[LAST]
-    asked[of.LEAST_OFF], asked[of.WIDTH] = limits[LEAST_OFF] + things[n, OFF], limits[WIDTH]
-    asked[of.MOST] = limits[MOST]
-    benches, repeats = walk.benches, sought.repeats[: int(figures[KNOWN])]
+    asked[ObstacleGiven.HEAD_FIRST], asked[ObstacleGiven.HEAD_LAST] = (
+        figures[SizeTold.FIRST],
+        figures[SizeTold.LAST],
+    )
+    asked[ObstacleGiven.LEAST_OFF], asked[ObstacleGiven.WIDTH] = (
+        limits[SizeGiven.LEAST_OFF] + things[n, Thing.OFF],
+        limits[SizeGiven.WIDTH],
+    )
+    asked[ObstacleGiven.MOST] = limits[SizeGiven.MOST]
+    benches, repeats = walk.benches, sought.repeats[: int(figures[SizeTold.KNOWN])]
     return begin_beside(
         block, BESIDE_SLOT, walk.rows, benches.links, benches.sizes, outline, repeats, asked
     )
@@ -81,18 +78,18 @@ def begin_thing(block: int) -> bool:
 def stepped(block: int, left: float) -> int:
     """How a step of the search beside the obstacle at hand ended."""
     figures = group_at(Sought, block + BASE).figures
-    if figures[BEGUN] == 0.0:
+    if figures[SizeTold.BEGUN] == 0.0:
         if not begin_thing(block):
-            return OUT_OF_MEMORY
-        figures[BEGUN] = 1.0
+            return QuestionEnding.OUT_OF_MEMORY
+        figures[SizeTold.BEGUN] = 1.0
         beside = group_at(Beside, block + 8 * BESIDE_SLOT)
         if not stands(beside):
-            return ASTRAY
-        seek_beside(beside, FIRST_TOUCH, 0.0)
+            return WalkEnding.ASTRAY
+        seek_beside(beside, Goal.FIRST_TOUCH, 0.0)
     own = group_at(Beside, block + 8 * BESIDE_SLOT).figures
-    own[SPENT] = 0.0
-    ending = step_beside(block, BESIDE_SLOT, left - figures[SPENT])
-    figures[SPENT] += own[SPENT]
+    own[Told.SPENT] = 0.0
+    ending = step_beside(block, BESIDE_SLOT, left - figures[Told.SPENT])
+    figures[Told.SPENT] += own[Told.SPENT]
     return ending
 
 
@@ -104,22 +101,27 @@ def looked_beside(block: int, left: float) -> int:
     """
     sought = group_at(Sought, block + BASE)
     figures = sought.figures
-    while figures[AT_THING] < sought.square.things.shape[0]:
-        if figures[SPENT] > min(left, HANDLES_A_CALL):
-            return MORE
+    while figures[SizeTold.AT_THING] < sought.square.things.shape[0]:
+        if figures[Told.SPENT] > min(left, HANDLES_A_CALL):
+            return QuestionEnding.MORE
         ending = stepped(block, left)
-        if ending == MORE:
+        if ending == QuestionEnding.MORE:
             continue
-        if ending == OUT_OF_MEMORY:
-            figures[DOING] = BROKEN
-            return UNDECIDED
+        if ending == QuestionEnding.OUT_OF_MEMORY:
+            figures[SizeTold.DOING] = SizeStage.BROKEN
+            return SizeVerdict.UNDECIDED
         beside = group_at(Beside, block + 8 * BESIDE_SLOT)
-        figures[MARCHED] += beside.figures[of.MADE]
-        figures[BEGUN], count = 0.0, int(beside.figures[of.COUNT])
-        if ending == ALL_TOLD and count:
-            figures[BLOCKED], figures[BLOCKED_BY] = sought.state[NOW], figures[AT_THING]
-            figures[SURELY] = beside.found[count - 1, of.SURE]
-            return FAILS
-        figures[UNSURE] = figures[UNSURE] if ending == ALL_TOLD else 1.0
-        figures[AT_THING] += 1.0
+        figures[SizeTold.MARCHED] += beside.figures[ObstacleTold.MADE]
+        figures[SizeTold.BEGUN], count = 0.0, int(beside.figures[ObstacleTold.COUNT])
+        if ending == ObstacleEnding.ALL_TOLD and count:
+            figures[SizeTold.BLOCKED], figures[SizeTold.BLOCKED_BY] = (
+                sought.state[Bracket.NOW],
+                figures[SizeTold.AT_THING],
+            )
+            figures[SizeTold.SURELY] = beside.found[count - 1, ObstacleFound.SURE]
+            return SizeVerdict.FAILS
+        figures[SizeTold.UNSURE] = (
+            figures[SizeTold.UNSURE] if ending == ObstacleEnding.ALL_TOLD else 1.0
+        )
+        figures[SizeTold.AT_THING] += 1.0
     return GOES_ON

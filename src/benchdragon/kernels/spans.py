@@ -7,17 +7,30 @@ from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.local_minima import head_where_tail
+from benchdragon.kernels.numbered import Numbered
 
 # What is searched beyond a whole round, m: more than rounding moves where one ends.
-SPARE = 1e-6
+BEYOND_ROUND = 1e-6
 # What is left out is at least so many times as long as the benches: a search that begins anew costs.
 WORTH = 2.0
 # What one bench beside something that stands still may be off by of itself, m: roundings of its place,
 # a thousandfold where it is all but folded.
 PLACED = 1e-10
-# A repeat: the route from LOW to HIGH, m, is what it was PERIOD before, but for MISSED, m.
-LOW, HIGH, PERIOD, MISSED, REPEAT = range(5)
-BEGINS, BEGUN = 4, 5  # of one that is begun: from where on the head stands where all benches do
+
+
+class RepeatSpan(Numbered):
+    """A repeat: the route from LOW to HIGH, m, is what it was PERIOD before, but for MISSED, m."""
+
+    LOW, HIGH, PERIOD, MISSED = range(4)
+
+
+REPEAT = len(RepeatSpan)
+
+
+class BegunRepeat(RepeatSpan):
+    """A repeat that is begun: from where on the head stands where all benches do."""
+
+    BEGINS, BEGUN = 4, 5  # of one that is begun: from where on the head stands where all benches do
 
 
 @kernel
@@ -33,17 +46,25 @@ def begin_repeats(
     for i in range(links.shape[0]):
         length += links[i]
     for n in range(repeats.shape[0]):
-        low, high, period = repeats[n, LOW], repeats[n, HIGH], repeats[n, PERIOD]
+        low, high, period = (
+            repeats[n, RepeatSpan.LOW],
+            repeats[n, RepeatSpan.HIGH],
+            repeats[n, RepeatSpan.PERIOD],
+        )
         wanted = high - low - period > WORTH * length
         for m in range(count):
-            soonest = begun[m, BEGINS] + begun[m, PERIOD]
-            wanted = wanted and not (soonest <= low + length + period and high <= begun[m, HIGH])
+            soonest = begun[m, BegunRepeat.BEGINS] + begun[m, RepeatSpan.PERIOD]
+            wanted = wanted and not (
+                soonest <= low + length + period and high <= begun[m, RepeatSpan.HIGH]
+            )
         if wanted:
             for k in range(REPEAT):
                 begun[count, k] = repeats[n, k]
-            begun[count, BEGINS] = low
+            begun[count, BegunRepeat.BEGINS] = low
             if not math.isinf(low):
-                begun[count, BEGINS] = head_where_tail(rows, links, low + SPARE, at, places)
+                begun[count, BegunRepeat.BEGINS] = head_where_tail(
+                    rows, links, low + BEYOND_ROUND, at, places
+                )
             count += 1
     return count
 
@@ -59,22 +80,22 @@ def new_spans(
     """
     skipped, missed = 0, 0.0
     for n in range(count):
-        start = max(begun[n, BEGINS], first) + begun[n, PERIOD] + SPARE
-        end = min(begun[n, HIGH], last)
+        start = max(begun[n, BegunRepeat.BEGINS], first) + begun[n, RepeatSpan.PERIOD] + BEYOND_ROUND
+        end = min(begun[n, RepeatSpan.HIGH], last)
         if end - start > WORTH * length:
             m = skipped
             while m > 0 and skips[m - 1, 0] > start:
                 skips[m, 0], skips[m, 1] = skips[m - 1, 0], skips[m - 1, 1]
                 m -= 1
             skips[m, 0], skips[m, 1] = start, end
-            skipped, missed = skipped + 1, missed + begun[n, MISSED]
+            skipped, missed = skipped + 1, missed + begun[n, RepeatSpan.MISSED]
     found, at = 0, first
     for m in range(skipped):
         start, end = skips[m, 0], skips[m, 1]
         if start > at:
             spans[found, 0], spans[found, 1] = at, start
             found += 1
-        at = max(at, end if end >= last else end - SPARE)
+        at = max(at, end if end >= last else end - BEYOND_ROUND)
     if at < last or found == 0:
         spans[found, 0], spans[found, 1] = at, last
         found += 1

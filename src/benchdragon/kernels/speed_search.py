@@ -13,53 +13,72 @@ from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.bench_cells import Cells, bound_by_cells
 from benchdragon.kernels.chain import Placements, rates_in_slot
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.drive import (
-    ACROSS,
-    FROM,
-    RATE,
-    SPEEDS,
-    TO,
-    TURNING,
-    Scratch,
-    bound_step,
-    greatest_in_slot,
-)
+from benchdragon.kernels.drive import DriveRate, DriveStep, Scratch, bound_step, greatest_in_slot
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.motion_bounds import place_chain
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.rate_rounding import Errors, bend_errors, rate_errors, weigh_values
 from benchdragon.kernels.rounding import mark_lanes, ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended
 
-# Columns of a part that waits: its bound, and the head's positions that it lies between, m.
-BOUND, START, END = 0, 1, 2
-# The stretch of the drive that it belongs to, the links that may exceed what is seen, and whether the
-# cells are to be asked of it (1) or chains (0).
-STRETCH, LINKS, BY_CELLS = 0, 1, 2
-PART_COLUMNS = 3
-# What a batch says of a part besides: the first of its slots, and into how many it is cut.
-SLOT, PIECES = 0, 1
 
-# What is known, a row of floats.
-SEEN = 0  # the greatest value at any chain; -1 before the first
-WHERE = 1  # the head's position there, m
-UPPER = 2  # at most what was put aside
-SURE = 3  # a value that is exactly reached or exceeded
-SIDED = 4  # the greatest value seen where rounding hides no handle's side of a jump, if sides matter
-NOTES = 5
-# And a row of integers.
-OPEN = 0  # parts that wait
-ROW = 1  # the handle or bench that was seen
-WHEN = 2  # on which stretch
-EVALUATIONS = 3  # chains placed
-COUNTS = 4
+class PartSpan(Numbered):
+    """Columns of a part that waits: its bound, and the head's positions that it lies between, m."""
+
+    BOUND, START, END = range(3)
+
+
+class PartFact(Numbered):
+    """What is known of a part that waits, whole numbers.
+
+    The stretch of the drive that it belongs to, the links that may exceed what is seen, and whether
+    the cells are to be asked of it (1) or chains (0).
+    """
+
+    STRETCH, LINKS, BY_CELLS = range(3)
+
+
+PART_FACTS = len(PartFact)
+
+
+class PartCut(Numbered):
+    """What a batch says of a part besides: the first of its slots, and into how many it is cut."""
+
+    SLOT, PIECES = 0, 1
+
+
+class SpeedNote(Numbered):
+    """What is known, a row of floats."""
+
+    SEEN = 0  # the greatest value at any chain; -1 before the first
+    WHERE = 1  # the head's position there, m
+    UPPER = 2  # at most what was put aside
+    SURE = 3  # a value that is exactly reached or exceeded
+    # the greatest value seen where rounding hides no handle's side of a jump, if sides matter
+    SIDED = 4
+
+
+SPEED_NOTES = len(SpeedNote)
+
+
+class SpeedCount(Numbered):
+    """What is counted, a row of whole numbers."""
+
+    OPEN = 0  # parts that wait
+    ROW = 1  # the handle or bench that was seen
+    WHEN = 2  # on which stretch
+    EVALUATIONS = 3  # chains placed
+
+
+SPEED_COUNTS = len(SpeedCount)
 
 # Chains that are placed at a time, and the parts of a step that is looked at again.
-SLOTS, SHARES = 16, 2
+CHAIN_SLOTS, STEP_SHARES = 16, 2
 # Parts that a long way is cut into at most, and a step of the cells at least.
-MOST_PIECES, CELL_SHARES = SLOTS - 1, 4
+MOST_PART_PIECES, CELL_SHARES = CHAIN_SLOTS - 1, 4
 # What rounding may add to the length of a step, as a share.
-ABOUT = 1.0 + 1e-9
+LENGTH_ROUNDING = 1.0 + 1e-9
 # What is never greater than this, in SI units, counts as nothing: with what rounding adds 1e-9.
 NOTHING = 0.999e-9
 # The bracket's width where a limit is kept, as a share of the value, and of the limit at most.
@@ -68,7 +87,7 @@ ROUGHLY, LITTLE = 1e-2, 1e-2
 CELL_COST = 0.125
 
 
-class Aim(NamedTuple):
+class SpeedAim(NamedTuple):
     """What is asked, and the longest steps, m, that cells and chains bound."""
 
     quantity: int
@@ -89,17 +108,17 @@ class Drives(NamedTuple):
 class Heap(NamedTuple):
     """Parts that wait, the greatest bound first."""
 
-    parts: Table  # (room, PART_COLUMNS)
-    marks: IntTable  # (room, PART_COLUMNS)
+    parts: Table  # (room, 3): PartSpan
+    marks: IntTable  # (room, PART_FACTS)
 
 
 class Batch(NamedTuple):
     """Parts that are looked at together."""
 
-    parts: Table  # as in the heap, (SLOTS, PART_COLUMNS)
+    parts: Table  # as in the heap, (CHAIN_SLOTS, 3)
     marks: IntTable
-    slots: IntTable  # their slots and pieces, (SLOTS, 2)
-    at: Vector  # the head's positions in all slots, m, (SLOTS,)
+    slots: IntTable  # their slots and pieces, (CHAIN_SLOTS, 2)
+    at: Vector  # the head's positions in all slots, m, (CHAIN_SLOTS,)
     drive: Vector
 
 
@@ -116,7 +135,7 @@ class Chains(NamedTuple):
 @kernel
 def believed(notes: FloatArray) -> float:
     """The greatest value seen but at jumps, where it may be the other side's; -1 before the first."""
-    return notes[SIDED] if notes[SEEN] >= 0.0 else -1.0
+    return notes[SpeedNote.SIDED] if notes[SpeedNote.SEEN] >= 0.0 else -1.0
 
 
 @kernel
@@ -134,15 +153,15 @@ def enough(seen: float, tolerance: float, limit: float) -> float:
 @kernel
 def before(parts: FloatArray, i: int, j: int) -> bool:
     """Whether part i is to be looked at before part j; of equal bounds the first on the way."""
-    if parts[i, BOUND] == parts[j, BOUND]:
-        return parts[i, START] < parts[j, START]
-    return parts[i, BOUND] > parts[j, BOUND]
+    if parts[i, PartSpan.BOUND] == parts[j, PartSpan.BOUND]:
+        return parts[i, PartSpan.START] < parts[j, PartSpan.START]
+    return parts[i, PartSpan.BOUND] > parts[j, PartSpan.BOUND]
 
 
 @kernel
 def swap(parts: FloatArray, marks: IntArray, i: int, j: int) -> None:
     """Let parts i and j change places."""
-    for k in range(PART_COLUMNS):
+    for k in range(PART_FACTS):
         parts[i, k], parts[j, k] = parts[j, k], parts[i, k]
         marks[i, k], marks[j, k] = marks[j, k], marks[i, k]
 
@@ -152,10 +171,14 @@ def push(
     heap: Heap, counts: IntArray, bound: float, a: float, b: float, stretch: int, links: int, cells: int
 ) -> None:
     """Let a part from a to b, m, wait."""
-    parts, marks, i = heap.parts, heap.marks, counts[OPEN]
-    parts[i, BOUND], parts[i, START], parts[i, END] = bound, a, b
-    marks[i, STRETCH], marks[i, LINKS], marks[i, BY_CELLS] = stretch, links, cells
-    counts[OPEN] = i + 1
+    parts, marks, i = heap.parts, heap.marks, counts[SpeedCount.OPEN]
+    parts[i, PartSpan.BOUND], parts[i, PartSpan.START], parts[i, PartSpan.END] = bound, a, b
+    marks[i, PartFact.STRETCH], marks[i, PartFact.LINKS], marks[i, PartFact.BY_CELLS] = (
+        stretch,
+        links,
+        cells,
+    )
+    counts[SpeedCount.OPEN] = i + 1
     while i > 0 and before(parts, i, (i - 1) // 2):
         swap(parts, marks, i, (i - 1) // 2)
         i = (i - 1) // 2
@@ -165,10 +188,10 @@ def push(
 def take(heap: Heap, counts: IntArray, batch: Batch, n: int) -> None:
     """Take the first part off the heap, as number n of the batch."""
     parts, marks, i = heap.parts, heap.marks, 0
-    for k in range(PART_COLUMNS):
+    for k in range(PART_FACTS):
         batch.parts[n, k], batch.marks[n, k] = parts[0, k], marks[0, k]
-    counts[OPEN] -= 1
-    count = counts[OPEN]
+    counts[SpeedCount.OPEN] -= 1
+    count = counts[SpeedCount.OPEN]
     swap(parts, marks, 0, count)
     while 2 * i + 1 < count:
         child = 2 * i + 1
@@ -196,9 +219,9 @@ def set_drive(drives: Drives, n: int, a: float, b: float, drive: FloatArray) -> 
     if length > 0.0:
         from_share = min(max((a - start) / length, 0.0), 1.0)
         to_share = min(max((b - start) / length, 0.0), 1.0)
-    drive[FROM] = square_at(drives.squares, n, from_share)
-    drive[TO] = square_at(drives.squares, n, to_share)
-    drive[RATE] = drives.rates[n]
+    drive[DriveStep.FROM] = square_at(drives.squares, n, from_share)
+    drive[DriveStep.TO] = square_at(drives.squares, n, to_share)
+    drive[DriveStep.RATE] = drives.rates[n]
 
 
 @kernel
@@ -210,42 +233,50 @@ def ends_apart(a: float, b: float) -> bool:
 @kernel
 def divide(heap: Heap, counts: IntArray, batch: Batch, step: float) -> None:
     """Cut the batch's first part, of more than so many steps, m, and let the pieces wait as it did."""
-    a, b = batch.parts[0, START], batch.parts[0, END]
-    pieces = int(min(math.ceil((b - a) / step), MOST_PIECES))
+    a, b = batch.parts[0, PartSpan.START], batch.parts[0, PartSpan.END]
+    pieces = int(min(math.ceil((b - a) / step), MOST_PART_PIECES))
     for k in range(pieces):
         p, q = a + (b - a) * (k / pieces), b if k + 1 == pieces else a + (b - a) * ((k + 1) / pieces)
-        stretch, links, cells = batch.marks[0, STRETCH], batch.marks[0, LINKS], batch.marks[0, BY_CELLS]
-        push(heap, counts, batch.parts[0, BOUND], p, q, stretch, links, cells)
+        stretch, links, cells = (
+            batch.marks[0, PartFact.STRETCH],
+            batch.marks[0, PartFact.LINKS],
+            batch.marks[0, PartFact.BY_CELLS],
+        )
+        push(heap, counts, batch.parts[0, PartSpan.BOUND], p, q, stretch, links, cells)
 
 
 @kernel
 def look_by_cells(
-    cells: Cells, group: IntArray, aim: Aim, drives: Drives, heap: Heap, batch: Batch,
+    cells: Cells, group: IntArray, aim: SpeedAim, drives: Drives, heap: Heap, batch: Batch,
     notes: FloatArray, counts: IntArray,
 ) -> None:  # fmt: skip
     """Bound steps of the batch's first part by cells, and let wait what they leave open."""
-    a, b, stretch = batch.parts[0, START], batch.parts[0, END], batch.marks[0, STRETCH]
+    a, b, stretch = (
+        batch.parts[0, PartSpan.START],
+        batch.parts[0, PartSpan.END],
+        batch.marks[0, PartFact.STRETCH],
+    )
     wanted = enough(believed(notes), aim.tolerance, aim.limit)
-    pieces = int(min(max(math.ceil((b - a) / aim.cell_step), CELL_SHARES), MOST_PIECES))
+    pieces = int(min(max(math.ceil((b - a) / aim.cell_step), CELL_SHARES), MOST_PART_PIECES))
     for k in range(pieces):
         p, q = a + (b - a) * (k / pieces), b if k + 1 == pieces else a + (b - a) * ((k + 1) / pieces)
         set_drive(drives, stretch, p, q, batch.drive)
         bound, settled, links = bound_by_cells(
-            cells, group, batch.marks[0, LINKS], p, q, batch.drive, aim.quantity, wanted
+            cells, group, batch.marks[0, PartFact.LINKS], p, q, batch.drive, aim.quantity, wanted
         )
-        notes[UPPER] = max(notes[UPPER], settled)
+        notes[SpeedNote.UPPER] = max(notes[SpeedNote.UPPER], settled)
         if links >= 0:
-            again = 1 if q - p > aim.step * ABOUT and bound < math.inf else 0
-            bound = min(bound, batch.parts[0, BOUND])
+            again = 1 if q - p > aim.step * LENGTH_ROUNDING and bound < math.inf else 0
+            bound = min(bound, batch.parts[0, PartSpan.BOUND])
             push(heap, counts, bound, p, q, stretch, max(links, 1), again)
 
 
 @kernel
 def pieces_of(a: float, b: float, step: float) -> int:
     """Into how many a part from a to b, m, is cut that chains look at."""
-    if b - a > step * ABOUT:
+    if b - a > step * LENGTH_ROUNDING:
         return math.ceil((b - a) / step)
-    return SHARES if ends_apart(a, b) else 1
+    return STEP_SHARES if ends_apart(a, b) else 1
 
 
 @kernel
@@ -254,17 +285,21 @@ def take_batch(
 ) -> tuple[int, int, int]:
     """Take parts for chains off the heap: how many, the slots they take, and the links."""
     count, slots, links = 0, 0, 1
-    while counts[OPEN] > 0 and heap.marks[0, BY_CELLS] == 0 and heap.parts[0, BOUND] > wanted:
-        a, b = heap.parts[0, START], heap.parts[0, END]
+    while (
+        counts[SpeedCount.OPEN] > 0
+        and heap.marks[0, PartFact.BY_CELLS] == 0
+        and heap.parts[0, PartSpan.BOUND] > wanted
+    ):
+        a, b = heap.parts[0, PartSpan.START], heap.parts[0, PartSpan.END]
         pieces = pieces_of(a, b, step)
-        if slots + pieces + 1 > SLOTS:
+        if slots + pieces + 1 > CHAIN_SLOTS:
             break
         take(heap, counts, batch, count)
-        batch.slots[count, SLOT], batch.slots[count, PIECES] = slots, pieces
+        batch.slots[count, PartCut.SLOT], batch.slots[count, PartCut.PIECES] = slots, pieces
         for k in range(pieces):
             batch.at[slots + k] = a + (b - a) * (k / pieces)
         batch.at[slots + pieces] = b
-        links = max(links, batch.marks[count, LINKS])
+        links = max(links, batch.marks[count, PartFact.LINKS])
         count, slots = count + 1, slots + pieces + 1
     return count, slots, links
 
@@ -280,9 +315,9 @@ def place_batch(
     mark_lanes(rows, links, places, 0, slots, errors.lanes)
     for t in range(slots):
         ratio_errors(rows, links, errors.seams, places, errors.lanes, t, errors.along, errors.ratio)
-        if quantity != SPEEDS:
+        if quantity != DriveRate.SPEEDS:
             bend_errors(rows, places, t, links.shape[0], errors)
-        if quantity not in (SPEEDS, ACROSS):
+        if quantity not in (DriveRate.SPEEDS, DriveRate.ACROSS):
             rates_in_slot(
                 rows, links, t, places.row, places.u, places.x, places.y, places.ratio,
                 chains.change, chains.turn,
@@ -293,7 +328,7 @@ def place_batch(
 
 @kernel
 def keep(
-    aim: Aim, heap: Heap, batch: Batch, n: int, t: int, most: FloatArray, off: FloatArray,
+    aim: SpeedAim, heap: Heap, batch: Batch, n: int, t: int, most: FloatArray, off: FloatArray,
     notes: FloatArray, counts: IntArray,
 ) -> None:  # fmt: skip
     """Let the piece of the batch's part n that begins in slot t wait, if it may exceed what is seen.
@@ -303,19 +338,19 @@ def keep(
     """
     wanted = enough(believed(notes), aim.tolerance, aim.limit)
     bound, settled, links = 0.0, 0.0, -1
-    for i in range(batch.marks[n, LINKS] + 1):
+    for i in range(batch.marks[n, PartFact.LINKS] + 1):
         exactly = most[i] + max(off[i, t], off[i, t + 1])
         bound = max(bound, exactly)
         if most[i] > wanted:
             links = i
         else:
             settled = max(settled, exactly)
-    notes[UPPER] = max(notes[UPPER], settled)
-    a, b, bound = batch.at[t], batch.at[t + 1], min(bound, batch.parts[n, BOUND])
+    notes[SpeedNote.UPPER] = max(notes[SpeedNote.UPPER], settled)
+    a, b, bound = batch.at[t], batch.at[t + 1], min(bound, batch.parts[n, PartSpan.BOUND])
     if links >= 0 and ends_apart(a, b):
-        push(heap, counts, bound, a, b, batch.marks[n, STRETCH], max(links, 1), 0)
+        push(heap, counts, bound, a, b, batch.marks[n, PartFact.STRETCH], max(links, 1), 0)
     elif links >= 0:
-        notes[UPPER] = max(notes[UPPER], bound)
+        notes[SpeedNote.UPPER] = max(notes[SpeedNote.UPPER], bound)
 
 
 @kernel
@@ -327,36 +362,45 @@ def see(
 
     What is seen of handles at a jump of the curvature may belong to its other side: it is not sure.
     """
-    first, stretch, drive = batch.slots[n, SLOT], batch.marks[n, STRETCH], batch.drive
-    last = first + batch.slots[n, PIECES]
+    first, stretch, drive = batch.slots[n, PartCut.SLOT], batch.marks[n, PartFact.STRETCH], batch.drive
+    last = first + batch.slots[n, PartCut.PIECES]
     for t in range(first, last + 1):
         set_drive(drives, stretch, batch.at[min(t, last - 1)], batch.at[min(t, last - 1) + 1], drive)
-        square = drive[FROM] if t < last else drive[TO]
+        square = drive[DriveStep.FROM] if t < last else drive[DriveStep.TO]
         value, row = greatest_in_slot(
             rows, chains.places, chains.change, chains.turn, t, links,
-            square, drive[RATE], quantity,
+            square, drive[DriveStep.RATE], quantity,
         )  # fmt: skip
         weigh_values(
-            rows, chains.places, chains.change, t, links, square, drive[RATE], quantity, chains.errors
+            rows,
+            chains.places,
+            chains.change,
+            t,
+            links,
+            square,
+            drive[DriveStep.RATE],
+            quantity,
+            chains.errors,
         )
-        own = row + 1 if quantity == TURNING else row
-        if quantity in (SPEEDS, TURNING) or chains.errors.sided[t] > 0.0:
-            notes[SURE] = max(notes[SURE], value - chains.errors.sought[own, t])
-            notes[SIDED] = max(notes[SIDED], value)
-        if value > notes[SEEN]:
-            notes[SEEN], notes[WHERE] = value, batch.at[t]
-            counts[ROW], counts[WHEN] = row, stretch
+        own = row + 1 if quantity == DriveRate.TURNING else row
+        if quantity in (DriveRate.SPEEDS, DriveRate.TURNING) or chains.errors.sided[t] > 0.0:
+            notes[SpeedNote.SURE] = max(notes[SpeedNote.SURE], value - chains.errors.sought[own, t])
+            notes[SpeedNote.SIDED] = max(notes[SpeedNote.SIDED], value)
+        if value > notes[SpeedNote.SEEN]:
+            notes[SpeedNote.SEEN], notes[SpeedNote.WHERE] = value, batch.at[t]
+            counts[SpeedCount.ROW], counts[SpeedCount.WHEN] = row, stretch
 
 
 @kernel
 def look_by_chains(
-    rows: FloatArray, links: FloatArray, aim: Aim, drives: Drives, heap: Heap, batch: Batch, n: int,
+    rows: FloatArray, links: FloatArray, aim: SpeedAim, drives: Drives, heap: Heap, batch: Batch,
+    n: int,
     chains: Chains, notes: FloatArray, counts: IntArray,
 ) -> None:  # fmt: skip
     """Bound the pieces of the batch's part n, whose chains are placed, and let wait what is open."""
-    first, stretch, drive = batch.slots[n, SLOT], batch.marks[n, STRETCH], batch.drive
+    first, stretch, drive = batch.slots[n, PartCut.SLOT], batch.marks[n, PartFact.STRETCH], batch.drive
     scratch = chains.scratch
-    for t in range(first, first + batch.slots[n, PIECES]):
+    for t in range(first, first + batch.slots[n, PartCut.PIECES]):
         set_drive(drives, stretch, batch.at[t], batch.at[t + 1], drive)
         scratch.beside[0], scratch.beside[1] = chains.errors.most[t], chains.errors.most[t + 1]
         bound_step(rows, links, chains.places, t, t + 1, drive, aim.quantity, scratch)
@@ -365,7 +409,8 @@ def look_by_chains(
 
 @kernel
 def seek_peak(
-    rows: Table, links: Vector, group: IntVector, cells: Cells, aim: Aim, drives: Drives, heap: Heap,
+    rows: Table, links: Vector, group: IntVector, cells: Cells, aim: SpeedAim, drives: Drives,
+    heap: Heap,
     batch: Batch, chains: Chains, notes: Vector, counts: IntVector, budget: int,
 ) -> Ended:  # fmt: skip
     """Look through the parts that wait; notes and counts receive what was found.
@@ -376,23 +421,26 @@ def seek_peak(
     """
     spent = 0.0
     wanted = enough(believed(notes), aim.tolerance, aim.limit)
-    while counts[OPEN] > 0 and heap.parts[0, BOUND] > wanted:
-        if counts[OPEN] + SLOTS > heap.parts.shape[0]:
+    while counts[SpeedCount.OPEN] > 0 and heap.parts[0, PartSpan.BOUND] > wanted:
+        if counts[SpeedCount.OPEN] + CHAIN_SLOTS > heap.parts.shape[0]:
             return Ended.ROOM
         if spent >= budget:
             return Ended.MORE
-        by_cells = heap.marks[0, BY_CELLS] > 0
+        by_cells = heap.marks[0, PartFact.BY_CELLS] > 0
         step = aim.cell_step if by_cells else aim.step
-        if heap.parts[0, END] - heap.parts[0, START] > step * ABOUT * MOST_PIECES:
+        if (
+            heap.parts[0, PartSpan.END] - heap.parts[0, PartSpan.START]
+            > step * LENGTH_ROUNDING * MOST_PART_PIECES
+        ):
             take(heap, counts, batch, 0)
             divide(heap, counts, batch, step)
         elif by_cells:
             take(heap, counts, batch, 0)
-            spent += CELL_COST * MOST_PIECES * batch.marks[0, LINKS]
+            spent += CELL_COST * MOST_PART_PIECES * batch.marks[0, PartFact.LINKS]
             look_by_cells(cells, group, aim, drives, heap, batch, notes, counts)
         else:
             count, slots, most = take_batch(heap, counts, batch, wanted, step)
-            counts[EVALUATIONS] += slots
+            counts[SpeedCount.EVALUATIONS] += slots
             spent += slots * (most + 1.0)
             few = links[:most]
             if not place_batch(rows, few, batch.at, slots, chains, aim.quantity):
@@ -402,6 +450,6 @@ def seek_peak(
             for n in range(count):
                 look_by_chains(rows, few, aim, drives, heap, batch, n, chains, notes, counts)
         wanted = enough(believed(notes), aim.tolerance, aim.limit)
-    if counts[OPEN] > 0:
-        notes[UPPER] = max(notes[UPPER], heap.parts[0, BOUND])
+    if counts[SpeedCount.OPEN] > 0:
+        notes[SpeedNote.UPPER] = max(notes[SpeedNote.UPPER], heap.parts[0, PartSpan.BOUND])
     return Ended.DONE

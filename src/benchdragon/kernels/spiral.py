@@ -12,10 +12,10 @@ add up to 1e-11 m and not 1e-7 m.
 
 import math
 
-from benchdragon.kernels import curve
 from benchdragon.kernels.angles import MOST_ANGLE, sincos, small_sincos
-from benchdragon.kernels.curve import FloatArray, walks_up
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow, walks_up
 from benchdragon.kernels.entries import kernel
+from benchdragon.kernels.numbered import Numbered
 
 # The lanes take only steps for which design/spiral_step.py proves that F' > 0 up to the root, so that
 # the root is the first: the front angle at least this, rad, and links no longer than so many radii.
@@ -34,23 +34,34 @@ MAX_PASSES = 30
 # Lanes march abreast, 32 doubles each in one flat scratch: the fixed distances let the compiler see
 # that no lane disturbs another. 32 fill SIMD registers and stay in the nearest cache.
 LANES = 64
-REST = 0  # second double of the front angle
-GUESS = 1 * LANES  # of h, to be scaled by link over previous link
-NEXT_REST = 2 * LANES
-NEXT_GUESS = 3 * LANES
-FOUND = 4 * LANES  # h
-STATE = 5 * LANES
+
+
+class Lane(Numbered):
+    """Where the lanes' numbers lie in the scratch."""
+
+    REST = 0  # second double of the front angle
+    GUESS = 1 * LANES  # of h, to be scaled by link over previous link
+    NEXT_REST = 2 * LANES
+    NEXT_GUESS = 3 * LANES
+    FOUND = 4 * LANES  # h
+
+
+LANE_NUMBERS = 5 * LANES
 
 
 @kernel
 def takes_link(rows: FloatArray, j: int, least: float, most: float, link: float) -> bool:
     """Whether fronts at angles least..most on row j can take this link by `spiral_links`."""
-    if rows[j, curve.KIND] != curve.SPIRAL or least < LEAST_ANGLE or most > MOST_ANGLE:
+    if rows[j, RouteRow.KIND] != CurveKind.SPIRAL or least < LEAST_ANGLE or most > MOST_ANGLE:
         return False
-    d = link / rows[j, curve.P]
+    d = link / rows[j, RouteRow.P]
     if walks_up(rows, j) < 0.0:
-        return d <= MOST_LINK_INWARD * least and most + STEP_INWARD * d / least <= rows[j, curve.U_BACK]
-    return d <= MOST_LINK_OUTWARD * least and least - STEP_OUTWARD * d / least >= rows[j, curve.U_BACK]
+        return (
+            d <= MOST_LINK_INWARD * least and most + STEP_INWARD * d / least <= rows[j, RouteRow.U_BACK]
+        )
+    return (
+        d <= MOST_LINK_OUTWARD * least and least - STEP_OUTWARD * d / least >= rows[j, RouteRow.U_BACK]
+    )
 
 
 @kernel
@@ -58,7 +69,7 @@ def angles_after(
     rows: FloatArray, j: int, least: float, most: float, link: float
 ) -> tuple[float, float]:
     """Bounds of the rear angles for fronts at least..most, all taken by `spiral_links`."""
-    d = link / rows[j, curve.P]
+    d = link / rows[j, RouteRow.P]
     if walks_up(rows, j) < 0.0:
         return least, most + STEP_INWARD * d / least
     return least - STEP_OUTWARD * d / least, most
@@ -107,22 +118,22 @@ def halley_pass(
     Reads u[i], ratio[i] and the lanes' REST and GUESS (of h / scale); writes the rest. Returns how
     many lanes still took a large step.
     """
-    k, hand, sigma = rows[j, curve.P], rows[j, curve.Q], -walks_up(rows, j)
-    axis_x, axis_y = rows[j, curve.AXIS_X], rows[j, curve.AXIS_Y]
-    centre_x, centre_y = rows[j, curve.X], rows[j, curve.Y]
+    k, hand, sigma = rows[j, RouteRow.P], rows[j, RouteRow.Q], -walks_up(rows, j)
+    axis_x, axis_y = rows[j, RouteRow.AXIS_X], rows[j, RouteRow.AXIS_Y]
+    centre_x, centre_y = rows[j, RouteRow.X], rows[j, RouteRow.Y]
     d2 = (link / k) * (link / k)
     large, i, start = 0, max(i, 0), max(start, 0)
     for lane in range(end - start):
         t = start + lane
         a = u[i, t]
-        h, change, s, c = halley_step(a, state[GUESS + lane] * scale, sigma, d2)
+        h, change, s, c = halley_step(a, state[Lane.GUESS + lane] * scale, sigma, d2)
         large += 1 if abs(change * change * change) > LARGE_STEP * h * h * h else 0
-        shift = sigma * h + state[REST + lane]
+        shift = sigma * h + state[Lane.REST + lane]
         b = a + shift
         tail = shift - (b - a)
         ratio[i + 1, t], inverse = rear_ratio(ratio[i, t], a, b, sigma * h, sigma, s, c)
-        state[NEXT_REST + lane], state[FOUND + lane] = tail, h
-        state[NEXT_GUESS + lane] = h * a * inverse
+        state[Lane.NEXT_REST + lane], state[Lane.FOUND + lane] = tail, h
+        state[Lane.NEXT_GUESS + lane] = h * a * inverse
         sine, cosine = sincos(b)
         cos_b, sin_b = cosine - tail * sine, hand * (sine + tail * cosine)
         u[i + 1, t] = b
@@ -140,10 +151,10 @@ def spiral_links(
     for _ in range(MAX_PASSES):
         if halley_pass(rows, j, link, scale, i, start, end, state, u, x, y, ratio) == 0:
             for lane in range(LANES):
-                state[REST + lane] = state[NEXT_REST + lane]
-                state[GUESS + lane] = state[NEXT_GUESS + lane]
+                state[Lane.REST + lane] = state[Lane.NEXT_REST + lane]
+                state[Lane.GUESS + lane] = state[Lane.NEXT_GUESS + lane]
             return True
         for lane in range(LANES):
-            state[GUESS + lane] = state[FOUND + lane]
+            state[Lane.GUESS + lane] = state[Lane.FOUND + lane]
         scale = 1.0
     return False

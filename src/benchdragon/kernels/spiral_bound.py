@@ -10,18 +10,17 @@ radius decides (design/spiral_bound.py shows how near they come to what benches 
 import math
 from typing import NamedTuple
 
-from benchdragon.kernels import curve
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.curve import FloatArray, length_at
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow, length_at
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.swept_boxes import SQUARE
 
 # What is left below the pitch, m: far above the rounding of these few formulas.
-SPARE = 1e-9
+SPARE_PITCH = 1e-9
 # Radii are sought up to this, m, and so often is their range halved; any that is safe will do.
-FARTHEST, HALVINGS = 1e6, 30
+FARTHEST_RADIUS, RADIUS_HALVINGS = 1e6, 30
 # A link's way along a spiral on which it turns by less than SQUARE, in links, at most.
 WAY = 1.0 / math.cos(0.5 * SQUARE)
 
@@ -118,7 +117,7 @@ def keeps_apart(b: float, inner: Shape, outer: Shape, between: float, radius: fl
     farther = radius + b * (2.0 * math.pi - angle - 2.0 * beside)
     out, _ = reaches(inner, b, radius)
     _, dip = reaches(outer, b, farther)
-    return out + dip < 2.0 * math.pi * b - SPARE
+    return out + dip < 2.0 * math.pi * b - SPARE_PITCH
 
 
 @kernel
@@ -132,9 +131,9 @@ def clear_radius(b: float, inner: Shape, outer: Shape, between: float) -> float:
     high = max(corner_reach(inner), corner_reach(outer), inner.link, outer.link)
     while not keeps_apart(b, inner, outer, between, high):
         low, high = high, 2.0 * high
-        if high > FARTHEST:
+        if high > FARTHEST_RADIUS:
             return math.inf
-    for _halving in range(HALVINGS):
+    for _halving in range(RADIUS_HALVINGS):
         middle = 0.5 * (low + high)
         if keeps_apart(b, inner, outer, between, middle):
             high = middle
@@ -146,14 +145,14 @@ def clear_radius(b: float, inner: Shape, outer: Shape, between: float) -> float:
 @kernel
 def clear_part(rows: FloatArray, j: int, theta: float, way: float) -> tuple[float, float]:
     """Where, on row j, a front handle has both handles of its bench on the row and outside theta."""
-    start, end = rows[j, curve.S_START], rows[j, curve.S_START] + rows[j, curve.LENGTH]
-    inmost = min(rows[j, curve.U_START], rows[j, curve.U_END])
-    outmost = max(rows[j, curve.U_START], rows[j, curve.U_END])
-    endless = math.isinf(rows[j, curve.U_BACK])
+    start, end = rows[j, RouteRow.S_START], rows[j, RouteRow.S_START] + rows[j, RouteRow.LENGTH]
+    inmost = min(rows[j, RouteRow.U_START], rows[j, RouteRow.U_END])
+    outmost = max(rows[j, RouteRow.U_START], rows[j, RouteRow.U_END])
+    endless = math.isinf(rows[j, RouteRow.U_BACK])
     if theta >= outmost and not (endless and math.isfinite(theta)):
         return 0.0, 0.0
     border = start + length_at(rows, j, max(theta, inmost))
-    if rows[j, curve.U_END] > rows[j, curve.U_START]:
+    if rows[j, RouteRow.U_END] > rows[j, RouteRow.U_START]:
         return border + way, end
     return (-math.inf if endless else start + way), border
 
@@ -168,11 +167,11 @@ def clear_spans(rows: Table, ahead: Shape, behind: Shape, between: float, spans:
     """
     count = 0
     for j in range(rows.shape[0]):
-        if rows[j, curve.KIND] != curve.SPIRAL:
+        if rows[j, RouteRow.KIND] != CurveKind.SPIRAL:
             continue
-        inward = rows[j, curve.U_END] < rows[j, curve.U_START]
+        inward = rows[j, RouteRow.U_END] < rows[j, RouteRow.U_START]
         inner, outer = (ahead, behind) if inward else (behind, ahead)
-        theta = clear_radius(rows[j, curve.P], inner, outer, between) / rows[j, curve.P]
+        theta = clear_radius(rows[j, RouteRow.P], inner, outer, between) / rows[j, RouteRow.P]
         start, end = clear_part(rows, j, theta, WAY * max(ahead.link, behind.link))
         if start < end:
             spans[count, 0], spans[count, 1] = start, end

@@ -7,19 +7,20 @@ k / (1 - aside k). So everything that is known of chains on a route holds for it
 
 import math
 
-from benchdragon.kernels import curve, motion_bounds
+from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import FloatArray, curvature, place, stretch, walks_up
+from benchdragon.kernels.curve import FloatArray, RouteRow, curvature, place, stretch, walks_up
 from benchdragon.kernels.entries import entry, kernel
+from benchdragon.kernels.motion_bounds import HandleBound
 from benchdragon.kernels.route import FOLD_COSINE, locate
 from benchdragon.kernels.status import Status
 
 # Newton steps for the way along the route by which a handle gives, on the route's curvature.
-STEPS = 3
+NEWTON_STEPS = 3
 # A step shorter than this, m, ends the search for a place: the next would be below 1e-11 m. Two or
 # three are needed; a handle that needs more than so many has no place.
-FINE, MOST_ROUNDS = 1e-5, 12
+FINE_STEP, MOST_ROUNDS = 1e-5, 12
 # A handle that would give by more than this share of its link has lost its place.
 MOST_GIVEN = 0.5
 # The least that is left of the route's radius beside it, as a share: nearer to the centre is no place.
@@ -30,14 +31,18 @@ LEAST_RADIUS = 0.05
 def moved(rows: FloatArray, j: int, u: float, way: float) -> tuple[int, float]:
     """The place about `way` metres on from place (j, u), to first order; no end stops it."""
     u += walks_up(rows, j) * way / stretch(rows, j, u)
-    while j + 1 < rows.shape[0] and (u - rows[j, curve.U_END]) * walks_up(rows, j) > 0.0:
-        rest = abs(u - rows[j, curve.U_END]) * stretch(rows, j, rows[j, curve.U_END])
+    while j + 1 < rows.shape[0] and (u - rows[j, RouteRow.U_END]) * walks_up(rows, j) > 0.0:
+        rest = abs(u - rows[j, RouteRow.U_END]) * stretch(rows, j, rows[j, RouteRow.U_END])
         j += 1
-        u = rows[j, curve.U_START] + walks_up(rows, j) * rest / stretch(rows, j, rows[j, curve.U_START])
-    while j > 0 and (u - rows[j, curve.U_BACK]) * walks_up(rows, j) < 0.0:
-        rest = abs(u - rows[j, curve.U_BACK]) * stretch(rows, j, rows[j, curve.U_BACK])
+        u = rows[j, RouteRow.U_START] + walks_up(rows, j) * rest / stretch(
+            rows, j, rows[j, RouteRow.U_START]
+        )
+    while j > 0 and (u - rows[j, RouteRow.U_BACK]) * walks_up(rows, j) < 0.0:
+        rest = abs(u - rows[j, RouteRow.U_BACK]) * stretch(rows, j, rows[j, RouteRow.U_BACK])
         j -= 1
-        u = rows[j, curve.U_END] - walks_up(rows, j) * rest / stretch(rows, j, rows[j, curve.U_END])
+        u = rows[j, RouteRow.U_END] - walks_up(rows, j) * rest / stretch(
+            rows, j, rows[j, RouteRow.U_END]
+        )
     return j, u
 
 
@@ -49,7 +54,7 @@ def give(along: float, across: float, straight: float, turned: float, link: floa
     d straight farther ahead and d^2 turned farther to the left.
     """
     d = 0.0
-    for _ in range(STEPS):
+    for _ in range(NEWTON_STEPS):
         a, b = along + d * straight, across + d * d * turned
         d -= (a * a + b * b - link * link) / (2.0 * (a * straight + 2.0 * b * d * turned))
     return d
@@ -75,7 +80,7 @@ def settle(
         given += d
         if straight < LEAST_RADIUS or not abs(given) < MOST_GIVEN * link:
             break
-        if abs(d) < FINE:
+        if abs(d) < FINE_STEP:
             a, b, swing = d * straight, d * d * turned, d * bend
             places.row[i, t], places.u[i, t] = j, u
             places.x[i, t], places.y[i, t] = px + a * tx - b * ty, py + a * ty + b * tx
@@ -158,21 +163,21 @@ def bound_beside(
         ja, ua = places.row[i, a], places.u[i, a]
         jb, ub = places.row[i, b], places.u[i, b]
         low, high = motion_bounds.curvature_range(rows, ja, ua, jb, ub)
-        bounds[i, motion_bounds.RIGHT] = parallel_bend(low, aside[i])
-        bounds[i, motion_bounds.LEFT] = parallel_bend(high, aside[i])
+        bounds[i, HandleBound.RIGHT] = parallel_bend(low, aside[i])
+        bounds[i, HandleBound.LEFT] = parallel_bend(high, aside[i])
         bend = motion_bounds.heading_bound(rows, ja, ua, jb, ub)
-        bounds[i, motion_bounds.HEADING_CHANGE] = bend
-        bounds[i, motion_bounds.PATH] = (
+        bounds[i, HandleBound.HEADING_CHANGE] = bend
+        bounds[i, HandleBound.PATH] = (
             motion_bounds.path_bound(rows, ja, ua, jb, ub) + abs(aside[i]) * bend
         )
         if i > 0:
             motion_bounds.bound_next(
-                links[i - 1], places, i - 1, a, b, bounds[0, motion_bounds.PATH], bounds
+                links[i - 1], places, i - 1, a, b, bounds[0, HandleBound.PATH], bounds
             )
             continue
-        bounds[0, motion_bounds.SLOWEST], bounds[0, motion_bounds.SPEED] = 1.0, 1.0
-        bounds[0, motion_bounds.GROWTH_LOW], bounds[0, motion_bounds.GROWTH_HIGH] = 0.0, 0.0
-        bounds[0, motion_bounds.TURNING_RATE] = 0.0
-        bounds[0, motion_bounds.ACCELERATION] = motion_bounds.magnitude(
-            bounds[0, motion_bounds.RIGHT], bounds[0, motion_bounds.LEFT]
+        bounds[0, HandleBound.SLOWEST], bounds[0, HandleBound.SPEED] = 1.0, 1.0
+        bounds[0, HandleBound.GROWTH_LOW], bounds[0, HandleBound.GROWTH_HIGH] = 0.0, 0.0
+        bounds[0, HandleBound.TURNING_RATE] = 0.0
+        bounds[0, HandleBound.ACCELERATION] = motion_bounds.magnitude(
+            bounds[0, HandleBound.RIGHT], bounds[0, HandleBound.LEFT]
         )

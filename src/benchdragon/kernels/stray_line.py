@@ -8,21 +8,10 @@ the same however far its route goes back.
 import math
 
 from benchdragon.kernels.curve import (
-    ANGLE,
-    ARC,
-    AXIS_X,
-    AXIS_Y,
     COLUMNS,
-    KIND,
-    LENGTH,
-    LINE,
-    S_START,
-    U_BACK,
-    U_END,
+    CurveKind,
     FloatArray,
-    P,
-    X,
-    Y,
+    RouteRow,
     bend_slope,
     curvature,
     heading,
@@ -30,7 +19,7 @@ from benchdragon.kernels.curve import (
     place,
 )
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.random_numbers import STRAY, normal_at
+from benchdragon.kernels.random_numbers import Random, normal_at
 from benchdragon.kernels.route import row_at
 from benchdragon.kernels.route_parts import Pose
 
@@ -38,27 +27,27 @@ from benchdragon.kernels.route_parts import Pose
 # near that where they stand does not show, to 1e-16, and weighed so far that 1e-10 is left.
 STRAY_LENGTH = 10.0
 SPREAD = STRAY_LENGTH / math.sqrt(2.0)
-TO_A_SPREAD, REACH = 2, 14
+TO_A_SPREAD, LATTICE_REACH = 2, 14
 LATTICE = SPREAD / TO_A_SPREAD
 # What makes the deviation of the sum 1.
 SCALE = (TO_A_SPREAD * math.sqrt(math.pi)) ** -0.5
 # Arcs are between points so far apart, m, or nearer where the curvature changes: by so much in a
 # metre, 1/m, an arc keeps within 1e-5 m of the line meant. Points nearer than LEAST_PART to one another
 # are not told apart; behind its start the line runs on straight.
-ARC_LENGTH, CHANGE, LEAST_PART, BEHIND = 2.0, 3e-3, 1e-3, 1.0
+ARC_LENGTH, ARC_CHANGE, LEAST_PART, BEHIND = 2.0, 3e-3, 1e-3, 1.0
 
 
 @kernel
 def noise_count(way: float) -> int:
     """How many numbers a line wants whose head ends so far on, m."""
-    return int(way / LATTICE) + 2 * REACH + 2
+    return int(way / LATTICE) + 2 * LATTICE_REACH + 2
 
 
 @kernel
 def fill_noise(seed: int, dance: int, out: FloatArray) -> None:
     """The noise of a dance's line."""
     for n in range(out.shape[0]):
-        out[n] = normal_at(seed, dance, STRAY, n)
+        out[n] = normal_at(seed, dance, Random.STRAY, n)
 
 
 @kernel
@@ -68,8 +57,8 @@ def offset_at(noise: FloatArray, back: float) -> tuple[float, float]:
     And how fast that changes along the route, 1/m.
     """
     n, x, value, slope = math.floor(back / LATTICE), back / LATTICE, 0.0, 0.0
-    for k in range(1, 2 * REACH + 1):
-        d = (x - (n - REACH + k)) / TO_A_SPREAD
+    for k in range(1, 2 * LATTICE_REACH + 1):
+        d = (x - (n - LATTICE_REACH + k)) / TO_A_SPREAD
         weighed = noise[n + k] * math.exp(-0.5 * d * d)
         value += weighed
         slope += weighed * d
@@ -80,14 +69,14 @@ def offset_at(noise: FloatArray, back: float) -> tuple[float, float]:
 def before(rows: FloatArray, s: float, low: float) -> float:
     """The point of the route before that at s, m, between which one pair of arcs will do."""
     j = row_at(rows, s - LEAST_PART)
-    start = rows[j, S_START]
+    start = rows[j, RouteRow.S_START]
     border = max(start, low) if j > 0 else low
     near, far = (
         parameter_at(rows, j, s - start),
         parameter_at(rows, j, max(s - ARC_LENGTH, border) - start),
     )
     change = max(bend_slope(rows, j, near), bend_slope(rows, j, far))
-    step = ARC_LENGTH if change * ARC_LENGTH**3 <= CHANGE else (CHANGE / change) ** (1.0 / 3.0)
+    step = ARC_LENGTH if change * ARC_LENGTH**3 <= ARC_CHANGE else (ARC_CHANGE / change) ** (1.0 / 3.0)
     return border if s - step < border + LEAST_PART else s - step
 
 
@@ -113,7 +102,7 @@ def beside(rows: FloatArray, s: float, noise: FloatArray, stray: float, back: fl
     """The pose of the line beside route position s, `back` metres before the head's end."""
     aside, slope = offset_at(noise, back)
     j = row_at(rows, s)
-    u = parameter_at(rows, j, s - rows[j, S_START])
+    u = parameter_at(rows, j, s - rows[j, RouteRow.S_START])
     x, y, tx, ty = place(rows, j, u)
     turned = math.atan2(stray * slope, 1.0 - stray * aside * curvature(rows, j, u))
     return Pose(x - stray * aside * ty, y + stray * aside * tx, heading(rows, j, u) + turned)
@@ -126,9 +115,22 @@ def write_bend(
     """Row j of a line, at s, m."""
     for column in range(COLUMNS):
         line[j, column] = 0.0
-    line[j, KIND], line[j, X], line[j, Y], line[j, ANGLE] = kind, start.x, start.y, start.heading
-    line[j, P], line[j, S_START], line[j, LENGTH], line[j, U_END] = bend, s, length, length
-    line[j, AXIS_X], line[j, AXIS_Y] = math.cos(start.heading), math.sin(start.heading)
+    line[j, RouteRow.KIND], line[j, RouteRow.X], line[j, RouteRow.Y], line[j, RouteRow.ANGLE] = (
+        kind,
+        start.x,
+        start.y,
+        start.heading,
+    )
+    (
+        line[j, RouteRow.P],
+        line[j, RouteRow.S_START],
+        line[j, RouteRow.LENGTH],
+        line[j, RouteRow.U_END],
+    ) = bend, s, length, length
+    line[j, RouteRow.AXIS_X], line[j, RouteRow.AXIS_Y] = (
+        math.cos(start.heading),
+        math.sin(start.heading),
+    )
 
 
 @kernel
@@ -138,8 +140,8 @@ def arc_to(line: FloatArray, j: int, start: Pose, x: float, y: float) -> Pose:
     dx, dy = x - start.x, y - start.y
     half, chord = math.atan2(dy * c - dx * s, dx * c + dy * s), math.hypot(dx, dy)
     length = chord * half / math.sin(half) if half != 0.0 else chord
-    at = line[j - 1, S_START] + line[j - 1, LENGTH]
-    write_bend(line, j, ARC, start, 2.0 * math.sin(half) / chord, at, length)
+    at = line[j - 1, RouteRow.S_START] + line[j - 1, RouteRow.LENGTH]
+    write_bend(line, j, CurveKind.ARC, start, 2.0 * math.sin(half) / chord, at, length)
     return Pose(x, y, start.heading + 2.0 * half)
 
 
@@ -170,14 +172,14 @@ def lay_line(
     last = points.shape[0] - 1
     begun = beside(rows, points[0], noise, stray, points[last] - points[0])
     x, y = begun.x - BEHIND * math.cos(begun.heading), begun.y - BEHIND * math.sin(begun.heading)
-    write_bend(line, 0, LINE, Pose(x, y, begun.heading), 0.0, 0.0, BEHIND)
-    line[0, U_BACK], along[0] = -math.inf, BEHIND
+    write_bend(line, 0, CurveKind.LINE, Pose(x, y, begun.heading), 0.0, 0.0, BEHIND)
+    line[0, RouteRow.U_BACK], along[0] = -math.inf, BEHIND
     for n in range(1, last + 1):
         pose = beside(rows, points[n], noise, stray, points[last] - points[n])
         x, y = middle_of(begun, pose)
         half = arc_to(line, 2 * n - 1, begun, x, y)
         arc_to(line, 2 * n, half, pose.x, pose.y)
-        along[n] = line[2 * n, S_START] + line[2 * n, LENGTH]
+        along[n] = line[2 * n, RouteRow.S_START] + line[2 * n, RouteRow.LENGTH]
         begun = pose
 
 

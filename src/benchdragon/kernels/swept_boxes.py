@@ -10,11 +10,18 @@ import numpy as np
 from benchdragon.kernels import box
 from benchdragon.kernels import motion_bounds as bounds
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.box import corner, offset, place_box
+from benchdragon.kernels.box import Box, corner, offset, place_box
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
+from benchdragon.kernels.curve import FloatArray, RouteRow, place, turning_bound
 from benchdragon.kernels.entries import allocates, kernel
-from benchdragon.kernels.motion_bounds import bound_bench, bound_handles, heading_bound, path_bound
+from benchdragon.kernels.motion_bounds import (
+    BenchBound,
+    HandleBound,
+    bound_bench,
+    bound_handles,
+    heading_bound,
+    path_bound,
+)
 from benchdragon.kernels.route import IntArray, step_back
 from benchdragon.kernels.status import Status
 
@@ -23,7 +30,7 @@ SQUARE = 0.5 * math.pi - 2e-3
 # Nearer than this share of the link is surely nearer than the link.
 SHORT = 1.0 - 1e-8
 # Pieces into which the way between two handles may be cut to show that the chord grows along it.
-MOST_PIECES = 200
+MOST_CHORD_PIECES = 200
 # Route positions are sure to this, m; a handle so near a border counts for both cells.
 EDGE = 1e-7
 # More than this no distance may be off by, m: cells of the route leave out what is farther apart than
@@ -46,10 +53,10 @@ def follows(rows: FloatArray, places: Placements, a: int, b: int, link: float) -
         return True
     x, y = places.x[0, b], places.y[0, b]
     j, v, piece = front, u, 0.125 * link
-    for _ in range(MOST_PIECES):
-        if j > rear and v == rows[j, U_START]:
+    for _ in range(MOST_CHORD_PIECES):
+        if j > rear and v == rows[j, RouteRow.U_START]:
             j -= 1
-            v = rows[j, U_END]
+            v = rows[j, RouteRow.U_END]
         w = step_back(rows, j, v, piece)
         last = j == rear and (w - end) * (v - end) <= 0.0
         if last:
@@ -108,8 +115,10 @@ def sweep_cells(
         if places.failed[0, a] != Status.OK or places.failed[0, a + 1] != Status.OK:
             continue
         bound_bench(handles, 0, sizes, k, bench)
-        h = handles[0, bounds.PATH]
-        bulge = min(0.125 * bench[bounds.POINT_ACCELERATION] * h * h, 0.5 * bench[bounds.TRAVEL])
+        h = handles[0, HandleBound.PATH]
+        bulge = min(
+            0.125 * bench[BenchBound.POINT_ACCELERATION] * h * h, 0.5 * bench[BenchBound.TRAVEL]
+        )
         widen(sizes, k, places, a, bulge, hulls, c, ends)
 
 
@@ -121,7 +130,7 @@ def walks_on(
     if places.failed[0, a] != Status.OK or places.failed[0, a + 1] != Status.OK:
         return False
     bound_handles(rows, links, places, a, a + 1, handles)
-    return handles[1, bounds.SPEED] < math.inf and follows(rows, places, a, a + 1, links[0])
+    return handles[1, HandleBound.SPEED] < math.inf and follows(rows, places, a, a + 1, links[0])
 
 
 @kernel
@@ -135,25 +144,25 @@ def widen(
     """
     place_box(sizes, k, 0, places.x, places.y, a, ends, 0)
     place_box(sizes, k, 0, places.x, places.y, a + 1, ends, 1)
-    if math.isnan(hulls[c, box.CX]):
-        ux, uy = ends[0, box.UX] + ends[1, box.UX], ends[0, box.UY] + ends[1, box.UY]
+    if math.isnan(hulls[c, Box.CX]):
+        ux, uy = ends[0, Box.UX] + ends[1, Box.UX], ends[0, Box.UY] + ends[1, Box.UY]
         size = math.hypot(ux, uy)
-        hulls[c, box.UX], hulls[c, box.UY] = ux / size, uy / size
-        hulls[c, box.CX], hulls[c, box.CY] = ends[0, box.CX], ends[0, box.CY]
-        hulls[c, box.HALF_LENGTH] = hulls[c, box.HALF_WIDTH] = 0.0
-    low_x, high_x = -hulls[c, box.HALF_LENGTH], hulls[c, box.HALF_LENGTH]
-    low_y, high_y = -hulls[c, box.HALF_WIDTH], hulls[c, box.HALF_WIDTH]
+        hulls[c, Box.UX], hulls[c, Box.UY] = ux / size, uy / size
+        hulls[c, Box.CX], hulls[c, Box.CY] = ends[0, Box.CX], ends[0, Box.CY]
+        hulls[c, Box.HALF_LENGTH] = hulls[c, Box.HALF_WIDTH] = 0.0
+    low_x, high_x = -hulls[c, Box.HALF_LENGTH], hulls[c, Box.HALF_LENGTH]
+    low_y, high_y = -hulls[c, Box.HALF_WIDTH], hulls[c, Box.HALF_WIDTH]
     for end in range(2):
         for n in range(4):
             x, y = corner(ends, end, n)
             along, across = offset(hulls, c, x, y)
             low_x, high_x = min(low_x, along - bulge), max(high_x, along + bulge)
             low_y, high_y = min(low_y, across - bulge), max(high_y, across + bulge)
-    ux, uy = hulls[c, box.UX], hulls[c, box.UY]
+    ux, uy = hulls[c, Box.UX], hulls[c, Box.UY]
     ahead, aside = 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
-    hulls[c, box.CX] += ahead * ux - aside * uy
-    hulls[c, box.CY] += ahead * uy + aside * ux
-    hulls[c, box.HALF_LENGTH], hulls[c, box.HALF_WIDTH] = 0.5 * (high_x - low_x), 0.5 * (high_y - low_y)
+    hulls[c, Box.CX] += ahead * ux - aside * uy
+    hulls[c, Box.CY] += ahead * uy + aside * ux
+    hulls[c, Box.HALF_LENGTH], hulls[c, Box.HALF_WIDTH] = 0.5 * (high_x - low_x), 0.5 * (high_y - low_y)
 
 
 @kernel

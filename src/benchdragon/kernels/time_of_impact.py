@@ -17,36 +17,48 @@ from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
-from benchdragon.kernels.motion_bounds import bound_bench, bound_handles
+from benchdragon.kernels.motion_bounds import BenchBound, HandleBound, bound_bench, bound_handles
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.rounding import bench_error, handle_errors, mark_lanes, still_error
 from benchdragon.kernels.separation_bounds import gap_upper_bound, separation_lower_bound
 from benchdragon.kernels.stray_chain import bound_beside, place_beside
 
-# What a search is after.
-FIRST_TOUCH = 0  # the first head position at which a pair is nearer than the margin
-TOUCH_END = 1  # after a touch, the first at which no pair is
-LEAST = 2  # the least distance of any pair
 
-# How a search ended.
-CLEAR = 0  # the step is clear; TOUCH_END: touched throughout; LEAST: the bracket is closed
-FOUND = 1  # LEAST: benches overlap
-GRAZE = 2  # in the bracket a pair comes so near the margin that rounding hides on which side
-STUCK = 3  # too many evaluations; up to the bracket's lower end all is as for CLEAR
-FALLEN = 4  # the chain cannot stand at some place of the head
-# How a part of the step is judged, besides CLEAR, FOUND and GRAZE.
-UNSURE = 5  # only rounding is left to tell
-SPLIT = 6  # its halves must be looked at
+class Goal(Numbered):
+    """What a search is after."""
 
-# What a search knows, a row of floats.
-LOWER = 0  # head position: as for CLEAR up to here, unless infinite
-UPPER = 1  # head position at which FOUND is sure, or at which LEAST was seen
-PAIR = 2  # number of the pair
-EVALUATIONS = 3  # chains marched
-NEAREST = 4  # LEAST: the least distance seen, m
-LOWEST = 5  # LEAST: no pair alive comes nearer in the part at hand, m
-FLOOR = 6  # LEAST: no pair comes nearer in the parts that were given up, m
-OFF = 7  # what computed distances that mattered may be off by, m, at most
-NOTES = 8
+    FIRST_TOUCH = 0  # the first head position at which a pair is nearer than the margin
+    TOUCH_END = 1  # after a touch, the first at which no pair is
+    LEAST = 2  # the least distance of any pair
+
+
+class Ending(Numbered):
+    """How a search ended."""
+
+    CLEAR = 0  # the step is clear; TOUCH_END: touched throughout; LEAST: the bracket is closed
+    FOUND = 1  # LEAST: benches overlap
+    GRAZE = 2  # in the bracket a pair comes so near the margin that rounding hides on which side
+    STUCK = 3  # too many evaluations; up to the bracket's lower end all is as for CLEAR
+    FALLEN = 4  # the chain cannot stand at some place of the head
+    # How a part of the step is judged, besides CLEAR, FOUND and GRAZE.
+    UNSURE = 5  # only rounding is left to tell
+    SPLIT = 6  # its halves must be looked at
+
+
+class Note(Numbered):
+    """What a search knows, a row of floats."""
+
+    LOWER = 0  # head position: as for CLEAR up to here, unless infinite
+    UPPER = 1  # head position at which FOUND is sure, or at which LEAST was seen
+    PAIR = 2  # number of the pair
+    EVALUATIONS = 3  # chains marched
+    NEAREST = 4  # LEAST: the least distance seen, m
+    LOWEST = 5  # LEAST: no pair alive comes nearer in the part at hand, m
+    FLOOR = 6  # LEAST: no pair comes nearer in the parts that were given up, m
+    OFF = 7  # what computed distances that mattered may be off by, m, at most
+
+
+NOTES = len(Note)
 
 # Halvings that may be open at once; 2^-60 of any step is below rounding.
 DEPTH = 60
@@ -274,7 +286,7 @@ def cull_separated(
 
     With a slack they are left alive that may exactly come so near, whatever rounding has made of them.
     """
-    h, kept, lowest = search.handles[0, bounds.PATH], 0, math.inf
+    h, kept, lowest = search.handles[0, HandleBound.PATH], 0, math.inf
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         i, j = pairs.first[p], pairs.second[p]
@@ -283,7 +295,7 @@ def cull_separated(
         bound = separation_lower_bound(search.boxes, search.sweeps, top * count, i, j, h, most)
         if bound > most:
             continue
-        note[OFF] = max(note[OFF], unsure)
+        note[Note.OFF] = max(note[Note.OFF], unsure)
         if slack > 0.0 or not bound > wanted:
             search.alive[top, kept] = p
             kept += 1
@@ -305,24 +317,24 @@ def classify_first_contact(
         unsure = separation_error(search, top, count, i, j, limits.slack)
         past = min(past, apart - 3.0 * unsure)
         if apart <= margin - unsure:
-            note[UPPER], note[PAIR] = search.at[0], p
-            note[OFF] = max(note[OFF], unsure)
-            return FOUND
+            note[Note.UPPER], note[Note.PAIR] = search.at[0], p
+            note[Note.OFF] = max(note[Note.OFF], unsure)
+            return Ending.FOUND
     least = cull_separated(search, top, count, pairs, margin, limits.slack, note)
     if search.kept[top] == 0:
         # A graze is over when it is left well behind: rounding makes distances flicker.
-        note[UPPER] = search.at[0]
-        return GRAZE if note[LOWER] < math.inf and past > margin else CLEAR
+        note[Note.UPPER] = search.at[0]
+        return Ending.GRAZE if note[Note.LOWER] < math.inf and past > margin else Ending.CLEAR
     for n in range(search.kept[top]):
         p = search.alive[top, n]
-        note[PAIR] = p
+        note[Note.PAIR] = p
         i, j = pairs.first[p], pairs.second[p]
         a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
         unsure = separation_error(search, top, count, i, j, limits.slack)
         far = max(a, b) > margin + 2.0 * unsure or min(a, b) - least > 0.5 * unsure
         if far or b <= margin - unsure:
-            return SPLIT
-    return UNSURE
+            return Ending.SPLIT
+    return Ending.UNSURE
 
 
 @kernel
@@ -336,24 +348,24 @@ def classify_contact_end(
         i, j = pairs.first[p], pairs.second[p]
         a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
         unsure = separation_error(search, top, count, i, j, limits.slack)
-        note[OFF], freed = max(note[OFF], unsure), min(freed, a - unsure)
-        spent = search.sweeps[i, bounds.TRAVEL] + search.sweeps[j, bounds.TRAVEL]
+        note[Note.OFF], freed = max(note[Note.OFF], unsure), min(freed, a - unsure)
+        spent = search.sweeps[i, BenchBound.TRAVEL] + search.sweeps[j, BenchBound.TRAVEL]
         held = held or 0.5 * (a + b + spent) < margin - unsure
         ceiling = math.inf
         if not held and max(a, b) < margin + 2.0 * unsure:
-            h = search.handles[0, bounds.PATH]
+            h = search.handles[0, HandleBound.PATH]
             ceiling = gap_upper_bound(search.boxes, search.sweeps, top * count, i, j, h)
             held = ceiling < min(margin - unsure, 0.0)
         if a < nearest:
-            nearest, note[PAIR] = a, p
+            nearest, note[Note.PAIR] = a, p
             rounding = min(a, b) >= margin - 4.0 * unsure and ceiling - max(a, b) <= 0.5 * unsure
     if freed > margin:
-        note[UPPER] = search.at[0]
-        return FOUND
+        note[Note.UPPER] = search.at[0]
+        return Ending.FOUND
     if held:
-        note[LOWER] = math.inf
-        return CLEAR
-    return UNSURE if rounding else SPLIT
+        note[Note.LOWER] = math.inf
+        return Ending.CLEAR
+    return Ending.UNSURE if rounding else Ending.SPLIT
 
 
 @kernel
@@ -365,12 +377,14 @@ def classify_least(
         p = search.alive[top, n]
         for slot in (0, top):
             apart = end_distance(search, slot, count, pairs.first[p], pairs.second[p])
-            if apart < note[NEAREST]:
-                note[NEAREST], note[UPPER], note[PAIR] = apart, search.at[slot], p
-    if note[NEAREST] <= 0.0:
-        return FOUND
-    note[LOWEST] = cull_separated(search, top, count, pairs, note[NEAREST] - limits.slack, 0.0, note)
-    return CLEAR if search.kept[top] == 0 else SPLIT
+            if apart < note[Note.NEAREST]:
+                note[Note.NEAREST], note[Note.UPPER], note[Note.PAIR] = apart, search.at[slot], p
+    if note[Note.NEAREST] <= 0.0:
+        return Ending.FOUND
+    note[Note.LOWEST] = cull_separated(
+        search, top, count, pairs, note[Note.NEAREST] - limits.slack, 0.0, note
+    )
+    return Ending.CLEAR if search.kept[top] == 0 else Ending.SPLIT
 
 
 @kernel
@@ -378,9 +392,9 @@ def classify_interval(
     search: Search, goal: int, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part up to slot `top` stands for the goal."""
-    if goal == FIRST_TOUCH:
+    if goal == Goal.FIRST_TOUCH:
         return classify_first_contact(search, top, count, pairs, limits, note)
-    if goal == TOUCH_END:
+    if goal == Goal.TOUCH_END:
         return classify_contact_end(search, top, count, pairs, limits, note)
     return classify_least(search, top, count, pairs, limits, note)
 
@@ -396,31 +410,34 @@ def bisect(
     earlier steps found; otherwise `note` is fresh.
     """
     count, handles = member_count(chain), chain.links.shape[0] + 1
-    evaluations, note[LOWER] = 0, math.inf
+    evaluations, note[Note.LOWER] = 0, math.inf
     while top > 0:
         while ready <= top:
             if not evaluate_slot(chain, search, ready, 0):
-                note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[ready]
-                return FALLEN
+                note[Note.LOWER], note[Note.UPPER] = (
+                    min(note[Note.LOWER], search.at[0]),
+                    search.at[ready],
+                )
+                return Ending.FALLEN
             ready += 1
             evaluations += 1
-            note[EVALUATIONS] += 1.0
+            note[Note.EVALUATIONS] += 1.0
         bound_members(chain, search, top)
         verdict = classify_interval(search, goal, top, count, pairs, limits, note)
-        if verdict == SPLIT:
+        if verdict == Ending.SPLIT:
             full = top + 2 >= DEPTH or evaluations >= limits.most
             if not full and search.at[top] - search.at[0] > limits.width:
                 top = halve(search, top)
                 continue
-            verdict = STUCK if full and goal != LEAST else UNSURE
-        if verdict != CLEAR:
-            note[LOWER] = min(note[LOWER], search.at[0])
-        if verdict == STUCK:
-            note[UPPER] = search.at[top]
-        if verdict in (FOUND, GRAZE, STUCK):
+            verdict = Ending.STUCK if full and goal != Goal.LEAST else Ending.UNSURE
+        if verdict != Ending.CLEAR:
+            note[Note.LOWER] = min(note[Note.LOWER], search.at[0])
+        if verdict == Ending.STUCK:
+            note[Note.UPPER] = search.at[top]
+        if verdict in (Ending.FOUND, Ending.GRAZE, Ending.STUCK):
             return verdict
-        if verdict == UNSURE:
-            note[FLOOR] = min(note[FLOOR], note[LOWEST])
+        if verdict == Ending.UNSURE:
+            note[Note.FLOOR] = min(note[Note.FLOOR], note[Note.LOWEST])
         close_left(search, top, handles, count)
         top, ready = top - 1, ready - 1
     return close(search, goal, count, pairs, limits, note)
@@ -429,17 +446,17 @@ def bisect(
 @kernel
 def close(search: Search, goal: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray) -> int:
     """How a search ended that came to the end of its step, which is the left end now."""
-    if goal == FIRST_TOUCH:
+    if goal == Goal.FIRST_TOUCH:
         for p in range(pairs.first.shape[0]):
             i, j = pairs.first[p], pairs.second[p]
             unsure = separation_error(search, 0, count, i, j, limits.slack)
             if end_distance(search, 0, count, i, j) <= limits.margin - unsure:
-                note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[0]
-                note[PAIR], note[OFF] = p, max(note[OFF], unsure)
-                return FOUND
-    if note[LOWER] < math.inf:
-        if goal != LEAST:
-            note[UPPER] = search.at[0]
-        return GRAZE
-    note[LOWER] = search.at[0]
-    return CLEAR
+                note[Note.LOWER], note[Note.UPPER] = min(note[Note.LOWER], search.at[0]), search.at[0]
+                note[Note.PAIR], note[Note.OFF] = p, max(note[Note.OFF], unsure)
+                return Ending.FOUND
+    if note[Note.LOWER] < math.inf:
+        if goal != Goal.LEAST:
+            note[Note.UPPER] = search.at[0]
+        return Ending.GRAZE
+    note[Note.LOWER] = search.at[0]
+    return Ending.CLEAR

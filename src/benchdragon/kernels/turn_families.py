@@ -10,36 +10,45 @@ from typing import NamedTuple
 from benchdragon.kernels import curve
 from benchdragon.kernels.angles import sincos_of
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.curve import FloatArray, clothoid_chord, spiral_angle, spiral_length
+from benchdragon.kernels.curve import CurveKind, FloatArray, clothoid_chord, spiral_angle, spiral_length
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.route_parts import FIRST, HAND, LAST, PART_ANGLE, PART_COLUMNS, PART_KIND, SIZE
+from benchdragon.kernels.numbered import Numbered
+from benchdragon.kernels.route_parts import PART_COLUMNS, RoutePart
 from benchdragon.kernels.status import TurnStatus
 
-# A piece of a turn, one row of a table: its length, m, and its curvature at both ends, 1/m, left
-# positive. Of what is to be eased, the arcs: length and curvature.
-PIECE_LENGTH = 0
-PIECE_START = 1
-PIECE_END = 2
-MOST_PIECES = 7  # three, and four clothoids
+
+class TurnPiece(Numbered):
+    """A piece of a turn, one row of a table.
+
+    Its length, m, and its curvature at both ends, 1/m, left positive. Of what is to be eased, the
+    arcs: length and curvature.
+    """
+
+    LENGTH = 0
+    START = 1
+    END = 2
+
+
+MOST_TURN_PIECES = 7  # three, and four clothoids
 ARCS = 3
 # Two arcs of which only the ratio of the radii is given keep the second radius, m, in this row.
-RADIUS = 2
+RADIUS_ROW = 2
 
 # A joint must lie at a spiral angle over this, rad.
 LEAST_THETA = 0.5
 # Newton's steps when curvature is eased, how near the turn's end must come to its place, m and rad, and
 # by what its slopes are taken.
-MOST_STEPS = 40
-CLOSED = 1e-12
+MOST_EASING_STEPS = 40
+TURN_CLOSED = 1e-12
 SLOPE_STEP = 1e-7
 # Pieces shorter than this, m, are left out, and curvatures below it, 1/m, are straight.
-NOTHING = 1e-9
+NEGLIGIBLE = 1e-9
 # An arc this near to a full turn, rad, is none.
 FULL_TURN = 2.0 * math.pi - 1e-12
 # Routes of turns go on so far before the turn, and so far behind it beyond the dragon's length, m.
 LEAD, TRAIL = 100.0, 1000.0
 # How far apart places on a turn are looked at for its reach, m.
-LOOK = 0.02
+REACH_LOOK = 0.02
 
 
 class Bridge(NamedTuple):
@@ -100,12 +109,12 @@ def two_arcs(
     root = math.sqrt(max(half * half - a * square, 0.0))
     if not root > half or not square / (root - half) < math.inf:
         return 0, TurnStatus.NO_ARCS
-    arcs[RADIUS, PIECE_LENGTH] = square / (root - half)
+    arcs[RADIUS_ROW, TurnPiece.LENGTH] = square / (root - half)
     set_bends(arcs, ratio)
-    one, two = arcs[0, PIECE_START], arcs[1, PIECE_START]
+    one, two = arcs[0, TurnPiece.START], arcs[1, TurnPiece.START]
     way = math.atan2(bridge.y + c / two - 1.0 / one, bridge.x - s / two) - 0.5 * math.pi
-    arcs[0, PIECE_LENGTH] = swept(way, one)
-    arcs[1, PIECE_LENGTH] = swept(bridge.swing - way, two)
+    arcs[0, TurnPiece.LENGTH] = swept(way, one)
+    arcs[1, TurnPiece.LENGTH] = swept(bridge.swing - way, two)
     easing = easing_of(pitch, entry_radius, exit_radius, ease)
     return eased(bridge, easing, ratio, arcs, pieces)
 
@@ -122,12 +131,12 @@ def three_pieces(
     if min(entry_radius, exit_radius) * 2.0 * math.pi <= LEAST_THETA * pitch:
         return 0, TurnStatus.TOO_NEAR
     bridge = bridge_between(pitch, entry_radius, exit_radius)
-    arcs[0, PIECE_START] = -1.0 / first_radius
-    arcs[1, PIECE_START] = bend
-    arcs[2, PIECE_START] = 1.0 / last_radius
+    arcs[0, TurnPiece.START] = -1.0 / first_radius
+    arcs[1, TurnPiece.START] = bend
+    arcs[2, TurnPiece.START] = 1.0 / last_radius
     x = bridge.x - last_radius * math.sin(bridge.swing)
     y = bridge.y + last_radius * math.cos(bridge.swing) + first_radius
-    if abs(bend) < NOTHING:
+    if abs(bend) < NEGLIGIBLE:
         status = line_between(bridge.swing, x, y, arcs)
     else:
         status = circle_between(bridge.swing, x, y, arcs)
@@ -147,22 +156,22 @@ def easing_of(pitch: float, entry_radius: float, exit_radius: float, ease: float
 @kernel
 def line_between(swing: float, x: float, y: float, arcs: FloatArray) -> TurnStatus:
     """Fill the lengths of `arcs` where a line leads from one to the other; (x, y): between centres."""
-    first, last = arcs[0, PIECE_START], arcs[2, PIECE_START]
+    first, last = arcs[0, TurnPiece.START], arcs[2, TurnPiece.START]
     far, reach = math.hypot(x, y), 1.0 / last - 1.0 / first
     if far < reach:
         return TurnStatus.NO_LINE
     straight = math.sqrt(far * far - reach * reach)
     way = math.atan2(y, x) - math.atan2(reach, straight)
-    arcs[0, PIECE_LENGTH] = swept(way, first)
-    arcs[1, PIECE_LENGTH] = straight
-    arcs[2, PIECE_LENGTH] = swept(swing - way, last)
+    arcs[0, TurnPiece.LENGTH] = swept(way, first)
+    arcs[1, TurnPiece.LENGTH] = straight
+    arcs[2, TurnPiece.LENGTH] = swept(swing - way, last)
     return TurnStatus.OK
 
 
 @kernel
 def circle_between(swing: float, x: float, y: float, arcs: FloatArray) -> TurnStatus:
     """As `line_between` where an arc of curvature arcs[1] does: the shorter of both ways, or none."""
-    first, bend, last = arcs[0, PIECE_START], arcs[1, PIECE_START], arcs[2, PIECE_START]
+    first, bend, last = arcs[0, TurnPiece.START], arcs[1, TurnPiece.START], arcs[2, TurnPiece.START]
     far, a, b = math.hypot(x, y), 1.0 / bend - 1.0 / first, 1.0 / last - 1.0 / bend
     if not abs(abs(a) - abs(b)) <= far <= abs(a) + abs(b) or a == 0.0 or b == 0.0 or far == 0.0:
         return TurnStatus.NO_CIRCLE
@@ -176,7 +185,11 @@ def circle_between(swing: float, x: float, y: float, arcs: FloatArray) -> TurnSt
         one, two, three = swept(p, first), swept(q - p, bend), swept(swing - q, last)
         if one + two + three < shortest:
             shortest = one + two + three
-            arcs[0, PIECE_LENGTH], arcs[1, PIECE_LENGTH], arcs[2, PIECE_LENGTH] = one, two, three
+            arcs[0, TurnPiece.LENGTH], arcs[1, TurnPiece.LENGTH], arcs[2, TurnPiece.LENGTH] = (
+                one,
+                two,
+                three,
+            )
     return TurnStatus.OK
 
 
@@ -191,8 +204,8 @@ def swept(turn: float, bend: float) -> float:
 @kernel
 def set_bends(arcs: FloatArray, ratio: float) -> None:
     """Fill the curvatures of two arcs of a ratio from the second radius."""
-    arcs[0, PIECE_START] = -1.0 / (ratio * arcs[RADIUS, PIECE_LENGTH])
-    arcs[1, PIECE_START] = 1.0 / arcs[RADIUS, PIECE_LENGTH]
+    arcs[0, TurnPiece.START] = -1.0 / (ratio * arcs[RADIUS_ROW, TurnPiece.LENGTH])
+    arcs[1, TurnPiece.START] = 1.0 / arcs[RADIUS_ROW, TurnPiece.LENGTH]
 
 
 @kernel
@@ -203,17 +216,17 @@ def eased(
     if easing.length > 0.0:
         turn = 0.0
         for n in range(2 if ratio > 0.0 else ARCS):
-            turn += arcs[n, PIECE_LENGTH] * arcs[n, PIECE_START]
-        arcs[0, PIECE_LENGTH] -= easing.length
-        arcs[1, PIECE_LENGTH] -= easing.length
+            turn += arcs[n, TurnPiece.LENGTH] * arcs[n, TurnPiece.START]
+        arcs[0, TurnPiece.LENGTH] -= easing.length
+        arcs[1, TurnPiece.LENGTH] -= easing.length
         if not closed(Bridge(bridge.x, bridge.y, turn), easing, ratio, arcs, pieces):
             return 0, TurnStatus.NOT_EASED
     count = lay_pieces(easing, ratio, arcs, pieces)
     kept = 0
     for n in range(count):
-        if pieces[n, PIECE_LENGTH] < -NOTHING:
+        if pieces[n, TurnPiece.LENGTH] < -NEGLIGIBLE:
             return 0, TurnStatus.NO_ROOM
-        if pieces[n, PIECE_LENGTH] > NOTHING:
+        if pieces[n, TurnPiece.LENGTH] > NEGLIGIBLE:
             for column in range(3):
                 pieces[kept, column] = pieces[n, column]
             kept += 1
@@ -228,11 +241,11 @@ def lay_pieces(easing: Easing, ratio: float, arcs: FloatArray, pieces: FloatArra
     count = 0
     before = easing.start
     for n in range(2 if ratio > 0.0 else ARCS):
-        bend = arcs[n, PIECE_START]
+        bend = arcs[n, TurnPiece.START]
         if easing.length > 0.0:
             set_piece(pieces, count, easing.length, before, bend)
             count += 1
-        set_piece(pieces, count, arcs[n, PIECE_LENGTH], bend, bend)
+        set_piece(pieces, count, arcs[n, TurnPiece.LENGTH], bend, bend)
         count += 1
         before = bend
     if easing.length > 0.0:
@@ -244,15 +257,19 @@ def lay_pieces(easing: Easing, ratio: float, arcs: FloatArray, pieces: FloatArra
 @kernel
 def set_piece(pieces: FloatArray, n: int, length: float, start: float, end: float) -> None:
     """Let piece n be of this length, m, and these curvatures, 1/m."""
-    pieces[n, PIECE_LENGTH], pieces[n, PIECE_START], pieces[n, PIECE_END] = length, start, end
+    pieces[n, TurnPiece.LENGTH], pieces[n, TurnPiece.START], pieces[n, TurnPiece.END] = (
+        length,
+        start,
+        end,
+    )
 
 
 @kernel
 def closed(bridge: Bridge, easing: Easing, ratio: float, arcs: FloatArray, pieces: FloatArray) -> bool:
     """Change the lengths in `arcs` until the eased pieces lead over the bridge: Newton's method."""
-    for _ in range(MOST_STEPS):
+    for _ in range(MOST_EASING_STEPS):
         x, y, turn = missed(bridge, easing, ratio, arcs, pieces)
-        if max(abs(x), abs(y), abs(turn)) < CLOSED:
+        if max(abs(x), abs(y), abs(turn)) < TURN_CLOSED:
             return True
         ax, ay, a = slopes(bridge, easing, ratio, arcs, pieces, 0, x, y, turn)
         bx, by, b = slopes(bridge, easing, ratio, arcs, pieces, 1, x, y, turn)
@@ -264,9 +281,9 @@ def closed(bridge: Bridge, easing: Easing, ratio: float, arcs: FloatArray, piece
         two = -determinant(ax, ay, a, x, y, turn, cx, cy, c) / whole
         three = -determinant(ax, ay, a, bx, by, b, x, y, turn) / whole
         share = 1.0 / max(abs(one), abs(two), abs(three), 1.0)  # a metre at most
-        arcs[0, PIECE_LENGTH] += share * one
-        arcs[1, PIECE_LENGTH] += share * two
-        arcs[2, PIECE_LENGTH] += share * three
+        arcs[0, TurnPiece.LENGTH] += share * one
+        arcs[1, TurnPiece.LENGTH] += share * two
+        arcs[2, TurnPiece.LENGTH] += share * three
     return False
 
 
@@ -284,10 +301,10 @@ def slopes(
     n: int, x: float, y: float, turn: float,
 ) -> tuple[float, float, float]:  # fmt: skip
     """How what is missed, (x, y, turn) now, changes with length n of `arcs`, per metre."""
-    length = arcs[n, PIECE_LENGTH]
-    arcs[n, PIECE_LENGTH] = length + SLOPE_STEP
+    length = arcs[n, TurnPiece.LENGTH]
+    arcs[n, TurnPiece.LENGTH] = length + SLOPE_STEP
     x1, y1, turn1 = missed(bridge, easing, ratio, arcs, pieces)
-    arcs[n, PIECE_LENGTH] = length
+    arcs[n, TurnPiece.LENGTH] = length
     return (x1 - x) / SLOPE_STEP, (y1 - y) / SLOPE_STEP, (turn1 - turn) / SLOPE_STEP
 
 
@@ -298,7 +315,11 @@ def missed(
     """By what the pieces end beside the bridge's end, m, and by how much they turn too far, rad."""
     x, y, heading = 0.0, 0.0, 0.0
     for n in range(lay_pieces(easing, ratio, arcs, pieces)):
-        length, start, end = pieces[n, PIECE_LENGTH], pieces[n, PIECE_START], pieces[n, PIECE_END]
+        length, start, end = (
+            pieces[n, TurnPiece.LENGTH],
+            pieces[n, TurnPiece.START],
+            pieces[n, TurnPiece.END],
+        )
         turn = max(abs(start), abs(end)) * abs(length)
         if not turn < curve.MOST_TURN:
             return math.nan, math.nan, math.nan
@@ -333,17 +354,21 @@ def turn_parts(
     set_spiral(parts, 0, pitch, 0.0, theta_after(k, entry_radius / k, lead), entry_radius / k)
     set_spiral(parts, last, pitch, math.pi, exit_radius / k, theta_after(k, exit_radius / k, trail))
     for n in range(last - 1):
-        length, start, end = pieces[n, PIECE_LENGTH], pieces[n, PIECE_START], pieces[n, PIECE_END]
-        parts[n + 1, PART_KIND] = curve.LINE
-        parts[n + 1, SIZE] = length
+        length, start, end = (
+            pieces[n, TurnPiece.LENGTH],
+            pieces[n, TurnPiece.START],
+            pieces[n, TurnPiece.END],
+        )
+        parts[n + 1, RoutePart.KIND] = CurveKind.LINE
+        parts[n + 1, RoutePart.SIZE] = length
         if start != end:
-            parts[n + 1, PART_KIND] = curve.CLOTHOID
-            parts[n + 1, FIRST] = start
-            parts[n + 1, LAST] = end
+            parts[n + 1, RoutePart.KIND] = CurveKind.CLOTHOID
+            parts[n + 1, RoutePart.FIRST] = start
+            parts[n + 1, RoutePart.LAST] = end
         elif start != 0.0:
-            parts[n + 1, PART_KIND] = curve.ARC
-            parts[n + 1, SIZE] = 1.0 / abs(start)
-            parts[n + 1, FIRST] = length * start
+            parts[n + 1, RoutePart.KIND] = CurveKind.ARC
+            parts[n + 1, RoutePart.SIZE] = 1.0 / abs(start)
+            parts[n + 1, RoutePart.FIRST] = length * start
 
 
 @kernel
@@ -351,12 +376,12 @@ def set_spiral(
     parts: FloatArray, i: int, pitch: float, rotation: float, first: float, last: float
 ) -> None:
     """Let part i be a spiral about the origin between these angles, rad."""
-    parts[i, PART_KIND] = curve.SPIRAL
-    parts[i, PART_ANGLE] = rotation
-    parts[i, SIZE] = pitch
-    parts[i, FIRST] = first
-    parts[i, LAST] = last
-    parts[i, HAND] = 1.0
+    parts[i, RoutePart.KIND] = CurveKind.SPIRAL
+    parts[i, RoutePart.ANGLE] = rotation
+    parts[i, RoutePart.SIZE] = pitch
+    parts[i, RoutePart.FIRST] = first
+    parts[i, RoutePart.LAST] = last
+    parts[i, RoutePart.HAND] = 1.0
 
 
 @kernel

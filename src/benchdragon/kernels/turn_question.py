@@ -13,36 +13,67 @@ from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.curve import COLUMNS as ROUTE_COLUMNS
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.memory import ROW
-from benchdragon.kernels.question import CLOSED, MORE, SPENT
-from benchdragon.kernels.question import TOLD as OWN
+from benchdragon.kernels.memory import ROW, Header
+from benchdragon.kernels.numbered import Numbered
+from benchdragon.kernels.question import QuestionEnding, Told
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.route_parts import PART_COLUMNS
 from benchdragon.kernels.search_room import placements
-from benchdragon.kernels.turn_descent import Descent, begin_at, descend
-from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
-from benchdragon.kernels.turn_trial import Trial, exceeding, figures_of, greatest, look
+from benchdragon.kernels.turn_descent import Descent, DescentState, begin_at, descend
+from benchdragon.kernels.turn_families import ARCS, MOST_TURN_PIECES
+from benchdragon.kernels.turn_trial import (
+    PeakRow,
+    Trial,
+    TurnCount,
+    exceeding,
+    figures_of,
+    greatest,
+    look,
+)
 
 # Points that are strewn for each unknown with a range, the best of them that are gone on from, how far
 # apart those are, as a share of ranges, and what a limit counts that is exceeded by all of itself.
-STREWN, STARTS, APART, SOFT = 300, 8, 0.1, 3.0
+STREWN, STARTS, STARTS_APART, SOFT = 300, 8, 0.1, 3.0
 # How closely rates are looked at, as a share of the shortest link: everywhere, downhill; how far lines
 # are trusted at first, downhill and from a given point; how many steps that takes at most.
-STEPS, TRUST, MOST_STEPS = (0.125, 0.06), (0.05, 0.01), (20, 60)
+RATE_STEPS, TRUST, MOST_DESCENT_STEPS = (0.125, 0.06), (0.05, 0.01), (20, 60)
 # Handles placed in one step of the question, at least.
 WORK = 100_000
-# What is sought: the best of all, or the best near a point. What a question is doing.
-ALL, NEAR = 0, 1
-STREWING, DOWNHILL, CLOSELY, ENDED = 0, 1, 2, 3
-# How a step ends when all is done.
-DONE = 1
-# What is told, a row of floats that begins as kernels/question.py says: by what share of them limits
-# are exceeded at most (infinite: there is no turn), how many turns were tried, and what share of the
-# search is done; besides, what is done now, and how many points or steps of it.
-EXCEEDS, TRIED, SHARE, DOING, NUMBER, FIGURES = OWN, OWN + 1, OWN + 2, OWN + 3, OWN + 4, OWN + 5
 
 
-class Asked(NamedTuple):
+class TurnSought(Numbered):
+    """What is sought: the best of all, or the best near a point."""
+
+    ALL, NEAR = 0, 1
+
+
+class TurnStage(Numbered):
+    """What a question is doing."""
+
+    STREWING, DOWNHILL, CLOSELY, ENDED = range(4)
+
+
+class TurnEnding(Numbered):
+    """How a step ends when all is done."""
+
+    DONE = 1
+
+
+class TurnTold(Told):
+    """What is told, a row of floats that begins as kernels/question.py says.
+
+    By what share of them limits are exceeded at most (infinite: there is no turn), how many turns were
+    tried, and what share of the search is done; besides, what is done now, and how many points or
+    steps of it.
+    """
+
+    EXCEEDS, TRIED, SHARE, DOING, NUMBER = range(2, 7)
+
+
+TURN_FIGURES = len(TurnTold)
+
+
+class TurnAsked(NamedTuple):
     """A question: what is told, what is found, and all that searches need."""
 
     trial: Trial
@@ -51,24 +82,26 @@ class Asked(NamedTuple):
     figures: Vector
 
 
-BASE, END_SLOT = 8 * memory.HEADER, memory.HEADER + memory.slot_count(Asked)
+BASE, TURN_END_SLOT = 8 * memory.HEADER, memory.HEADER + memory.slot_count(TurnAsked)
 
 
 @kernel
 def lay_asked(slots: IntArray, address: int, x: int, benches: int, boxes: int, obstacles: int) -> int:
     """Lay all of a question from an address on; the bytes that takes."""
-    few, slot_count, point = min(turn_trial.FEW, benches), turn_trial.SLOTS, (x, ROW)
+    few, slot_count, point = min(turn_trial.FEW, benches), turn_trial.LOOK_SLOTS, (x, ROW)
     return memory.lay(slots, memory.HEADER, address, (
-        (turn_trial.TOLD, ROW), point, point, (turn_trial.KINDS, ROW), (4, benches), (benches, ROW),
-        (boxes, BOX_COLUMNS), (obstacles + 1, ROW), (obstacles, 2), (ARCS, 2), (MOST_PIECES, 3),
-        (MOST_PIECES + 2, PART_COLUMNS), (turn_trial.MOST_ROWS, ROUTE_COLUMNS), (slot_count, ROW),
+        (turn_trial.TURN_GIVEN, ROW), point, point, (turn_trial.TURN_MEASURES, ROW), (4, benches),
+        (benches, ROW),
+        (boxes, BOX_COLUMNS), (obstacles + 1, ROW), (obstacles, 2), (ARCS, 2), (MOST_TURN_PIECES, 3),
+        (MOST_TURN_PIECES + 2, PART_COLUMNS), (turn_trial.MOST_ROWS, ROUTE_COLUMNS), (slot_count, ROW),
         *placements(few + 1, slot_count), (benches + 1, slot_count), (benches + 1, slot_count),
         *placements(benches + 1, 1), (2, BOX_COLUMNS), (2 * turn_trial.RATES, few + 1), (2, ROW),
-        (turn_trial.MOST_NOTED, turn_trial.PEAK), (turn_trial.COUNTS, ROW), point, point,
-        (turn_descent.COLUMNS, ROW), (turn_trial.MOST_KEPT, turn_trial.PEAK),
-        (turn_trial.MOST_KEPT, turn_trial.UNKNOWNS), (turn_descent.MOST_LINES, turn_descent.LINE),
-        (turn_descent.COLUMNS, turn_descent.COLUMNS + 1), (turn_descent.STATE, ROW),
-        (STARTS, turn_trial.UNKNOWNS + 1), (FIGURES, ROW),
+        (turn_trial.MOST_NOTED, turn_trial.PEAK_COLUMNS), (turn_trial.TURN_COUNTS, ROW), point, point,
+        (turn_descent.STEP_UNKNOWNS, ROW), (turn_trial.MOST_KEPT, turn_trial.PEAK_COLUMNS),
+        (turn_trial.MOST_KEPT, turn_trial.UNKNOWNS), (turn_descent.MOST_LINES,
+        turn_descent.LINE_COLUMNS),
+        (turn_descent.STEP_UNKNOWNS, turn_descent.STEP_UNKNOWNS + 1), (turn_descent.DESCENT_STATE, ROW),
+        (STARTS, turn_trial.UNKNOWNS + 1), (TURN_FIGURES, ROW),
     ))  # fmt: skip
 
 
@@ -79,23 +112,23 @@ def open_turn(
 ) -> int:  # fmt: skip
     """Open a question about turns with unknowns from low to high; its handle, 0 without memory.
 
-    `told` is as turn_trial.TOLD says, sizes (4, benches) and links those of the first MORE benches.
+    `told` is a row of TurnGiven, sizes (4, benches) and links are those of the first MORE benches.
     `standing` has the boxes of all obstacles, border[o] the first of each and last their number, `keep`
     (obstacles, 2) what benches keep from each, m, and 1 if its inside is forbidden, -1 if its outside.
     """
-    block = memory.new_block(END_SLOT - memory.HEADER)
+    block = memory.new_block(TURN_END_SLOT - memory.HEADER)
     if block == 0:
         return 0
-    slots, x, benches = memory.integers_at(block, END_SLOT), low.shape[0], links.shape[0]
+    slots, x, benches = memory.integers_at(block, TURN_END_SLOT), low.shape[0], links.shape[0]
     boxes, obstacles = standing.shape[0], keep.shape[0]
     size = lay_asked(slots, 0, x, benches, boxes, obstacles)
     if memory.take(slots, 0, size):
-        address = slots[memory.OWNED]
+        address = slots[Header.OWNED]
         lay_asked(slots, address, x, benches, boxes, obstacles)
         everything = memory.floats_at(address, size // 8)
         for n in range(size // 8):
             everything[n] = 0.0
-        trial = memory.group_at(Asked, block + BASE).trial
+        trial = memory.group_at(TurnAsked, block + BASE).trial
         memory.copy_row(trial.told, told)
         memory.copy_row(trial.low, low)
         memory.copy_row(trial.high, high)
@@ -115,16 +148,16 @@ def open_turn(
 def seek_turn(handle: int, what: int, x: Vector, factors: Vector) -> bool:
     """Seek ALL or NEAR x, from the next step on; False if there is no such question.
 
-    True figures are `factors`, (turn_trial.KINDS,), times what is seen, distances so many m less.
+    True figures are `factors`, one for each TurnMeasure, times what is seen, distances so many m less.
     """
     block = memory.recall(handle)
     if block == 0:
         return False
-    asked = memory.group_at(Asked, block + BASE)
+    asked = memory.group_at(TurnAsked, block + BASE)
     memory.copy_row(asked.trial.factors, factors)
     memory.copy_row(asked.descent.x, x)
-    asked.figures[NUMBER], asked.figures[SHARE] = 0.0, 0.0
-    asked.figures[DOING] = STREWING if what == ALL else CLOSELY
+    asked.figures[TurnTold.NUMBER], asked.figures[TurnTold.SHARE] = 0.0, 0.0
+    asked.figures[TurnTold.DOING] = TurnStage.STREWING if what == TurnSought.ALL else TurnStage.CLOSELY
     for n in range(STARTS):
         asked.starts[n, turn_trial.UNKNOWNS] = math.inf
     return True
@@ -135,54 +168,54 @@ def step_turn(handle: int, left: float) -> int:
     """Go on for some hundredths of a second, or `left` handles: MORE, DONE, or CLOSED."""
     block = memory.recall(handle)
     if block == 0:
-        return CLOSED
-    asked = memory.group_at(Asked, block + BASE)
+        return QuestionEnding.CLOSED
+    asked = memory.group_at(TurnAsked, block + BASE)
     figures, counts = asked.figures, asked.trial.counts
-    counts[turn_trial.PLACED] = 0
-    while counts[turn_trial.PLACED] < min(WORK, left) and figures[DOING] != ENDED:
-        if figures[DOING] == STREWING:
+    counts[TurnCount.PLACED] = 0
+    while counts[TurnCount.PLACED] < min(WORK, left) and figures[TurnTold.DOING] != TurnStage.ENDED:
+        if figures[TurnTold.DOING] == TurnStage.STREWING:
             strew(asked)
         else:
             go_down(asked)
-    figures[SPENT] = counts[turn_trial.PLACED]
-    return DONE if figures[DOING] == ENDED else MORE
+    figures[Told.SPENT] = counts[TurnCount.PLACED]
+    return TurnEnding.DONE if figures[TurnTold.DOING] == TurnStage.ENDED else QuestionEnding.MORE
 
 
 @entry
 def read_turn(handle: int, figures: Vector, x: Vector, seen: Vector) -> bool:
-    """Fill what was found: the unknowns, and the greatest that is seen of each of turn_trial.KINDS.
+    """Fill what was found: the unknowns, and the greatest that is seen by each TurnMeasure.
 
     What is not seen is NaN. False if there is no such question.
     """
     block = memory.recall(handle)
     if block == 0:
         return False
-    asked = memory.group_at(Asked, block + BASE)
+    asked = memory.group_at(TurnAsked, block + BASE)
     memory.copy_row(figures, asked.figures)
     memory.copy_row(x, asked.descent.x)
-    for kind in range(turn_trial.KINDS):
+    for kind in range(turn_trial.TURN_MEASURES):
         seen[kind] = math.nan
-    if asked.figures[DOING] == ENDED and asked.figures[EXCEEDS] < math.inf:
+    if asked.figures[TurnTold.DOING] == TurnStage.ENDED and asked.figures[TurnTold.EXCEEDS] < math.inf:
         figures_of(asked.trial, x, seen)
         peaks = asked.descent.known
-        for n in range(int(asked.descent.state[turn_descent.KNOWN])):
-            kind = int(peaks[n, turn_trial.KIND])
-            if not seen[kind] >= peaks[n, turn_trial.VALUE]:
-                seen[kind] = peaks[n, turn_trial.VALUE]
+        for n in range(int(asked.descent.state[DescentState.KNOWN])):
+            kind = int(peaks[n, PeakRow.KIND])
+            if not seen[kind] >= peaks[n, PeakRow.VALUE]:
+                seen[kind] = peaks[n, PeakRow.VALUE]
     return True
 
 
 @entry
 def judge_turn(handle: int, exact: Vector, exceeds: Vector) -> bool:
-    """Fill by what share the exact figures of a turn, of turn_trial.KINDS, exceed their limits.
+    """Fill by what share the exact figures of a turn, by TurnMeasure, exceed their limits.
 
     NaN where a figure is. False if there is no such question.
     """
     block = memory.recall(handle)
     if block == 0:
         return False
-    for kind in range(turn_trial.KINDS):
-        exceeds[kind] = exceeding(memory.group_at(Asked, block + BASE).trial, kind, exact[kind])
+    for kind in range(turn_trial.TURN_MEASURES):
+        exceeds[kind] = exceeding(memory.group_at(TurnAsked, block + BASE).trial, kind, exact[kind])
     return True
 
 
@@ -196,30 +229,30 @@ def spread(unknowns: int) -> float:
 
 
 @kernel
-def strew(asked: Asked) -> None:
+def strew(asked: TurnAsked) -> None:
     """Try the next point, and go downhill from the best after the last of them."""
     trial, x, figures = asked.trial, asked.descent.x, asked.figures
     free = 0
     for k in range(x.shape[0]):
         free += 1 if trial.high[k] > trial.low[k] else 0
-    number, base, power = figures[NUMBER], spread(free), 1.0
+    number, base, power = figures[TurnTold.NUMBER], spread(free), 1.0
     for k in range(x.shape[0]):
         if trial.high[k] > trial.low[k]:
             power /= base
         share = (0.5 + number * power) % 1.0
         x[k] = trial.low[k] + (trial.high[k] - trial.low[k]) * share
-    figures[TRIED] += 1.0
-    if look(trial, x, STEPS[0], False):
+    figures[TurnTold.TRIED] += 1.0
+    if look(trial, x, RATE_STEPS[0], False):
         worth = greatest(trial, True) + SOFT * max(greatest(trial, False), 0.0)
         enlist(asked, worth)
-    figures[NUMBER] += 1.0
-    figures[SHARE] = 0.5 * figures[NUMBER] / (STREWN * max(free, 1))
-    if figures[NUMBER] >= STREWN * max(free, 1) or free == 0:
-        figures[DOING], figures[NUMBER] = DOWNHILL, 0.0
+    figures[TurnTold.NUMBER] += 1.0
+    figures[TurnTold.SHARE] = 0.5 * figures[TurnTold.NUMBER] / (STREWN * max(free, 1))
+    if figures[TurnTold.NUMBER] >= STREWN * max(free, 1) or free == 0:
+        figures[TurnTold.DOING], figures[TurnTold.NUMBER] = TurnStage.DOWNHILL, 0.0
 
 
 @kernel
-def enlist(asked: Asked, worth: float) -> None:
+def enlist(asked: TurnAsked, worth: float) -> None:
     """Take x for a start instead of one near it that is worth less, or instead of the worst."""
     trial, x, starts = asked.trial, asked.descent.x, asked.starts
     place, unknowns = STARTS - 1, x.shape[0]
@@ -228,7 +261,7 @@ def enlist(asked: Asked, worth: float) -> None:
         for k in range(unknowns):
             width = max(trial.high[k] - trial.low[k], 1e-9)
             apart = max(apart, abs(starts[n, k] - x[k]) / width)
-        if apart < APART and starts[n, turn_trial.UNKNOWNS] < math.inf:
+        if apart < STARTS_APART and starts[n, turn_trial.UNKNOWNS] < math.inf:
             if starts[n, turn_trial.UNKNOWNS] <= worth:
                 return
             place = n
@@ -251,37 +284,37 @@ def sort_starts(starts: Table) -> None:
 
 
 @kernel
-def go_down(asked: Asked) -> None:
+def go_down(asked: TurnAsked) -> None:
     """Go one step downhill; at the end of a way to the next start, or to a closer look."""
     figures, descent, trial, starts = asked.figures, asked.descent, asked.trial, asked.starts
-    fine = 1 if figures[DOING] == CLOSELY else 0
-    start = int(figures[NUMBER]) // (MOST_STEPS[1] + 2)
-    steps = int(figures[NUMBER]) % (MOST_STEPS[1] + 2)
-    figures[TRIED] += 1.0
-    figures[NUMBER] += 1.0
+    fine = 1 if figures[TurnTold.DOING] == TurnStage.CLOSELY else 0
+    start = int(figures[TurnTold.NUMBER]) // (MOST_DESCENT_STEPS[1] + 2)
+    steps = int(figures[TurnTold.NUMBER]) % (MOST_DESCENT_STEPS[1] + 2)
+    figures[TurnTold.TRIED] += 1.0
+    figures[TurnTold.NUMBER] += 1.0
     if steps == 0:
-        descent.state[turn_descent.MERIT] = math.inf
+        descent.state[DescentState.MERIT] = math.inf
         if fine == 0 and not starts[start, turn_trial.UNKNOWNS] < math.inf:
             return
         if fine == 0:
             for k in range(descent.x.shape[0]):
                 descent.x[k] = starts[start, k]
-        begin_at(trial, descent, TRUST[fine], STEPS[fine])
+        begin_at(trial, descent, TRUST[fine], RATE_STEPS[fine])
         return
-    if steps <= MOST_STEPS[fine] and descend(trial, descent, STEPS[fine]):
+    if steps <= MOST_DESCENT_STEPS[fine] and descend(trial, descent, RATE_STEPS[fine]):
         return
     if fine == 1:
-        figures[DOING], figures[SHARE] = ENDED, 1.0
-        worth = descent.state[turn_descent.MERIT]
-        figures[EXCEEDS] = descent.state[turn_descent.EXCESS] if worth < math.inf else math.inf
+        figures[TurnTold.DOING], figures[TurnTold.SHARE] = TurnStage.ENDED, 1.0
+        worth = descent.state[DescentState.MERIT]
+        figures[TurnTold.EXCEEDS] = descent.state[DescentState.EXCESS] if worth < math.inf else math.inf
         return
     for k in range(descent.x.shape[0]):
         starts[start, k] = descent.x[k]
-    starts[start, turn_trial.UNKNOWNS] = descent.state[turn_descent.MERIT]
-    figures[NUMBER] = (start + 1) * (MOST_STEPS[1] + 2)
-    figures[SHARE] = 0.5 + 0.4 * (start + 1) / STARTS
+    starts[start, turn_trial.UNKNOWNS] = descent.state[DescentState.MERIT]
+    figures[TurnTold.NUMBER] = (start + 1) * (MOST_DESCENT_STEPS[1] + 2)
+    figures[TurnTold.SHARE] = 0.5 + 0.4 * (start + 1) / STARTS
     if start + 1 == STARTS:
         sort_starts(starts)
-        figures[DOING], figures[NUMBER] = CLOSELY, 0.0
+        figures[TurnTold.DOING], figures[TurnTold.NUMBER] = TurnStage.CLOSELY, 0.0
         for k in range(descent.x.shape[0]):
             descent.x[k] = starts[0, k]

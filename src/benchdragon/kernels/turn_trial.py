@@ -11,42 +11,87 @@ from typing import NamedTuple
 from benchdragon.kernels import box
 from benchdragon.kernels import turn_families as families
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.box import box_distance, half_diagonal, inside, nearest_pair, place_box
+from benchdragon.kernels.box import Box, box_distance, half_diagonal, inside, nearest_pair, place_box
 from benchdragon.kernels.chain import Placements, rates_in_slot
-from benchdragon.kernels.curve import S_START, FloatArray, curvature, place, spiral_length
-from benchdragon.kernels.drive import SPEEDS, TOTAL, TURNING, value_at
+from benchdragon.kernels.curve import FloatArray, RouteRow, curvature, place, spiral_length
+from benchdragon.kernels.drive import DriveRate, value_at
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.family import pieces_fit
 from benchdragon.kernels.motion_bounds import place_chain
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.obstacle_contact import centre_distance
 from benchdragon.kernels.route import locate
 from benchdragon.kernels.route_parts import Pose, farthest, lay_rows, row_count
 from benchdragon.kernels.status import TurnStatus
-from benchdragon.kernels.turn_families import three_pieces, turn_parts, two_arcs
+from benchdragon.kernels.turn_families import TurnPiece, three_pieces, turn_parts, two_arcs
 
-# What a turn is judged by: drive.SPEEDS to drive.ALONG with the head at 1 m/s, then how near benches
-# come to one another and to obstacles (less than nothing, and less what they must keep, m), how far the
-# turn reaches from the middle, m, how it bends, 1/m, its length, and the whole way in the disc, m.
-RATES, APART, BESIDE, REACH, BEND, LONG, WAY, KINDS = 5, 5, 6, 7, 8, 9, 10, 11
-# Families of turns, by what stands between the joints' radii and the clothoids' length in the unknowns:
-# the logarithm of the ratio; two radii; a radius, a curvature and a radius. Unknowns there are at most.
-TWO_ARCS, LINE_BETWEEN, ARC_BETWEEN, UNKNOWNS = 0, 1, 2, 6
-# What is told of a question, a row of floats; NaN for clothoids whose length is an unknown.
-FAMILY, EASE, PITCH, DISC, NARROWEST, LONGEST, LONGEST_WAY, HEAD, MARGIN, SOUGHT = range(10)
-LIMIT = 10  # the greatest that is allowed of each rate, infinite where anything is
-TOLD = LIMIT + RATES
-# A peak: what of, of which bench or handle (or obstacle and bench), where, how great; as `measured`.
-KIND, ONE, TWO, PLACE, VALUE, MEASURE, PEAK = 0, 1, 2, 3, 4, 5, 6
+RATES = len(DriveRate)
+
+
+class TurnMeasure(DriveRate):
+    """What a turn is judged by.
+
+    The rates of drive come first, with the head at 1 m/s; then how near benches come to one another
+    and to obstacles (less than nothing, and less what they must keep, m), how far the turn reaches
+    from the middle, m, how it bends, 1/m, its length, and the whole way in the disc, m.
+    """
+
+    APART, BESIDE, REACH, BEND, LONG, WAY = range(5, 11)
+
+
+TURN_MEASURES = len(TurnMeasure)
+# At most.
+UNKNOWNS = 6
+
+
+class ArcFamily(Numbered):
+    """Families of turns.
+
+    They differ in what stands between the joints' radii and the clothoids' length in the unknowns: the
+    logarithm of the ratio; two radii; a radius, a curvature and a radius.
+    """
+
+    TWO_ARCS, LINE_BETWEEN, ARC_BETWEEN = range(3)
+
+
+class TurnGiven(Numbered):
+    """What is told of a question, a row of floats; NaN for clothoids whose length is an unknown."""
+
+    FAMILY, EASE, PITCH, DISC, NARROWEST, LONGEST, LONGEST_WAY, HEAD, MARGIN, SOUGHT = range(10)
+    LIMIT = 10  # the greatest that is allowed of each rate, infinite where anything is
+
+
+TURN_GIVEN = TurnGiven.LIMIT + RATES
+
+
+class PeakRow(Numbered):
+    """A peak of what a turn is judged by.
+
+    A peak: what of, of which bench or handle (or obstacle and bench), where, how great; as `measured`.
+    """
+
+    KIND, ONE, TWO, PLACE, VALUE, MEASURE = range(6)
+
+
+PEAK_COLUMNS = len(PeakRow)
 # Peaks that are noted at most, and of which so many are kept whose measure is so near the greatest.
 MOST_NOTED, MOST_KEPT, NEAR_GREATEST = 256, 48, 0.08
-# Counts of a trial, and its rows at most.
-ROUTE, PIECES, NOTED, FIRST, SECOND, PLACED, COUNTS = 0, 1, 2, 3, 4, 5, 6
+
+
+class TurnCount(Numbered):
+    """Counts of a trial."""
+
+    ROUTE, PIECES, NOTED, FIRST, SECOND, PLACED = range(6)
+
+
+TURN_COUNTS = len(TurnCount)
+# Rows of a trial's route at most.
 MOST_ROWS = 64
 # Benches whose rates are looked at, and whose distances: one turn farther out is some 17 benches away.
 FEW, MORE = 16, 40
 # Head positions that are looked at in one block, and at most; how far apart they are for distances, as
 # a share of the shortest link, and places for the turn's reach, m.
-SLOTS, MOST_LOOKS, CLEAR_SHARE, REACH_STEP = 64, 4096, 0.35, 0.1
+LOOK_SLOTS, MOST_LOOKS, CLEAR_SHARE, REACH_STEP = 64, 4096, 0.35, 0.1
 # What a handle at a place costs in handles, with its rates.
 JUDGED = 2
 # What is told of a turn on which the dragon cannot stand.
@@ -61,7 +106,7 @@ class Trial(NamedTuple):
     told: Vector
     low: Vector  # ranges of the unknowns
     high: Vector
-    factors: Vector  # (KINDS,): a true figure is so many times what is seen; of distances, m less
+    factors: Vector  # (TURN_MEASURES,): a true one is so many times what is seen; of distances, m less
     sizes: Table  # (4, benches) of the first benches, MORE at most
     links: Vector
     standing: Table  # boxes of all obstacles, one after another, as the turn lies
@@ -71,7 +116,7 @@ class Trial(NamedTuple):
     pieces: Table
     parts: Table
     rows: Table
-    at: Vector  # (SLOTS,)
+    at: Vector  # (LOOK_SLOTS,)
     places: Placements  # of the first FEW benches
     change: Table
     turn: Table
@@ -79,7 +124,7 @@ class Trial(NamedTuple):
     boxes: Table  # (2, BOX_COLUMNS)
     latest: Table  # (2 * RATES, handles): the rates seen before, and before that
     joints: Vector  # the radii of both, m
-    peaks: Table  # (MOST_NOTED, PEAK)
+    peaks: Table  # (MOST_NOTED, PEAK_COLUMNS)
     counts: IntVector
 
 
@@ -88,24 +133,39 @@ def exceeding(trial: Trial, kind: int, value: float) -> float:
     """By what share a figure exceeds its limit; of distances, of a bench's width."""
     told = trial.told
     if kind < RATES:
-        power = 1.0 if kind <= TURNING else 2.0  # of the head's speed
-        return value * told[HEAD] ** power / told[LIMIT + kind] - 1.0
-    if kind in (APART, BESIDE):
-        return (value + (told[MARGIN] if kind == APART else 0.0)) / trial.sizes[1, 0]
-    if kind == REACH:
-        return value / told[DISC] - 1.0
-    if kind == BEND:
-        return value * told[NARROWEST] - 1.0
-    return value / (told[LONGEST] if kind == LONG else told[LONGEST_WAY]) - 1.0
+        power = 1.0 if kind <= DriveRate.TURNING else 2.0  # of the head's speed
+        return value * told[TurnGiven.HEAD] ** power / told[TurnGiven.LIMIT + kind] - 1.0
+    if kind in (TurnMeasure.APART, TurnMeasure.BESIDE):
+        return (value + (told[TurnGiven.MARGIN] if kind == TurnMeasure.APART else 0.0)) / trial.sizes[
+            1, 0
+        ]
+    if kind == TurnMeasure.REACH:
+        return value / told[TurnGiven.DISC] - 1.0
+    if kind == TurnMeasure.BEND:
+        return value * told[TurnGiven.NARROWEST] - 1.0
+    return (
+        value / (told[TurnGiven.LONGEST] if kind == TurnMeasure.LONG else told[TurnGiven.LONGEST_WAY])
+        - 1.0
+    )
 
 
 @kernel
 def measured(trial: Trial, kind: int, value: float) -> float:
     """How great what is sought is, in numbers of about 1; of others, what exceeds their limits."""
     told, factor = trial.told, trial.factors[kind]
-    if kind != told[SOUGHT]:
-        return exceeding(trial, kind, value + factor if kind in (APART, BESIDE) else value * factor)
-    scale = told[NARROWEST] if kind == TOTAL else 1.0 if kind == SPEEDS else 1.0 / told[DISC]
+    if kind != told[TurnGiven.SOUGHT]:
+        return exceeding(
+            trial,
+            kind,
+            value + factor if kind in (TurnMeasure.APART, TurnMeasure.BESIDE) else value * factor,
+        )
+    scale = (
+        told[TurnGiven.NARROWEST]
+        if kind == DriveRate.TOTAL
+        else 1.0
+        if kind == DriveRate.SPEEDS
+        else 1.0 / told[TurnGiven.DISC]
+    )
     return factor * value * scale
 
 
@@ -113,29 +173,34 @@ def measured(trial: Trial, kind: int, value: float) -> float:
 def note(trial: Trial, kind: int, one: int, two: int, s: float, value: float) -> None:
     """Note a peak, in the place of the least one if there is no room."""
     peaks, counts, measure = trial.peaks, trial.counts, measured(trial, kind, value)
-    if kind != trial.told[SOUGHT] and not measure > -2.0 * NEAR_GREATEST:
+    if kind != trial.told[TurnGiven.SOUGHT] and not measure > -2.0 * NEAR_GREATEST:
         return
-    n = counts[NOTED]
+    n = counts[TurnCount.NOTED]
     if n < MOST_NOTED:
-        counts[NOTED] += 1
+        counts[TurnCount.NOTED] += 1
     else:
         n = 0
         for m in range(1, MOST_NOTED):
-            if peaks[m, MEASURE] < peaks[n, MEASURE]:
+            if peaks[m, PeakRow.MEASURE] < peaks[n, PeakRow.MEASURE]:
                 n = m
-        if measure <= peaks[n, MEASURE]:
+        if measure <= peaks[n, PeakRow.MEASURE]:
             return
-    peaks[n, KIND], peaks[n, ONE], peaks[n, TWO], peaks[n, PLACE] = kind, one, two, s
-    peaks[n, VALUE], peaks[n, MEASURE] = value, measure
+    peaks[n, PeakRow.KIND], peaks[n, PeakRow.ONE], peaks[n, PeakRow.TWO], peaks[n, PeakRow.PLACE] = (
+        kind,
+        one,
+        two,
+        s,
+    )
+    peaks[n, PeakRow.VALUE], peaks[n, PeakRow.MEASURE] = value, measure
 
 
 @kernel
 def greatest(trial: Trial, sought: bool) -> float:
     """The greatest measure noted: of what is sought, or of what is limited, -1 or more."""
     most = -1.0
-    for n in range(trial.counts[NOTED]):
-        if (trial.peaks[n, KIND] == trial.told[SOUGHT]) == sought:
-            most = max(most, trial.peaks[n, MEASURE])
+    for n in range(trial.counts[TurnCount.NOTED]):
+        if (trial.peaks[n, PeakRow.KIND] == trial.told[TurnGiven.SOUGHT]) == sought:
+            most = max(most, trial.peaks[n, PeakRow.MEASURE])
     return most
 
 
@@ -144,23 +209,23 @@ def keep_greatest(trial: Trial) -> None:
     """Forget peaks that are far less than the greatest, and all but MOST_KEPT."""
     peaks, counts, kept = trial.peaks, trial.counts, 0
     best, worst = greatest(trial, True), max(greatest(trial, False), 0.0)
-    for n in range(counts[NOTED]):
-        sought = peaks[n, KIND] == trial.told[SOUGHT]
+    for n in range(counts[TurnCount.NOTED]):
+        sought = peaks[n, PeakRow.KIND] == trial.told[TurnGiven.SOUGHT]
         near = best * (1.0 - NEAR_GREATEST) if sought else worst - NEAR_GREATEST
-        if peaks[n, MEASURE] >= near:
+        if peaks[n, PeakRow.MEASURE] >= near:
             swap(peaks, kept, n)
             for m in range(kept, 0, -1):
                 if rank(trial, m) > rank(trial, m - 1):
                     swap(peaks, m, m - 1)
             kept += 1
-    counts[NOTED] = min(kept, MOST_KEPT)
+    counts[TurnCount.NOTED] = min(kept, MOST_KEPT)
 
 
 @kernel
 def rank(trial: Trial, n: int) -> float:
     """How worth keeping a peak is: what is sought comes first."""
-    first = MOST_NOTED if trial.peaks[n, KIND] == trial.told[SOUGHT] else 0
-    return first + trial.peaks[n, MEASURE]
+    first = MOST_NOTED if trial.peaks[n, PeakRow.KIND] == trial.told[TurnGiven.SOUGHT] else 0
+    return first + trial.peaks[n, PeakRow.MEASURE]
 
 
 @kernel
@@ -174,13 +239,13 @@ def swap(table: FloatArray, i: int, j: int) -> None:
 def shape_figure(trial: Trial, kind: int, n: int) -> float:
     """How piece n bends, or how long the turn laid is, or the whole way."""
     pieces, length = trial.pieces, 0.0
-    if kind == BEND:
-        return max(abs(pieces[n, families.PIECE_START]), abs(pieces[n, families.PIECE_END]))
-    for m in range(trial.counts[PIECES]):
-        length += pieces[m, families.PIECE_LENGTH]
-    k, disc = trial.told[PITCH] / (2.0 * math.pi), trial.told[DISC]
-    for joint in trial.joints if kind == WAY else trial.joints[:0]:
-        if disc - joint > families.NOTHING:
+    if kind == TurnMeasure.BEND:
+        return max(abs(pieces[n, TurnPiece.START]), abs(pieces[n, TurnPiece.END]))
+    for m in range(trial.counts[TurnCount.PIECES]):
+        length += pieces[m, TurnPiece.LENGTH]
+    k, disc = trial.told[TurnGiven.PITCH] / (2.0 * math.pi), trial.told[TurnGiven.DISC]
+    for joint in trial.joints if kind == TurnMeasure.WAY else trial.joints[:0]:
+        if disc - joint > families.NEGLIGIBLE:
             length += spiral_length(k, disc / k) - spiral_length(k, joint / k)
     return length
 
@@ -189,14 +254,16 @@ def shape_figure(trial: Trial, kind: int, n: int) -> float:
 def lay_trial(trial: Trial, x: FloatArray) -> bool:
     """Lay the turn of these unknowns; whether there is one."""
     told, pieces, links = trial.told, trial.pieces, trial.links
-    trial.counts[ROUTE] = 0
-    ease = told[EASE] if told[EASE] == told[EASE] else x[x.shape[0] - 1]
-    if told[FAMILY] == TWO_ARCS:
-        count, status = two_arcs(told[PITCH], x[0], x[1], math.exp(x[2]), ease, trial.arcs, pieces)
+    trial.counts[TurnCount.ROUTE] = 0
+    ease = told[TurnGiven.EASE] if told[TurnGiven.EASE] == told[TurnGiven.EASE] else x[x.shape[0] - 1]
+    if told[TurnGiven.FAMILY] == ArcFamily.TWO_ARCS:
+        count, status = two_arcs(
+            told[TurnGiven.PITCH], x[0], x[1], math.exp(x[2]), ease, trial.arcs, pieces
+        )
     else:
-        bend, last = (0.0, x[3]) if told[FAMILY] == LINE_BETWEEN else (x[3], x[4])
+        bend, last = (0.0, x[3]) if told[TurnGiven.FAMILY] == ArcFamily.LINE_BETWEEN else (x[3], x[4])
         count, status = three_pieces(
-            told[PITCH], x[0], x[1], x[2], bend, last, ease, trial.arcs, pieces
+            told[TurnGiven.PITCH], x[0], x[1], x[2], bend, last, ease, trial.arcs, pieces
         )
     whole, longest = 0.0, 0.0
     for link in links:
@@ -204,12 +271,12 @@ def lay_trial(trial: Trial, x: FloatArray) -> bool:
     if status != TurnStatus.OK or not pieces_fit(pieces, count, longest):
         return False
     parts = trial.parts[: count + 2]
-    turn_parts(told[PITCH], x[0], x[1], whole + 1.0, 2.0 * whole + 1.0, pieces[:count], parts)
+    turn_parts(told[TurnGiven.PITCH], x[0], x[1], whole + 1.0, 2.0 * whole + 1.0, pieces[:count], parts)
     wanted = row_count(parts)
     if wanted > MOST_ROWS:
         return False
     lay_rows(parts, Pose(0.0, 0.0, 0.0), 1, count + 1, trial.rows[:wanted])
-    trial.counts[ROUTE], trial.counts[PIECES] = wanted, count
+    trial.counts[TurnCount.ROUTE], trial.counts[TurnCount.PIECES] = wanted, count
     trial.joints[0], trial.joints[1] = x[0], x[1]
     return True
 
@@ -219,7 +286,7 @@ def distance_beside(trial: Trial, obstacle: int) -> float:
     """How near the bench in `boxes` is to the boxes of an obstacle, m; minus that on the wrong side."""
     boxes, least = trial.boxes, math.inf
     first, last = trial.border[obstacle], trial.border[obstacle + 1]
-    x, y, around = boxes[0, box.CX], boxes[0, box.CY], half_diagonal(boxes, 0)
+    x, y, around = boxes[0, Box.CX], boxes[0, Box.CY], half_diagonal(boxes, 0)
     for n in range(first, last):
         if centre_distance(trial.standing, n, x, y) - around < least:
             for k in range(box.BOX_COLUMNS):
@@ -237,25 +304,25 @@ def figure_at(trial: Trial, rows: FloatArray, kind: int, one: int, two: int, s: 
     APART of bench -1 is the nearest pair of all, in counts[FIRST] and [SECOND].
     """
     alone = trial.alone
-    if kind >= BEND:
+    if kind >= TurnMeasure.BEND:
         return shape_figure(trial, kind, one)
-    if kind == REACH:
+    if kind == TurnMeasure.REACH:
         j, u, _status = locate(rows, s)
         x, y, _tx, _ty = place(rows, j, u)
         return math.hypot(x, y)
-    first, last = (two, two + 1) if kind == BESIDE else (0, one)
-    if kind == APART:
+    first, last = (two, two + 1) if kind == TurnMeasure.BESIDE else (0, one)
+    if kind == TurnMeasure.APART:
         last = trial.links.shape[0] if one < 0 else two + 1
-    elif kind == TURNING:  # of a bench, not of a handle
+    elif kind == DriveRate.TURNING:  # of a bench, not of a handle
         last = one + 1
     links = trial.links[first:last]
     trial.at[0] = s
-    trial.counts[PLACED] += last - first + 1
+    trial.counts[TurnCount.PLACED] += last - first + 1
     if not place_chain(rows, links, trial.at, 0, 1, alone):
         return HOPELESS
-    if kind in (APART, BESIDE):
+    if kind in (TurnMeasure.APART, TurnMeasure.BESIDE):
         return shortfall(trial, kind, one, two)
-    if kind != SPEEDS:
+    if kind != DriveRate.SPEEDS:
         set_rates(trial, rows, links, alone, 0)
     return known_rate(trial, rows, alone, kind, one, 0)
 
@@ -264,11 +331,13 @@ def figure_at(trial: Trial, rows: FloatArray, kind: int, one: int, two: int, s: 
 def shortfall(trial: Trial, kind: int, one: int, two: int) -> float:
     """How much nearer benches of the chain alone are than nothing, or than obstacles allow, m."""
     x, y, counts = trial.alone.x, trial.alone.y, trial.counts
-    if kind == BESIDE:
+    if kind == TurnMeasure.BESIDE:
         place_box(trial.sizes, two, 0, x, y, 0, trial.boxes, 0)
         return trial.keep[one, 0] - distance_beside(trial, one)
     if one < 0:
-        distance, _time, counts[FIRST], counts[SECOND] = nearest_pair(trial.sizes, x, y)
+        distance, _time, counts[TurnCount.FIRST], counts[TurnCount.SECOND] = nearest_pair(
+            trial.sizes, x, y
+        )
         return -distance
     place_box(trial.sizes, one, one, x, y, 0, trial.boxes, 0)
     place_box(trial.sizes, two, two, x, y, 0, trial.boxes, 1)
@@ -286,7 +355,7 @@ def set_rates(trial: Trial, rows: FloatArray, links: FloatArray, places: Placeme
 @kernel
 def known_rate(trial: Trial, rows: FloatArray, places: Placements, kind: int, i: int, t: int) -> float:
     """A rate of a handle, or of the bench behind it, in slot t, whose changes are known."""
-    if kind == SPEEDS:
+    if kind == DriveRate.SPEEDS:
         return places.ratio[i, t]
     bend = curvature(rows, places.row[i, t], places.u[i, t])
     return value_at(places.ratio[i, t], trial.change[i, t], trial.turn[i, t], bend, 1.0, 0.0, kind)
@@ -295,7 +364,7 @@ def known_rate(trial: Trial, rows: FloatArray, places: Placements, kind: int, i:
 @kernel
 def judges(trial: Trial, kind: int) -> bool:
     """Whether a rate is limited or sought."""
-    return kind == trial.told[SOUGHT] or trial.told[LIMIT + kind] < math.inf
+    return kind == trial.told[TurnGiven.SOUGHT] or trial.told[TurnGiven.LIMIT + kind] < math.inf
 
 
 @kernel
@@ -309,11 +378,11 @@ def look_at_rates(trial: Trial, rows: FloatArray, first: float, last: float, ste
     for n in range(2 * RATES):
         for i in range(handles):
             latest[n, i] = -math.inf
-    for start in range(0, count, SLOTS):
-        stop = min(SLOTS, count - start)
+    for start in range(0, count, LOOK_SLOTS):
+        stop = min(LOOK_SLOTS, count - start)
         for t in range(stop):
             at[t] = first + (last - first) * (start + t) / (count - 1)
-        trial.counts[PLACED] += stop * handles * (JUDGED if curved else 1)
+        trial.counts[TurnCount.PLACED] += stop * handles * (JUDGED if curved else 1)
         if not place_chain(rows, links, at, 0, stop, places):
             return False
         for t in range(stop):
@@ -337,10 +406,10 @@ def note_rates(trial: Trial, rows: FloatArray, t: int, before: float) -> None:
     handles = places.x.shape[0]
     for kind in range(RATES):
         if judges(trial, kind):
-            for i in range(handles - 1 if kind == TURNING else handles):
+            for i in range(handles - 1 if kind == DriveRate.TURNING else handles):
                 value = (
                     places.ratio[i, t]
-                    if kind == SPEEDS
+                    if kind == DriveRate.SPEEDS
                     else known_rate(trial, rows, places, kind, i, t)
                 )
                 if latest[2 * kind, i] >= max(latest[2 * kind + 1, i], value):
@@ -362,8 +431,8 @@ def look_along(
         if value >= max(before, ahead) and value > -math.inf:
             note(trial, kind, i, j, at, value)
         before, value, at, most = value, ahead, s, max(most, ahead)
-        if kind == APART:
-            i, j = trial.counts[FIRST], trial.counts[SECOND]
+        if kind == TurnMeasure.APART:
+            i, j = trial.counts[TurnCount.FIRST], trial.counts[TurnCount.SECOND]
     return most
 
 
@@ -371,12 +440,15 @@ def look_along(
 def narrow(trial: Trial, rows: FloatArray, n: int, half: float, times: int) -> None:
     """Let peak n be the greatest that a golden section finds up to `half` metres from its place."""
     peaks = trial.peaks
-    kind, one, two = int(peaks[n, KIND]), int(peaks[n, ONE]), int(peaks[n, TWO])
-    if kind >= BEND:
+    kind, one, two = int(peaks[n, PeakRow.KIND]), int(peaks[n, PeakRow.ONE]), int(peaks[n, PeakRow.TWO])
+    if kind >= TurnMeasure.BEND:
         half, times = 0.0, 0
-    low, high = peaks[n, PLACE] - half, peaks[n, PLACE] + half
-    if kind == REACH:
-        low, high = max(low, rows[1, S_START]), min(high, rows[rows.shape[0] - 1, S_START])
+    low, high = peaks[n, PeakRow.PLACE] - half, peaks[n, PeakRow.PLACE] + half
+    if kind == TurnMeasure.REACH:
+        low, high = (
+            max(low, rows[1, RouteRow.S_START]),
+            min(high, rows[rows.shape[0] - 1, RouteRow.S_START]),
+        )
     a, b = high - SECTION * (high - low), low + SECTION * (high - low)
     at_a, at_b = figure_at(trial, rows, kind, one, two, a), figure_at(trial, rows, kind, one, two, b)
     for _ in range(times):
@@ -388,10 +460,10 @@ def narrow(trial: Trial, rows: FloatArray, n: int, half: float, times: int) -> N
             low, a, at_a = a, b, at_b
             b = low + SECTION * (high - low)
             at_b = figure_at(trial, rows, kind, one, two, b)
-    if max(at_a, at_b) >= peaks[n, VALUE]:
-        peaks[n, PLACE] = a if at_a >= at_b else b
-    peaks[n, VALUE] = max(at_a, at_b, peaks[n, VALUE])
-    peaks[n, MEASURE] = measured(trial, kind, peaks[n, VALUE])
+    if max(at_a, at_b) >= peaks[n, PeakRow.VALUE]:
+        peaks[n, PeakRow.PLACE] = a if at_a >= at_b else b
+    peaks[n, PeakRow.VALUE] = max(at_a, at_b, peaks[n, PeakRow.VALUE])
+    peaks[n, PeakRow.MEASURE] = measured(trial, kind, peaks[n, PeakRow.VALUE])
 
 
 @kernel
@@ -418,35 +490,50 @@ def measures(links: FloatArray) -> tuple[float, float]:
 @kernel
 def look_apart(trial: Trial, rows: FloatArray) -> float:
     """Note where benches come near one another; minus the least distance that is seen, m."""
-    first, last = rows[1, S_START], rows[rows.shape[0] - 1, S_START]
+    first, last = rows[1, RouteRow.S_START], rows[rows.shape[0] - 1, RouteRow.S_START]
     whole, shortest = measures(trial.links)
-    return look_along(trial, rows, APART, -1, 0, first, last + whole, CLEAR_SHARE * shortest)
+    return look_along(
+        trial, rows, TurnMeasure.APART, -1, 0, first, last + whole, CLEAR_SHARE * shortest
+    )
 
 
 @kernel
 def figures_of(trial: Trial, x: FloatArray, seen: FloatArray) -> None:
     """Fill what the turn of these unknowns comes to as far as it is seen without rates: see KINDS."""
     if lay_trial(trial, x):
-        rows, trial.counts[NOTED], seen[BEND] = trial.rows[: trial.counts[ROUTE]], 0, 0.0
-        first, last = rows[1, S_START], rows[rows.shape[0] - 1, S_START]
-        for n in range(trial.counts[PIECES]):
-            seen[BEND] = max(seen[BEND], shape_figure(trial, BEND, n))
-        seen[LONG], seen[WAY] = shape_figure(trial, LONG, 0), shape_figure(trial, WAY, 0)
-        seen[REACH] = farthest(rows, first, last, families.LOOK)
-        seen[APART] = look_apart(trial, rows)
+        rows, trial.counts[TurnCount.NOTED], seen[TurnMeasure.BEND] = (
+            trial.rows[: trial.counts[TurnCount.ROUTE]],
+            0,
+            0.0,
+        )
+        first, last = rows[1, RouteRow.S_START], rows[rows.shape[0] - 1, RouteRow.S_START]
+        for n in range(trial.counts[TurnCount.PIECES]):
+            seen[TurnMeasure.BEND] = max(
+                seen[TurnMeasure.BEND], shape_figure(trial, TurnMeasure.BEND, n)
+            )
+        seen[TurnMeasure.LONG], seen[TurnMeasure.WAY] = (
+            shape_figure(trial, TurnMeasure.LONG, 0),
+            shape_figure(trial, TurnMeasure.WAY, 0),
+        )
+        seen[TurnMeasure.REACH] = farthest(rows, first, last, families.REACH_LOOK)
+        seen[TurnMeasure.APART] = look_apart(trial, rows)
 
 
 @kernel
 def look_at_distances(trial: Trial, rows: FloatArray) -> None:
     """Note where benches come near one another, and obstacles."""
-    first, last, few = rows[1, S_START], rows[rows.shape[0] - 1, S_START], trial.places.x.shape[0] - 1
+    first, last, few = (
+        rows[1, RouteRow.S_START],
+        rows[rows.shape[0] - 1, RouteRow.S_START],
+        trial.places.x.shape[0] - 1,
+    )
     fore, shortest = measures(trial.links[:few])
     look_apart(trial, rows)
     for obstacle in range(trial.keep.shape[0]):
         for i in range(few):
             if not same_before(trial.sizes, i):
                 step = CLEAR_SHARE * shortest
-                look_along(trial, rows, BESIDE, obstacle, i, first - fore, last, step)
+                look_along(trial, rows, TurnMeasure.BESIDE, obstacle, i, first - fore, last, step)
 
 
 @kernel
@@ -458,20 +545,30 @@ def look(trial: Trial, x: FloatArray, step: float, whole: bool) -> bool:
     """
     if not lay_trial(trial, x):
         return False
-    rows, peaks, trial.counts[NOTED] = trial.rows[: trial.counts[ROUTE]], trial.peaks, 0
-    first, last = rows[1, S_START], rows[rows.shape[0] - 1, S_START]
+    rows, peaks, trial.counts[TurnCount.NOTED] = (
+        trial.rows[: trial.counts[TurnCount.ROUTE]],
+        trial.peaks,
+        0,
+    )
+    first, last = rows[1, RouteRow.S_START], rows[rows.shape[0] - 1, RouteRow.S_START]
     fore, shortest = measures(trial.links[: trial.places.x.shape[0] - 1])
-    for kind in range(BEND, KINDS):
-        for n in range(trial.counts[PIECES] if kind == BEND else 1):
+    for kind in range(TurnMeasure.BEND, TURN_MEASURES):
+        for n in range(trial.counts[TurnCount.PIECES] if kind == TurnMeasure.BEND else 1):
             note(trial, kind, n, 0, first, shape_figure(trial, kind, n))
-    look_along(trial, rows, REACH, 0, 0, first, last, REACH_STEP)
+    look_along(trial, rows, TurnMeasure.REACH, 0, 0, first, last, REACH_STEP)
     if not look_at_rates(trial, rows, first, last + fore, step * shortest):
         return False
     if whole or greatest(trial, False) <= 0.0:
         look_at_distances(trial, rows)
     if whole:
         keep_greatest(trial)
-        for n in range(trial.counts[NOTED]):
-            half = (step if peaks[n, KIND] < RATES else CLEAR_SHARE) * shortest
-            narrow(trial, rows, n, REACH_STEP if peaks[n, KIND] == REACH else half, NARROWED)
+        for n in range(trial.counts[TurnCount.NOTED]):
+            half = (step if peaks[n, PeakRow.KIND] < RATES else CLEAR_SHARE) * shortest
+            narrow(
+                trial,
+                rows,
+                n,
+                REACH_STEP if peaks[n, PeakRow.KIND] == TurnMeasure.REACH else half,
+                NARROWED,
+            )
     return True

@@ -6,36 +6,32 @@ clear to its end, when more room is wanted, or to let others work: it is then ca
 
 from benchdragon.kernels import time_of_impact as steps
 from benchdragon.kernels.arrays import Vector
-from benchdragon.kernels.box_hierarchy import BORDERS, ENTRIES
-from benchdragon.kernels.candidate_pairs import (
-    DONE,
-    LONG_STRIDE,
-    NARROW,
-    SHORT_STRIDE,
-    STEP,
-    WAIT,
-    next_step,
-)
+from benchdragon.kernels.box_hierarchy import BoxCount
+from benchdragon.kernels.candidate_pairs import LONG_STRIDE, SHORT_STRIDE, NextStep, next_step
 from benchdragon.kernels.continuation import UNIT
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import entry, kernel
-from benchdragon.kernels.question import MORE
-from benchdragon.kernels.workspace import (
-    CHAINS,
-    PAIRS,
-    PLACED,
-    STEP_END,
-    STEP_START,
-    SearchProgress,
-    Walk,
-    Workspace,
-)
+from benchdragon.kernels.question import QuestionEnding
+from benchdragon.kernels.time_of_impact import Ending, Goal, Note
+from benchdragon.kernels.workspace import Course, SearchProgress, Walk, WalkTally, Workspace
 
-# How a call ended, besides MORE and the ways of kernels/time_of_impact.py. CLEAR is of the whole walk.
-CROWDED = 9  # likewise, with the room that its counts say
-ASTRAY = 10  # it cannot be shown that all benches follow past SOUND
-# What a call may be after, besides the goals of kernels/time_of_impact.py.
-SEEK = 3
+
+class WalkEnding(Ending):
+    """How a call ended, besides MORE and the ways of kernels/time_of_impact.py.
+
+    CLEAR is of the whole walk.
+    """
+
+    CROWDED = 9  # likewise, with the room that its counts say
+    ASTRAY = 10  # it cannot be shown that all benches follow past SOUND
+
+
+class WalkGoal(Goal):
+    """What a call may be after, besides the goals of kernels/time_of_impact.py."""
+
+    SEEK = 3
+
+
 # Parts narrower than so many units in the last place of the head's position are not halved.
 WIDTH_ROUNDINGS = 4.0
 # Handles placed in one call: some hundredths of a second.
@@ -50,15 +46,15 @@ BOX_WORK, PARTNER_WORK = 64.0, 16.0
 def work_done(room: Workspace, benches: int) -> float:
     """What it took to come to know the route and to place dragons so far, in handles placed."""
     counts = room.ground.counts
-    known = BOX_WORK * counts[BORDERS] + PARTNER_WORK * counts[ENTRIES]
-    return known + float(room.course.tally[CHAINS] * benches)
+    known = BOX_WORK * counts[BoxCount.BORDERS] + PARTNER_WORK * counts[BoxCount.ENTRIES]
+    return known + float(room.course.tally[WalkTally.CHAINS] * benches)
 
 
 @kernel
 def left_end_is_placed(search: steps.Search, course: SearchProgress, chain: steps.Chain) -> bool:
     """Box the members at the left end of the step, if the chain stands there from the step before."""
-    start = course.way[STEP_START]
-    if course.tally[PLACED] < chain.links.shape[0] + 1 or search.at[0] != start:
+    start = course.way[Course.STEP_START]
+    if course.tally[WalkTally.PLACED] < chain.links.shape[0] + 1 or search.at[0] != start:
         return False
     steps.box_slot(chain, search, 0)
     return True
@@ -70,32 +66,32 @@ def search_open_step(
 ) -> int:
     """Search the rest of the step at hand; how that ended, or CROWDED."""
     search, course, meeting = room.search, room.course, room.meeting
-    way, tally, count = course.way, course.tally, course.tally[PAIRS]
+    way, tally, count = course.way, course.tally, course.tally[WalkTally.PAIRS]
     first, second = meeting.first[:count], meeting.second[:count]
     mine, other, members = meeting.mine[:count], meeting.other[:count], meeting.members
     found = steps.number_members(first, second, members, meeting.place, mine, other)
-    handles, start = members[found - 1] + 2, way[STEP_START]
+    handles, start = members[found - 1] + 2, way[Course.STEP_START]
     # As many as in the step before, if not far more: then the left end need not be placed anew.
-    if search.at[0] == start and handles <= tally[PLACED] <= 2 * handles:
-        handles = tally[PLACED]
+    if search.at[0] == start and handles <= tally[WalkTally.PLACED] <= 2 * handles:
+        handles = tally[WalkTally.PLACED]
     if (
         handles > search.handles.shape[0]
         or found > search.sweeps.shape[0]
         or count > search.alive.shape[1]
     ):
-        tally[PLACED] = 0
-        return CROWDED
+        tally[WalkTally.PLACED] = 0
+        return WalkEnding.CROWDED
     benches, aside, links = walk.benches, note[:0], walk.benches.links[: handles - 1]
     seams, still = room.ground.seams, search.boxes[:0]
     chain = steps.Chain(walk.rows, links, aside, benches.sizes, members[:found], still, seams)
     ready = 1 if left_end_is_placed(search, course, chain) else 0
-    top = steps.open_step(search, count, start, way[STEP_END])
-    before, note[steps.PAIR] = note[steps.PAIR], -1.0
+    top = steps.open_step(search, count, start, way[Course.STEP_END])
+    before, note[Note.PAIR] = note[Note.PAIR], -1.0
     ending = steps.bisect(search, goal, chain, steps.Pairs(mine, other), top, ready, limits, note)
-    tally[PLACED] = handles
-    p = int(note[steps.PAIR])
-    note[steps.PAIR] = before if p < 0 else float(first[p] * benches.kind.shape[0] + second[p])
-    way[STEP_START] = way[STEP_END] if ending == steps.CLEAR else note[steps.UPPER]
+    tally[WalkTally.PLACED] = handles
+    p = int(note[Note.PAIR])
+    note[Note.PAIR] = before if p < 0 else float(first[p] * benches.kind.shape[0] + second[p])
+    way[Course.STEP_START] = way[Course.STEP_END] if ending == Ending.CLEAR else note[Note.UPPER]
     return ending
 
 
@@ -110,21 +106,31 @@ def search_walk(
     their number plus the second, from 0; the rest of `note` is that of `search.bisect`. For SEEK each
     step is FOUND in which pairs may come within reach.
     """
-    way, tally, spent = room.course.way, room.course.tally, note[steps.EVALUATIONS]
+    way, tally, spent = room.course.way, room.course.tally, note[Note.EVALUATIONS]
     while True:
-        while goal != SEEK and way[STEP_START] < way[STEP_END] and tally[PAIRS]:
-            placed = (note[steps.EVALUATIONS] - spent) * tally[PLACED]
+        while (
+            goal != WalkGoal.SEEK
+            and way[Course.STEP_START] < way[Course.STEP_END]
+            and tally[WalkTally.PAIRS]
+        ):
+            placed = (note[Note.EVALUATIONS] - spent) * tally[WalkTally.PLACED]
             if placed >= HANDLES_A_CALL:
-                return MORE
-            narrow = max(width, WIDTH_ROUNDINGS * UNIT * way[STEP_END])
+                return QuestionEnding.MORE
+            narrow = max(width, WIDTH_ROUNDINGS * UNIT * way[Course.STEP_END])
             limits = steps.Limits(margin, slack, narrow, most)
             ending = search_open_step(walk, room, goal, limits, note)
-            if ending != steps.CLEAR:
+            if ending != Ending.CLEAR:
                 return ending
-        ending = next_step(walk, room, SHORT_STRIDE if goal == steps.FIRST_TOUCH else LONG_STRIDE)
-        if ending == DONE:
-            return steps.CLEAR
-        if ending != STEP:
-            return MORE if ending == WAIT else CROWDED if ending == NARROW else ASTRAY
-        if goal == SEEK:
-            return steps.FOUND
+        ending = next_step(walk, room, SHORT_STRIDE if goal == Goal.FIRST_TOUCH else LONG_STRIDE)
+        if ending == NextStep.DONE:
+            return Ending.CLEAR
+        if ending != NextStep.STEP:
+            return (
+                QuestionEnding.MORE
+                if ending == NextStep.WAIT
+                else WalkEnding.CROWDED
+                if ending == NextStep.NARROW
+                else WalkEnding.ASTRAY
+            )
+        if goal == WalkGoal.SEEK:
+            return Ending.FOUND

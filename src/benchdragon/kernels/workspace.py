@@ -5,30 +5,42 @@ from typing import NamedTuple
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box_hierarchy import Grids, Hierarchy, Kinds
 from benchdragon.kernels.chain import Placements, march
-from benchdragon.kernels.curve import S_START, FloatArray, length_at
+from benchdragon.kernels.curve import FloatArray, RouteRow, length_at
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
 from benchdragon.kernels.memory import copy_row, copy_table
+from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.time_of_impact import Search
 
-# Where a walk stands, a row of floats: head positions, m.
-AT = 0  # all steps up to here were given
-GOAL = 1  # where the search ends
-UPTO = 2  # the route is known up to here
-KNOWN = 3  # cells name all pairs up to here
-SOUND = 4  # all benches surely follow up to here
-STEP_START = 5  # of the step at hand
-STEP_END = 6
-COURSE = 7
-# What is counted of it, a row of whole numbers.
-SLOT = 0  # the next step of the block
-SLOTS = 1  # steps in it
-BENCHES = 2  # in it
-PAIRS = 3  # of the step at hand
-PLACED = 4  # handles in slot 0 of the search
-CHAINS = 5  # placed in blocks
-TALLY = 6
+
+class Course(Numbered):
+    """Where a walk stands, a row of floats: head positions, m."""
+
+    AT = 0  # all steps up to here were given
+    GOAL = 1  # where the search ends
+    UPTO = 2  # the route is known up to here
+    KNOWN = 3  # cells name all pairs up to here
+    SOUND = 4  # all benches surely follow up to here
+    STEP_START = 5  # of the step at hand
+    STEP_END = 6
+
+
+COURSE = len(Course)
+
+
+class WalkTally(Numbered):
+    """What is counted of it, a row of whole numbers."""
+
+    SLOT = 0  # the next step of the block
+    SLOTS = 1  # steps in it
+    BENCHES = 2  # in it
+    PAIRS = 3  # of the step at hand
+    PLACED = 4  # handles in slot 0 of the search
+    CHAINS = 5  # placed in blocks
+
+
+TALLY = len(WalkTally)
 
 
 class Benches(NamedTuple):
@@ -74,7 +86,7 @@ class HeadSamples(NamedTuple):
 class StepIndex(NamedTuple):
     """All benches at the start of a step, boxed, in a grid."""
 
-    hulls: Table  # (benches, cells.HULL_COLUMNS)
+    hulls: Table  # (benches, HULL_COLUMNS)
     grid: Grid
     found: IntVector
 
@@ -122,6 +134,6 @@ def place_samples(
     for i in range(links.shape[0] + 1):
         for t in range(slots):
             j = places.row[i, t]
-            s[i, t] = rows[j, S_START] + length_at(rows, j, places.u[i, t])
-    tally[CHAINS] += slots
+            s[i, t] = rows[j, RouteRow.S_START] + length_at(rows, j, places.u[i, t])
+    tally[WalkTally.CHAINS] += slots
     return True

@@ -13,7 +13,7 @@ from benchdragon.errors import InputError, finite, positive
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels import route_parts
-from benchdragon.kernels.curve import MOST_METRES, FloatArray
+from benchdragon.kernels.curve import MOST_METRES, FloatArray, RouteRow
 from benchdragon.kernels.route import evaluate
 from benchdragon.kernels.route_parts import Pose
 from benchdragon.model.arrays import as_numbers
@@ -51,7 +51,7 @@ class Curve:
     @property
     def length(self) -> float:
         """Exact length from start to end, m."""
-        return float(self.rows[-1, kernel.S_START] + self.rows[-1, kernel.LENGTH])
+        return float(self.rows[-1, RouteRow.S_START] + self.rows[-1, RouteRow.LENGTH])
 
     @property
     def extension(self) -> float:
@@ -59,7 +59,7 @@ class Curve:
 
         A line runs on straight and an inward spiral runs on outward; a dragon may stand there.
         """
-        return 0.0 if math.isfinite(self.rows[0, kernel.U_BACK]) else math.inf
+        return 0.0 if math.isfinite(self.rows[0, RouteRow.U_BACK]) else math.inf
 
     def point(self, s: npt.ArrayLike) -> FloatArray:
         """Points at arc lengths s (m), of shape s.shape + (2,).

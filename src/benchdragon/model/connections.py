@@ -10,6 +10,7 @@ from benchdragon.errors import InputError, brief, of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels import connections as kernel
 from benchdragon.kernels import route_parts
+from benchdragon.kernels.connections import JoiningWay
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import Point, check_pose
@@ -64,7 +65,7 @@ def _pose(pose: Pose) -> route_parts.Pose:
 def _connection(start: Pose, ways: FloatArray, n: int, radius: float) -> Connection:
     parts = np.empty((kernel.PIECES, route_parts.PART_COLUMNS))
     count = kernel.way_parts(_pose(start), ways, n, radius, parts)
-    hands = ways[n, kernel.HANDS : kernel.HANDS + kernel.PIECES].tolist()
+    hands = ways[n, JoiningWay.HANDS : JoiningWay.HANDS + kernel.PIECES].tolist()
     return Connection("".join(map(LETTERS.__getitem__, hands)), curves_of(parts[:count]))
 
 

@@ -16,7 +16,7 @@ import numpy.typing as npt
 from benchdragon.errors import InputError, brief, finite, not_negative
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import curve as kernel
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow
 from benchdragon.kernels.route_parts import misfits, move_parts, settle_rows
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import (
@@ -49,7 +49,7 @@ class Line(OneCurve):
     """
 
     called: ClassVar[str] = N_("a line")
-    kind: ClassVar[float] = kernel.LINE
+    kind: ClassVar[float] = CurveKind.LINE
 
     length_m: float
     start: Point = (0.0, 0.0)
@@ -80,7 +80,7 @@ class Arc(OneCurve):
     """
 
     called: ClassVar[str] = N_("an arc")
-    kind: ClassVar[float] = kernel.ARC
+    kind: ClassVar[float] = CurveKind.ARC
 
     radius: float
     sweep: float
@@ -125,7 +125,7 @@ class Spiral(OneCurve):
     """
 
     called: ClassVar[str] = N_("a spiral")
-    kind: ClassVar[float] = kernel.SPIRAL
+    kind: ClassVar[float] = CurveKind.SPIRAL
 
     pitch: float
     start_angle: float
@@ -237,7 +237,7 @@ class Clothoid(BentCurve):
     """
 
     called: ClassVar[str] = N_("a clothoid")
-    kind: ClassVar[float] = kernel.CLOTHOID
+    kind: ClassVar[float] = CurveKind.CLOTHOID
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -261,7 +261,7 @@ class LogSpiral(BentCurve):
     """
 
     called: ClassVar[str] = N_("a logarithmic spiral")
-    kind: ClassVar[float] = kernel.LOG_SPIRAL
+    kind: ClassVar[float] = CurveKind.LOG_SPIRAL
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -379,7 +379,9 @@ class Route(Curve):
         """Route positions of the curves' ends, m, (len(curves) + 1,), from 0 to the length."""
         rows = self.rows.tolist()
         others = zip(rows[1:], rows, strict=False)
-        starts = [row[kernel.S_START] for row, last in others if row[kernel.PART] != last[kernel.PART]]
+        starts = [
+            row[RouteRow.S_START] for row, last in others if row[RouteRow.PART] != last[RouteRow.PART]
+        ]
         return np.array([0.0, *starts, self.length])
 
     @property

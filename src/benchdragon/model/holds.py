@@ -13,17 +13,15 @@ import numpy as np
 
 from benchdragon.errors import InputError
 from benchdragon.kernels.holds import (
-    COUNTS,
-    FINE,
     HOLD_COLUMNS,
+    HOLD_COUNTS,
     KNOT_COLUMNS,
-    SHORT,
     STOOD_COLUMNS,
-    TOLD,
     Held,
+    HoldCount,
+    HoldTrouble,
     hold_head,
 )
-from benchdragon.kernels.holds import KNOTS as LAID
 from benchdragon.model.profile import SpeedProfile
 
 Trouble = Literal["overlap", "room", "unreachable", "outside", "over"]
@@ -83,9 +81,9 @@ def with_holds(
     """
     pieces, count = _pieces(profile, start), len(holds)
     asked = [[_or_inf(hold.way), _or_inf(hold.at), hold.seconds] for hold in holds]
-    room, counts = KNOTS * (len(pieces) + count + 1), np.zeros(COUNTS, dtype=np.int64)
-    counts[SHORT] = 1
-    while counts[SHORT]:
+    room, counts = KNOTS * (len(pieces) + count + 1), np.zeros(HOLD_COUNTS, dtype=np.int64)
+    counts[HoldCount.SHORT] = 1
+    while counts[HoldCount.SHORT]:
         held = Held(
             np.array(pieces), np.array(sorted(starts), dtype=np.float64),
             np.array(asked, dtype=np.float64).reshape(-1, HOLD_COLUMNS),
@@ -94,9 +92,9 @@ def with_holds(
         )  # fmt: skip
         trouble = hold_head(held, start, rate)
         room *= 2
-    if trouble != FINE:
-        raise HoldError(int(counts[TOLD]), TROUBLES[trouble - 1])
-    knots = held.knots[: counts[LAID]].tolist()
+    if trouble != HoldTrouble.FINE:
+        raise HoldError(int(counts[HoldCount.TOLD]), TROUBLES[trouble - 1])
+    knots = held.knots[: counts[HoldCount.KNOTS]].tolist()
     stood = [
         Standing(int(number), way, since, until) for number, way, since, until in held.stood.tolist()
     ]

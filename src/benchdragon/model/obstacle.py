@@ -18,17 +18,18 @@ from benchdragon.i18n import _
 from benchdragon.kernels import obstacle as kernel
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
+from benchdragon.kernels.obstacle import ObstacleKind
 from benchdragon.model.arrays import as_numbers, as_table
 from benchdragon.model.base_curve import Point, checked_size
 
 Kind = Literal["circle", "rectangle", "polygon", "line", "venue"]
 # What kinds are to the kernels.
 SORTS = {
-    "circle": kernel.CIRCLE,
-    "rectangle": kernel.BODY,
-    "polygon": kernel.BODY,
-    "line": kernel.LINE,
-    "venue": kernel.VENUE,
+    "circle": ObstacleKind.CIRCLE,
+    "rectangle": ObstacleKind.BODY,
+    "polygon": ObstacleKind.BODY,
+    "line": ObstacleKind.LINE,
+    "venue": ObstacleKind.VENUE,
 }
 # Greatest number of corners of one outline: each is tested for each stretch of the route.
 MOST_CORNERS = 5_000

@@ -14,16 +14,16 @@ import numpy as np
 from benchdragon.errors import InputError, brief, finite, not_negative, positive
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import turn_families
-from benchdragon.kernels.curve import S_START, FloatArray, spiral_length
+from benchdragon.kernels.curve import FloatArray, RouteRow, spiral_length
 from benchdragon.kernels.route_parts import PART_COLUMNS, farthest
 from benchdragon.kernels.status import TurnStatus
 from benchdragon.kernels.turn_families import (
     ARCS,
     LEAD,
     LEAST_THETA,
-    LOOK,
-    MOST_PIECES,
-    NOTHING,
+    MOST_TURN_PIECES,
+    NEGLIGIBLE,
+    REACH_LOOK,
     TRAIL,
     turn_parts,
 )
@@ -177,7 +177,7 @@ class Turn:
         checked_size("radius", radius)
         k, spirals = self.pitch / (2.0 * math.pi), 0.0
         for joint in (self.entry_radius, self.exit_radius):
-            if radius - joint > NOTHING:
+            if radius - joint > NEGLIGIBLE:
                 spirals += spiral_length(k, radius / k) - spiral_length(k, joint / k)
         return spirals + self.length
 
@@ -200,7 +200,9 @@ class Turn:
 
 def reach(rows: FloatArray) -> float:
     """How far a turn reaches from the centre, m, by the rows of its route: see `Turn.rows`."""
-    return farthest(rows, float(rows[1, S_START]), float(rows[-1, S_START]), LOOK)
+    return farthest(
+        rows, float(rows[1, RouteRow.S_START]), float(rows[-1, RouteRow.S_START]), REACH_LOOK
+    )
 
 
 # Why there is no turn.
@@ -230,7 +232,7 @@ def two_arcs(
     """
     joints = _checked_joints(pitch, entry_radius, exit_radius)
     ease = not_negative("ease", ease, "m")
-    arcs, pieces = np.empty((ARCS, 2)), np.empty((MOST_PIECES, 3))
+    arcs, pieces = np.empty((ARCS, 2)), np.empty((MOST_TURN_PIECES, 3))
     count, status = turn_families.two_arcs(*joints, positive("ratio", ratio), ease, arcs, pieces)
     return _made(joints, pieces[:count], status, ease)
 
@@ -261,7 +263,7 @@ def three_pieces(
         raise InputError(_("radii must be a pair, not {value}").format(value=brief(radii)))
     first, last = (positive("radii", radius, "m") for radius in radii)
     bend, ease = finite("bend", bend, "1/m"), not_negative("ease", ease, "m")
-    arcs, pieces = np.empty((ARCS, 2)), np.empty((MOST_PIECES, 3))
+    arcs, pieces = np.empty((ARCS, 2)), np.empty((MOST_TURN_PIECES, 3))
     count, status = turn_families.three_pieces(*joints, first, bend, last, ease, arcs, pieces)
     return _made(joints, pieces[:count], status, ease, (first, last))
 

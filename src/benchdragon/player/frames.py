@@ -20,7 +20,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels import frames as kernel
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.drawn_route import MOST_NODES, draw_stretch
+from benchdragon.kernels.drawn_route import MOST_STRETCH_NODES, draw_stretch
 from benchdragon.kernels.following import LONGEST, STRETCH_COLUMNS, find_edges
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.walk import Walk
@@ -214,7 +214,7 @@ def course(walk: Walk, low: float, high: float) -> Course:
     route = walk.route
     x, y = np.round(route.point(np.array([high]))[0], 3).tolist()
     edges = np.empty(math.ceil((high - low) / LONGEST) + len(route.joints) + 2)
-    nodes, found, worst = np.empty((3, MOST_NODES + 1)), list[Nodes](), 0.0
+    nodes, found, worst = np.empty((3, MOST_STRETCH_NODES + 1)), list[Nodes](), 0.0
     scratch = np.empty(1), empty_placements(2, 1)
     count = find_edges(route.rows, route.joints, np.empty(0), low, high, *scratch, edges)
     stretches, first = np.empty((count - 1, STRETCH_COLUMNS)), 0

@@ -17,7 +17,7 @@ from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.i18n import Words, _, both
 from benchdragon.kernels.bench_nearness import see_near
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.following import FINE, FIRST, NODES, Tables
+from benchdragon.kernels.following import FINE, NodeStretch, Tables
 from benchdragon.kernels.frames import QUANTUM
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
@@ -268,7 +268,10 @@ def _following(found: Following) -> messages.Following:
 
 def _nodes(tables: Tables, stretches: FloatArray) -> npt.NDArray[np.int32]:
     """The nodes of some stretches: ways, then their changes."""
-    first, last = int(stretches[0, FIRST]), int(stretches[-1, FIRST] + stretches[-1, NODES])
+    first, last = (
+        int(stretches[0, NodeStretch.FIRST]),
+        int(stretches[-1, NodeStretch.FIRST] + stretches[-1, NodeStretch.NODES]),
+    )
     return tables.nodes[:, first:last].ravel().astype("<i4")
 
 

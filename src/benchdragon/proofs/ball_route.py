@@ -16,7 +16,7 @@ from flint import acb, arb, arb_poly, ctx
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow
 from benchdragon.proofs import BITS
 
 # Clothoids that turn by more, rad, are integrated: in their series large terms would cancel.
@@ -27,7 +27,7 @@ ctx.prec = BITS
 
 Pair = tuple[arb, arb]
 # The kinds of curves that `Row` encloses.
-ENCLOSED = (kernel.LINE, kernel.ARC, kernel.CLOTHOID, kernel.SPIRAL, kernel.LOG_SPIRAL)
+ENCLOSED = (CurveKind.LINE, CurveKind.ARC, CurveKind.CLOTHOID, CurveKind.SPIRAL, CurveKind.LOG_SPIRAL)
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Row:
 
     def length(self, u: arb) -> arb:
         """Arc length from u = 0 to u, m."""
-        if self.kind != kernel.SPIRAL:
+        if self.kind != CurveKind.SPIRAL:
             return u
         root = (1 + u * u).sqrt()
         return self.p * (u * root + u.asinh()) / 2
@@ -73,11 +73,11 @@ class Row:
 
     def stretch(self, u: arb) -> arb:
         """Metres per unit of the parameter."""
-        return self.p * (1 + u * u).sqrt() if self.kind == kernel.SPIRAL else arb(1)
+        return self.p * (1 + u * u).sqrt() if self.kind == CurveKind.SPIRAL else arb(1)
 
     def pose(self, u: arb) -> tuple[arb, arb, arb, arb]:
         """Point (x, y), m, and unit tangent in the walking direction at parameter u."""
-        if self.kind == kernel.SPIRAL:
+        if self.kind == CurveKind.SPIRAL:
             sine, cosine = (self.angle + self.q * u).sin_cos()
             radius, turn = self.p * u, self.q * u
             scale = self.way / (1 + u * u).sqrt()
@@ -89,24 +89,24 @@ class Row:
 
     def heading(self, u: arb) -> arb:
         """Heading in the walking direction at parameter u, rad, continuous along the row."""
-        if self.kind == kernel.SPIRAL:
+        if self.kind == CurveKind.SPIRAL:
             return self.angle + self.q * (u + u.atan()) + (0 if self.way > 0 else arb.pi())
         return self.angle + self._turn(u)
 
     def _turn(self, u: arb) -> arb:
         """What the heading has turned through at arc length u, rad."""
-        if self.kind == kernel.LOG_SPIRAL and self.q != 0:
+        if self.kind == CurveKind.LOG_SPIRAL and self.q != 0:
             return self.p / self.q * (1 + self.q * u).log()
-        return u * (self.p + self.q * u / 2) if self.kind != kernel.LINE else arb(0)
+        return u * (self.p + self.q * u / 2) if self.kind != CurveKind.LINE else arb(0)
 
     def _chord(self, u: arb, cosine: arb, sine: arb) -> Pair:
         """From the start to arc length u, where the heading's cosine and sine are such, m."""
         start_sine, start_cosine = self.angle.sin_cos()
-        if self.kind == kernel.LINE:
+        if self.kind == CurveKind.LINE:
             return u * start_cosine, u * start_sine
-        if self.kind == kernel.ARC:
+        if self.kind == CurveKind.ARC:
             return (sine - start_sine) / self.p, (start_cosine - cosine) / self.p
-        if self.kind == kernel.LOG_SPIRAL:
+        if self.kind == CurveKind.LOG_SPIRAL:
             grown = 1 + self.q * u
             whole = acb(grown * cosine - start_cosine, grown * sine - start_sine) / acb(self.q, self.p)
             return whole.real, whole.imag
@@ -157,23 +157,23 @@ class Row:
 
     def bend(self, u: arb) -> arb:
         """Curvature at parameter u, 1/m, left positive."""
-        if self.kind == kernel.SPIRAL:
+        if self.kind == CurveKind.SPIRAL:
             square = u * u
             return self.way * self.q * (2 + square) / (self.p * (1 + square) * (1 + square).sqrt())
-        if self.kind == kernel.LOG_SPIRAL:
+        if self.kind == CurveKind.LOG_SPIRAL:
             return self.p / (1 + self.q * u)
-        return self.p + self.q * u if self.kind != kernel.LINE else arb(0)
+        return self.p + self.q * u if self.kind != CurveKind.LINE else arb(0)
 
     def turning(self, u: float) -> float:
         """What the heading turns through from the row's start to u, either way, rad, to rounding."""
         p, q, start = float(self.p), float(self.q), float(self.start)
-        if self.kind == kernel.SPIRAL:
+        if self.kind == CurveKind.SPIRAL:
             return abs(u + math.atan(u) - start - math.atan(start))
-        if self.kind == kernel.LINE:
+        if self.kind == CurveKind.LINE:
             return 0.0
-        if self.kind == kernel.ARC or q == 0.0:
+        if self.kind == CurveKind.ARC or q == 0.0:
             return abs(p * (u - start))
-        if self.kind == kernel.LOG_SPIRAL:
+        if self.kind == CurveKind.LOG_SPIRAL:
             return abs(p / q * math.log((1.0 + q * u) / (1.0 + q * start)))
         changes = -p / q  # where a clothoid's curvature changes its sign
         inside = [changes] if min(start, u) < changes < max(start, u) else []
@@ -206,7 +206,7 @@ class BallRoute:
         Raises:
             InputError: for a kind of curve that is not enclosed here.
         """
-        strange = [kind for kind in rows[:, kernel.KIND].tolist() if kind not in ENCLOSED]
+        strange = [kind for kind in rows[:, RouteRow.KIND].tolist() if kind not in ENCLOSED]
         if strange:
             raise InputError(
                 _("a route with a curve of kind {kind} cannot be proved").format(kind=strange[0])
@@ -220,12 +220,13 @@ def stored_row(rows: FloatArray, j: int) -> Row:
     x, y, angle, p, q, start, end, s = (
         arb(row[column])
         for column in (
-            kernel.X, kernel.Y, kernel.ANGLE, kernel.P, kernel.Q, kernel.U_START, kernel.U_END,
-            kernel.S_START,
+            RouteRow.X, RouteRow.Y, RouteRow.ANGLE, RouteRow.P, RouteRow.Q, RouteRow.U_START,
+            RouteRow.U_END,
+            RouteRow.S_START,
         )
     )  # fmt: skip
-    way, back = int(kernel.walks_up(rows, j)), row[kernel.U_BACK]
-    return Row(row[kernel.KIND], x, y, angle, p, q, start, end, way, back, s, 0.0)
+    way, back = int(kernel.walks_up(rows, j)), row[RouteRow.U_BACK]
+    return Row(row[RouteRow.KIND], x, y, angle, p, q, start, end, way, back, s, 0.0)
 
 
 def _joined(before: Row, row: Row) -> Row:

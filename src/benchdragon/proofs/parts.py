@@ -11,8 +11,7 @@ from fractions import Fraction
 from flint import arb, fmpq
 
 from benchdragon.errors import InputError
-from benchdragon.kernels import curve as kernel
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow
 from benchdragon.proofs.ball_route import BallRoute, Pair, Row, stored_row
 
 # What a stored double stands for: itself, or the shortest decimal that names it.
@@ -76,7 +75,7 @@ def route_of(
         at: and then moved by this, m.
         lead: route position at which the first part ends, m, where it does not begin at 0.
     """
-    numbers = rows[:, kernel.PART].astype(int).tolist()
+    numbers = rows[:, RouteRow.PART].astype(int).tolist()
     made = []
     for j, i in enumerate(numbers):
         made.append(_row(parts[i], rows, j, j - numbers.index(i), numbers.count(i)))
@@ -89,14 +88,14 @@ def route_of(
 def _row(part: Part, rows: FloatArray, j: int, n: int, count: int) -> Row:
     """Row number j, the n-th of `count` of its part."""
     row, size, first, last = stored_row(rows, j), part.size, part.first, part.last
-    if row.kind == kernel.SPIRAL:
+    if row.kind == CurveKind.SPIRAL:
         return replace(row, p=size / (2 * arb.pi()), start=first, end=last)
-    if row.kind == kernel.ARC:
+    if row.kind == CurveKind.ARC:
         return replace(row, p=(1 if first > 0 else -1) / size, end=size * abs(first))
-    if row.kind == kernel.CLOTHOID:
+    if row.kind == CurveKind.CLOTHOID:
         change, length = (last - first) / size, size / count
         return replace(row, p=first + change * length * n, q=change, end=length)
-    if row.kind == kernel.LOG_SPIRAL:
+    if row.kind == CurveKind.LOG_SPIRAL:
         return replace(row, p=first, q=(first - last) / last / size, end=size)
     return replace(row, end=size)
 

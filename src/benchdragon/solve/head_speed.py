@@ -23,6 +23,7 @@ from benchdragon.errors import InputError, UnsureError, of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels import head_speed
 from benchdragon.kernels import speed_question as kernel
+from benchdragon.kernels.speed_question import SpeedEnding
 from benchdragon.model.answer import Answer
 from benchdragon.model.profile import MOST_SPEED, SpeedProfile
 from benchdragon.model.walk import Walk
@@ -181,11 +182,11 @@ def _fastest(
 ) -> tuple[list[float], list[float]]:
     """Times, s, and the greatest speeds then, m/s, between which limits are kept too."""
     link, handles = min(walk.dragon.links.tolist()), len(walk.dragon) + 1
-    steps = max(1, math.ceil(min((last - first) / (kernel.STEP * link), MOST_KNOTS - 1)))
+    steps = max(1, math.ceil(min((last - first) / (kernel.FIRST_CHAIN_STEP * link), MOST_KNOTS - 1)))
     budget.expect(kernel.BOUNDED * steps * FINER * handles)
     given = {**_limits_of(plan), "head": plan.limits.head_acceleration}
     limits = [(1.0 - PRUDENCE) * given.get(name, math.inf) for name in (*QUANTITIES, "head")]
-    most, table = np.empty(steps), np.empty((steps, head_speed.NODES, 2))
+    most, table = np.empty(steps), np.empty((steps, head_speed.SPEED_NODES, 2))
     at = np.linspace(first, last, steps * FINER + 1)
     per = max(1, AT_ONCE // (handles * FINER))
     with PeakQuestion(walk, EVEN.stretches(first, last)) as question:
@@ -193,7 +194,7 @@ def _fastest(
             end = min(n + per, steps)
             budget.spend(kernel.BOUNDED * (end - n) * FINER * handles)
             square = plan.walk.speed**2
-            if question.bound(at, n, end, square, np.array(limits), most, table) == kernel.FALLEN:
+            if question.bound(at, n, end, square, np.array(limits), most, table) == SpeedEnding.FALLEN:
                 raise failure_within(walk, first, last)
             progress(end / steps, _("other limits"))
             question.rest()

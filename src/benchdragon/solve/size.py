@@ -27,9 +27,9 @@ from benchdragon.analysis.proof import (
 )
 from benchdragon.errors import InputError, UnsureError, not_negative, of_kind
 from benchdragon.i18n import _
-from benchdragon.kernels.size_bracket import BAD, FAILS, GOOD, PASSES, UNDECIDED, VALUE
+from benchdragon.kernels.size_bracket import Bracket, SizeVerdict
 from benchdragon.kernels.size_question import FAR
-from benchdragon.kernels.size_search import EXHAUSTED, INFEASIBLE, UNLIMITED
+from benchdragon.kernels.size_search import SizeStep
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
@@ -150,15 +150,17 @@ def _clear(family: PlanFamily, size: float, progress: Progress) -> list[Claim]:
 
 def _limit_answer(family: PlanFamily, search: SizeQuestion, ending: int, began: float) -> Answer:
     """The answer of a search for a limit, by its exit status."""
-    good, bad, value = (float(search.state[column]) for column in (GOOD, BAD, VALUE))
+    good, bad, value = (
+        float(search.state[column]) for column in (Bracket.GOOD, Bracket.BAD, Bracket.VALUE)
+    )
     texts, evaluations = _assumed(family, search.doubts), search.evaluations
     seconds = clock.perf_counter() - began
-    if ending == INFEASIBLE:
+    if ending == SizeStep.INFEASIBLE:
         none: Status = "undecided" if search.doubts else "infeasible"
         return Answer(math.nan, -math.inf, math.inf, "m", none, None, texts, evaluations, seconds)
-    unsure = ending == EXHAUSTED or search.in_doubt
-    bad = bad if ending == UNLIMITED else search.surely_bad(good, bad)
-    status: Status = "undecided" if unsure else "unlimited" if ending == UNLIMITED else "found"
+    unsure = ending == SizeStep.EXHAUSTED or search.in_doubt
+    bad = bad if ending == SizeStep.UNLIMITED else search.surely_bad(good, bad)
+    status: Status = "undecided" if unsure else "unlimited" if ending == SizeStep.UNLIMITED else "found"
     lower, upper = sorted((good, bad))
     witness = _witness(family, search, bad)
     value = min(max(value, lower), upper)
@@ -267,7 +269,7 @@ def feasible_sizes(
         for n, size in enumerate(np.linspace(low, high, count).tolist()):
             progress(n / count, f"{size:.9g} m")
             trials.append((size, search.trial(size)))
-        undecided = tuple(size for size, result in trials if result == UNDECIDED)
+        undecided = tuple(size for size, result in trials if result == SizeVerdict.UNDECIDED)
         return FeasibleSizes(tuple(_spans(search, trials)), (high - low) / (count - 1), undecided)
 
 
@@ -288,7 +290,9 @@ def _check_range(low: float, high: float, count: int) -> None:
 
 def _spans(search: SizeQuestion, trials: Sequence[tuple[float, int]]) -> Iterator[Span]:
     """Runs of sizes that pass, and how far beyond their ends sizes still do."""
-    for passes, run in itertools.groupby(range(len(trials)), key=lambda n: trials[n][1] == PASSES):
+    for passes, run in itertools.groupby(
+        range(len(trials)), key=lambda n: trials[n][1] == SizeVerdict.PASSES
+    ):
         if passes:
             members = list(run)
             edges = _edge(search, trials, members[0], -1), _edge(search, trials, members[-1], 1)
@@ -300,7 +304,7 @@ def _edge(
     search: SizeQuestion, trials: Sequence[tuple[float, int]], n: int, side: int
 ) -> tuple[float, bool]:
     """How far sizes are safe to one side of trial n, which passes; whether a walk fails just beyond."""
-    if not 0 <= n + side < len(trials) or trials[n + side][1] != FAILS:
+    if not 0 <= n + side < len(trials) or trials[n + side][1] != SizeVerdict.FAILS:
         return trials[n][0], False
     return search.border(trials[n][0], trials[n + side][0])
 

@@ -13,8 +13,9 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import family as sizes_of
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
+from benchdragon.kernels.family import PlanNumber, RouteKind, TurnKind, Varied
 from benchdragon.kernels.route_parts import PART_COLUMNS
-from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
+from benchdragon.kernels.turn_families import ARCS, MOST_TURN_PIECES
 from benchdragon.kernels.workspace import Benches
 from benchdragon.kernels.workspace import Walk as KernelWalk
 from benchdragon.model.answer import Witness
@@ -56,15 +57,15 @@ class Question:
 QUESTIONS = {
     question.name: question
     for question in (
-        Question("pitch", ("route.pitch",), 1.0, N_("smallest pitch"), sizes_of.PITCH),
-        Question("disc", ("disc.radius",), 1.0, N_("smallest disc radius"), sizes_of.DISC),
-        Question("width", ("dragon.width",), -1.0, N_("widest bench"), sizes_of.WIDTH),
+        Question("pitch", ("route.pitch",), 1.0, N_("smallest pitch"), Varied.PITCH),
+        Question("disc", ("disc.radius",), 1.0, N_("smallest disc radius"), Varied.DISC),
+        Question("width", ("dragon.width",), -1.0, N_("widest bench"), Varied.WIDTH),
         Question(
             "length",
             ("dragon.body_length", "dragon.tail_length"),
             -1.0,
             N_("longest bench"),
-            sizes_of.BENCH,
+            Varied.BENCH,
         ),
     )
 }
@@ -189,43 +190,43 @@ def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
     route, turn, walk = plan.route, plan.turn, plan.walk
     begin_way, end_way, most_way = plan.ways()
     pitch, disc = math.nan, _or_nan(plan.disc.radius)
-    kind, start, clockwise = sizes_of.FIXED, math.nan, True
+    kind, start, clockwise = RouteKind.FIXED, math.nan, True
     if isinstance(route, SpiralInRoute):
-        kind, pitch, start = sizes_of.SPIRAL_IN, route.pitch, route.start_turn
+        kind, pitch, start = RouteKind.SPIRAL_IN, route.pitch, route.start_turn
         clockwise = route.clockwise
     elif isinstance(route, TurnRoute):
-        kind, pitch, disc = sizes_of.TURN, route.pitch, TurnRoute.disc(plan)
+        kind, pitch, disc = RouteKind.TURN, route.pitch, TurnRoute.disc(plan)
     radii = turn.radii or (math.nan, math.nan)
     numbers = {
-        sizes_of.WHAT: question.what,
-        sizes_of.ROUTE: kind,
-        sizes_of.PITCH_SIZE: pitch,
-        sizes_of.DISC_RADIUS: disc,
-        sizes_of.START_TURN: start,
-        sizes_of.HANDED: 1.0 if clockwise else -1.0,
-        sizes_of.TURN_FAMILY: sizes_of.ARC_ARC if turn.family == "arc-arc" else sizes_of.THREE_PIECES,
-        sizes_of.ENTRY_RADIUS: _or_nan(turn.entry_radius),
-        sizes_of.EXIT_RADIUS: _or_nan(turn.exit_radius),
-        sizes_of.RATIO: turn.ratio,
-        sizes_of.FIRST_RADIUS: radii[0],
-        sizes_of.LAST_RADIUS: radii[1],
-        sizes_of.BEND: turn.curvature if turn.family == "arc-arc-arc" else 0.0,
-        sizes_of.EASE: turn.ease,
-        sizes_of.POSITION: _or_nan(walk.position),
-        sizes_of.BEGIN_WAY: begin_way,
-        sizes_of.END_WAY: end_way,
-        sizes_of.MOST_WAY: most_way,
-        sizes_of.LEAST_SIZE: LEAST_PITCH if question.what == sizes_of.PITCH else LEAST,
-        sizes_of.MOST_SIZE: _most_size(plan, question),
-        sizes_of.ROOMY: ROOMY,
-        sizes_of.FITS: FITS,
+        PlanNumber.WHAT: question.what,
+        PlanNumber.ROUTE: kind,
+        PlanNumber.PITCH_SIZE: pitch,
+        PlanNumber.DISC_RADIUS: disc,
+        PlanNumber.START_TURN: start,
+        PlanNumber.HANDED: 1.0 if clockwise else -1.0,
+        PlanNumber.TURN_FAMILY: TurnKind.ARC_ARC if turn.family == "arc-arc" else TurnKind.THREE_PIECES,
+        PlanNumber.ENTRY_RADIUS: _or_nan(turn.entry_radius),
+        PlanNumber.EXIT_RADIUS: _or_nan(turn.exit_radius),
+        PlanNumber.RATIO: turn.ratio,
+        PlanNumber.FIRST_RADIUS: radii[0],
+        PlanNumber.LAST_RADIUS: radii[1],
+        PlanNumber.BEND: turn.curvature if turn.family == "arc-arc-arc" else 0.0,
+        PlanNumber.EASE: turn.ease,
+        PlanNumber.POSITION: _or_nan(walk.position),
+        PlanNumber.BEGIN_WAY: begin_way,
+        PlanNumber.END_WAY: end_way,
+        PlanNumber.MOST_WAY: most_way,
+        PlanNumber.LEAST_SIZE: LEAST_PITCH if question.what == Varied.PITCH else LEAST,
+        PlanNumber.MOST_SIZE: _most_size(plan, question),
+        PlanNumber.ROOMY: ROOMY,
+        PlanNumber.FITS: FITS,
     }
     return in_columns(numbers)
 
 
 def _most_size(plan: Plan, question: Question) -> float:
     """The greatest size that a plan may have, m: longer benches cannot follow its formations."""
-    if question.what != sizes_of.BENCH:
+    if question.what != Varied.BENCH:
         return MOST_METRES
     insets = plan.dragon.front_inset + plan.dragon.rear_inset
     return min(MOST_METRES, plan.route.links_below() + insets - TOLERANCE)
@@ -247,7 +248,7 @@ def kernel_family(family: PlanFamily, walk: Walk) -> tuple[sizes_of.Family, Kern
     kind, kinds = kinds_of(np.array(marked))
     own = Benches(benches.links, benches.sizes, kind, benches.ahead, benches.lever)
     made = sizes_of.Family(
-        kernel_numbers(family.plan, family.question), np.empty((MOST_PIECES + 2, PART_COLUMNS)),
-        np.empty((ARCS, 2)), np.empty((MOST_PIECES, 3)), sizes, np.array(share),
+        kernel_numbers(family.plan, family.question), np.empty((MOST_TURN_PIECES + 2, PART_COLUMNS)),
+        np.empty((ARCS, 2)), np.empty((MOST_TURN_PIECES, 3)), sizes, np.array(share),
     )  # fmt: skip
     return made, KernelWalk(walk.route.rows, own, kinds)

@@ -26,8 +26,8 @@ from benchdragon.errors import (
 )
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import binomial
-from benchdragon.kernels import random_dance_memory as told
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.random_dance_memory import DanceGiven, DanceSought
 from benchdragon.kernels.random_numbers import draw_benches, draw_normals
 from benchdragon.model.dragon import Dragon
 from benchdragon.parallel import Lost, Place, in_blocks, place_of, threads
@@ -122,8 +122,9 @@ class Draw:
     def ask(self, plan: Plan, what: int, guess: float = math.nan) -> float:
         """What kernels/random_dance_question.py answers about this dance of a plan: see `answered`."""
         limits = {
-            told.WHAT: what, told.GUESS: guess, told.SEED: self.seed, told.DANCE: self.number,
-            **dict(enumerate(self._by, told.BY)),
+            DanceGiven.WHAT: what, DanceGiven.GUESS: guess, DanceGiven.SEED: self.seed,
+            DanceGiven.DANCE: self.number,
+            **dict(enumerate(self._by, DanceGiven.BY)),
         }  # fmt: skip
         return answered(plan, limits)
 
@@ -135,7 +136,7 @@ def touches(plan: Plan, draw: Draw) -> bool:
     No contact is missed; a pair within 1e-7 m of the margin counts.
     """
     try:
-        return draw.ask(plan, told.TOUCHES) > 0.0
+        return draw.ask(plan, DanceSought.TOUCHES) > 0.0
     except WalkError:
         return True
 
@@ -150,7 +151,7 @@ def needed_pitch(plan: Plan, draw: Draw, guess: float) -> float:
     Raises:
         UnsureError: where none is found near the guess.
     """
-    return draw.ask(plan.with_value("route.pitch", guess), told.NEEDED, guess)
+    return draw.ask(plan.with_value("route.pitch", guess), DanceSought.NEEDED, guess)
 
 
 def chance(hits: int, count: int, confidence: float = CONFIDENCE) -> tuple[float, float, float]:

@@ -17,7 +17,7 @@ from benchdragon.analysis.obstacles import least_distance
 from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_of
 from benchdragon.errors import InputError, NoSolutionError, of_kind, positive
 from benchdragon.i18n import _
-from benchdragon.kernels.turn_trial import APART, BESIDE
+from benchdragon.kernels.turn_trial import TurnMeasure
 from benchdragon.model.answer import Answer
 from benchdragon.model.turns import Turn
 from benchdragon.plans.schema import Plan
@@ -169,14 +169,14 @@ def _exact_figures(
         exact[quantity.kind] = greatest_of(walk, quantity, first, last, tolerance=RATE).upper
     start, end = walk.time_at(first), walk.time_at(last)
     # How far to look for the least clearance, m: somewhat farther than what was seen.
-    within = max(-1.2 * seen[APART], plan.limits.margin, 0.05)
+    within = max(-1.2 * seen[TurnMeasure.APART], plan.limits.margin, 0.05)
     clearance = least_clearance(walk, start, end, within=within, tolerances=(DISTANCE,))
-    exact[APART] = -_sure(clearance)
+    exact[TurnMeasure.APART] = -_sure(clearance)
     lacking: list[float] = []
     for obstacle in plan.obstacles():
         distance = least_distance(walk, obstacle, start, end, tolerances=(DISTANCE,))
         lacking.append(obstacle.margin - _sure(distance))
-    exact[BESIDE] = max(lacking, default=math.nan)
+    exact[TurnMeasure.BESIDE] = max(lacking, default=math.nan)
     return exact, clearance
 
 

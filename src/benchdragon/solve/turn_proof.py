@@ -20,7 +20,7 @@ from benchdragon.errors import InputError, positive
 from benchdragon.i18n import _
 from benchdragon.kernels import motion_bounds
 from benchdragon.kernels.chain import empty_placements
-from benchdragon.kernels.curve import S_START, FloatArray
+from benchdragon.kernels.curve import FloatArray, RouteRow
 from benchdragon.kernels.turn_trial import FEW
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.schema import Plan
@@ -246,7 +246,7 @@ class _Search:
         except InputError:
             return
         rows = turn.rows(lead=1.0, trail=1000.0)
-        start = float(rows[1, S_START])
+        start = float(rows[1, RouteRow.S_START])
         for s, handle in _fast(rows, self.family.dragon.links[:FEW], self._slow()):
             ends = (True, s - start - turn.length, handle), (False, s - start, handle)
             for end in ends if s - start > 0.5 * turn.length else reversed(ends):
@@ -262,7 +262,7 @@ def _fast(rows: FloatArray, links: FloatArray, slow: float) -> list[tuple[float,
 
     One for each of PEAKS peaks: the first handle that comes near it.
     """
-    first, last = float(rows[1, S_START]), float(rows[-1, S_START] + links.sum())
+    first, last = float(rows[1, RouteRow.S_START]), float(rows[-1, RouteRow.S_START] + links.sum())
     at, found = np.linspace(first, last, SAMPLES), []
     ratios = _ratios(rows, links, at)
     if ratios is None:

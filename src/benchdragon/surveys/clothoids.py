@@ -6,7 +6,7 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import fitting as kernel
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.fitting import ROUNDING, STEPS
+from benchdragon.kernels.fitting import CLOTHOID_ROUNDING, CURVE_STEPS
 from benchdragon.kernels.route_parts import PART_COLUMNS
 from benchdragon.kernels.status import FitStatus
 from benchdragon.model.curves import AnyCurve, curves_of
@@ -52,7 +52,7 @@ def bound_between(one: AnyCurve, other: AnyCurve) -> float:
     quadratic. Between two places the difference keeps within an eighth of that times their distance
     squared of a straight line between them.
     """
-    shares = np.linspace(0.0, 1.0, STEPS + 1)
+    shares = np.linspace(0.0, 1.0, CURVE_STEPS + 1)
     apart = one.point(shares * one.length) - other.point(shares * other.length)
     ends = np.array([0.0, 0.5, 1.0])
     a, b = (one.length**2 * one.curvature(ends * one.length),
@@ -60,5 +60,5 @@ def bound_between(one: AnyCurve, other: AnyCurve) -> float:
     angle = np.abs(folded(one.heading(ends * one.length) - other.heading(ends * other.length)))
     skew = float(angle.max() + 0.5 * abs(angle[0] + angle[2]) + angle[1])
     second = float(np.abs(a - b).max() + np.abs(b).max() * skew)
-    rounding = ROUNDING * (one.length + other.length)
-    return float(np.hypot(apart[:, 0], apart[:, 1]).max()) + 0.125 * second / STEPS**2 + rounding
+    rounding = CLOTHOID_ROUNDING * (one.length + other.length)
+    return float(np.hypot(apart[:, 0], apart[:, 1]).max()) + 0.125 * second / CURVE_STEPS**2 + rounding

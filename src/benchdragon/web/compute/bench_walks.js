@@ -23,8 +23,8 @@ export async function _seen(walk, line, times, progress) {
   const [arena, { benches, lever }] = [here(), walk.dragon];
   /** @type {Known} */
   const known = {
-    pieces: arena.array("d", benches, BENCH_WALKS.PIECE_COLUMNS),
-    benches: arena.full([benches, BENCH_WALKS.BENCH_COLUMNS], 0),
+    pieces: arena.array("d", benches, BENCH_WALKS.PACE_PIECE_COLUMNS),
+    benches: arena.full([benches, BENCH_WALKS.BENCH_ROW_COLUMNS], 0),
     tally: arena.whole([0]),
     at: arena.array("d", SPIRAL.LANES),
     places: arena.placements(benches + 1, SPIRAL.LANES),
@@ -41,7 +41,7 @@ export async function _seen(walk, line, times, progress) {
       makeRoom(arena, known, passed);
       const [sound] = py.entry(
         "bd_bench_walks_look_at_benches", line, seen, first, BENCH_NEARNESS.REACH,
-        BENCH_NEARNESS.STRAIGHT, lever, known,
+        BENCH_NEARNESS.OTHER_COIL, lever, known,
       ); // prettier-ignore
       if (!sound) walk.placement(own, [doubles(known.at)[0]]); // throws
     });
@@ -56,8 +56,8 @@ function makeRoom(arena, known, more) {
   const { pieces, benches, tally } = known;
   const room = Math.max(wholes(tally)[0], benches.shape[0]) + more;
   if (room <= pieces.shape[0]) return;
-  hold(8 * room * BENCH_WALKS.PIECE_COLUMNS);
-  known.pieces = arena.array("d", room, BENCH_WALKS.PIECE_COLUMNS);
+  hold(8 * room * BENCH_WALKS.PACE_PIECE_COLUMNS);
+  known.pieces = arena.array("d", room, BENCH_WALKS.PACE_PIECE_COLUMNS);
   doubles(known.pieces).set(doubles(pieces));
   arena.drop(pieces);
 }

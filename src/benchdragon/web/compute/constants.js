@@ -1,41 +1,46 @@
 // Numbers of the kernels and of modules that have twins here. Made by tools/make_constants.py;
 // to make it again: make generate
 
-export const BENCH_NEARNESS = {
-  REACH: 1.5,
-  STRAIGHT: 3,
-  TIGHTEST_COLUMNS: 9,
-  NEAR: 0,
-  WHEN: 1,
-  NUMBER: 2,
-  NEAR_COLUMNS: 3,
+export const BENCH_NEARNESS = { REACH: 1.5, OTHER_COIL: 3, TIGHTEST_COLUMNS: 9, NEAR_COLUMNS: 3 };
+
+export const Neighbour = { NEAR: 0, WHEN: 1, NUMBER: 2 };
+
+export const BENCH_WALKS = { PACE_PIECE_COLUMNS: 9, BENCH_ROW_COLUMNS: 7 };
+
+export const BOX = { BOX_COLUMNS: 6, LONGEST_BENCH: 10000, SHORTEST_LINK: 0.001 };
+
+export const Box = { CX: 0, CY: 1, UX: 2, UY: 3, HALF_LENGTH: 4, HALF_WIDTH: 5 };
+
+export const CURVE = { COLUMNS: 14, MOST_METRES: 100000000 };
+
+export const RouteRow = {
+  KIND: 0,
+  PART: 1,
+  S_START: 2,
+  LENGTH: 3,
+  U_START: 4,
+  U_END: 5,
+  U_BACK: 6,
+  X: 7,
+  Y: 8,
+  ANGLE: 9,
+  P: 10,
+  Q: 11,
+  AXIS_X: 12,
+  AXIS_Y: 13,
 };
 
-export const BENCH_WALKS = { PIECE_COLUMNS: 9, BENCH_COLUMNS: 7 };
-
-export const BOX = {
-  CX: 0,
-  CY: 1,
-  UX: 2,
-  UY: 3,
-  HALF_LENGTH: 4,
-  HALF_WIDTH: 5,
-  BOX_COLUMNS: 6,
-  LONGEST_BENCH: 10000,
-  SHORTEST_LINK: 0.001,
-};
-
-export const CURVE = { S_START: 2, LENGTH: 3, U_BACK: 6, COLUMNS: 14, MOST_METRES: 100000000 };
-
-export const DRAWN_ROUTE = { STRETCH_ERROR: 2e-5, MOST_NODES: 4097 };
+export const DRAWN_ROUTE = { STRETCH_ERROR: 2e-5, MOST_STRETCH_NODES: 4097 };
 
 export const FOLLOWING = { FINE: 1e-9, LONGEST: 20, MOST_NODES: 4096, STRETCH_COLUMNS: 4 };
 
 export const FRAMES = { QUANTUM: 0.0001, SLOTS: 32 };
 
-export const OBSTACLE = { CIRCLE: 0, BODY: 1, LINE: 2, VENUE: 3 };
+export const ObstacleKind = { CIRCLE: 0, BODY: 1, LINE: 2, VENUE: 3 };
 
-export const QUESTION = { SPENT: 0, WANTED: 1, OVER_MEMORY: 20, OUT_OF_MEMORY: 21, CLOSED: 22 };
+export const Told = { SPENT: 0, WANTED: 1 };
+
+export const QuestionEnding = { MORE: 8, OVER_MEMORY: 20, OUT_OF_MEMORY: 21, CLOSED: 22 };
 
 export const ROUTE = { END_SLACK: 1e-9 };
 

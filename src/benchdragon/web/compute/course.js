@@ -7,7 +7,7 @@ import { rounded } from "./numbers.js";
 
 /** @typedef {import("../made/curves.js").Route} Route */
 
-const { MOST_NODES } = DRAWN_ROUTE;
+const MOST_NODES = DRAWN_ROUTE.MOST_STRETCH_NODES;
 
 /**
  * The route from position low to high, m, in cubics within STRETCH_ERROR; x of all nodes first.

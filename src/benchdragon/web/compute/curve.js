@@ -4,7 +4,7 @@ import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
 import { arena } from "./arena.js";
 import { entry, zeros } from "./arrays.js";
-import { CURVE } from "./constants.js";
+import { CURVE, RouteRow } from "./constants.js";
 import { InputError } from "./errors.js";
 import { general } from "./number_format.js";
 
@@ -38,12 +38,12 @@ export class Curve {
   get length() {
     const view = doubles(this.rows);
     const last = view.length - CURVE.COLUMNS;
-    return view[last + CURVE.S_START] + view[last + CURVE.LENGTH];
+    return view[last + RouteRow.S_START] + view[last + RouteRow.LENGTH];
   }
 
   /** How far it runs on behind its start, m: 0 or infinite. */
   get extension() {
-    return Number.isFinite(doubles(this.rows)[CURVE.U_BACK]) ? 0 : Infinity;
+    return Number.isFinite(doubles(this.rows)[RouteRow.U_BACK]) ? 0 : Infinity;
   }
 
   /** Point and heading of the start. @returns {[[number, number], number]} */

@@ -3,7 +3,7 @@
 
 import { NoMemory } from "../engine.js";
 import { hold, left, spend } from "./budget.js";
-import { QUESTION } from "./constants.js";
+import { QuestionEnding, Told } from "./constants.js";
 import { py } from "./python.js";
 import { tick } from "./tick.js";
 
@@ -46,11 +46,11 @@ export class EngineQuestion {
   async step(...said) {
     const ending = this.entries.step(this._handle, left(), ...said);
     this.entries.read(this._handle, ...this.arrays);
-    if (ending === QUESTION.CLOSED) throw new TypeError("this question was closed");
-    const [spent, wanted] = this.tell(QUESTION.SPENT, QUESTION.WANTED);
+    if (ending === QuestionEnding.CLOSED) throw new TypeError("this question was closed");
+    const [spent, wanted] = this.tell(Told.SPENT, Told.WANTED);
     spend(spent);
-    if (ending === QUESTION.OVER_MEMORY) hold(wanted);
-    if (ending === QUESTION.OVER_MEMORY || ending === QUESTION.OUT_OF_MEMORY)
+    if (ending === QuestionEnding.OVER_MEMORY) hold(wanted);
+    if (ending === QuestionEnding.OVER_MEMORY || ending === QuestionEnding.OUT_OF_MEMORY)
       throw new NoMemory("no memory for the tables of a question");
     await tick();
     return ending;

@@ -2,7 +2,7 @@
 // player/scene.py is.
 
 import { copied, withArena } from "./arena.js";
-import { BENCH_NEARNESS, FRAMES, PLAYER_SCENE } from "./constants.js";
+import { BENCH_NEARNESS, FRAMES, Neighbour, PLAYER_SCENE } from "./constants.js";
 import { linspace, rounded } from "./numbers.js";
 import { tick } from "./tick.js";
 
@@ -12,7 +12,8 @@ import { tick } from "./tick.js";
 /** @typedef {import("../messages").Tightness} Tightness */
 
 const { REACH } = PLAYER_SCENE;
-const { NEAR, WHEN, NUMBER, NEAR_COLUMNS } = BENCH_NEARNESS;
+const { NEAR, WHEN, NUMBER } = Neighbour;
+const { NEAR_COLUMNS } = BENCH_NEARNESS;
 // Times of one slice: after each the page is heard.
 const NEAR_TIMES = 64;
 

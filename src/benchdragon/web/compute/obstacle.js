@@ -1,7 +1,7 @@
 // What stands on the square, as kernels see it; and which sides of an outline meet.
 
 import { arena as here, wholes } from "./arena.js";
-import { BOX, OBSTACLE } from "./constants.js";
+import { BOX, ObstacleKind } from "./constants.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./arena.js").Arena} Arena */
@@ -20,7 +20,7 @@ export class Standing {
 
   /** What its kind is to the kernels. */
   get sort() {
-    const { CIRCLE, BODY, LINE, VENUE } = OBSTACLE;
+    const { CIRCLE, BODY, LINE, VENUE } = ObstacleKind;
     return { circle: CIRCLE, rectangle: BODY, polygon: BODY, line: LINE, venue: VENUE }[this.kind];
   }
 

@@ -3,7 +3,7 @@
 
 import { nearestBoxes } from "../made/obstacle_distance.js";
 import { doubles, withArena, within } from "./arena.js";
-import { BOX } from "./constants.js";
+import { BOX, Box } from "./constants.js";
 import { boxes } from "./distance.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
@@ -39,11 +39,11 @@ export class _Seen {
       const table = own.array("d", this.boards.length / BOX.BOX_COLUMNS, BOX.BOX_COLUMNS);
       const view = doubles(table);
       view.set(this.boards);
-      for (let at = 0; at < view.length; at += BOX.BOX_COLUMNS) view[at + BOX.HALF_WIDTH] += beside;
+      for (let at = 0; at < view.length; at += BOX.BOX_COLUMNS) view[at + Box.HALF_WIDTH] += beside;
       for (let at = 0; this.headed && at < view.length; at += this.count * BOX.BOX_COLUMNS) {
-        view[at + BOX.HALF_LENGTH] += 0.5 * ahead;
-        view[at + BOX.CX] += 0.5 * ahead * view[at + BOX.UX];
-        view[at + BOX.CY] += 0.5 * ahead * view[at + BOX.UY];
+        view[at + Box.HALF_LENGTH] += 0.5 * ahead;
+        view[at + Box.CX] += 0.5 * ahead * view[at + Box.UX];
+        view[at + Box.CY] += 0.5 * ahead * view[at + Box.UY];
       }
       return [
         ...(this.obstacle === null ? pairsApart(own, table) : apartFrom(own, table, this.obstacle)),

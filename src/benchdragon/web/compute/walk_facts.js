@@ -1,7 +1,7 @@
 // What sentences of a check rest on, of a walk: what in analysis/not_looked_at.py computes with arrays.
 
 import { doubles, withArena } from "./arena.js";
-import { ANALYSIS_NOT_LOOKED_AT, CURVE, PLANS_ROUTES } from "./constants.js";
+import { ANALYSIS_NOT_LOOKED_AT, PLANS_ROUTES, RouteRow } from "./constants.js";
 
 /** @typedef {import("./plan.js").Plan} CheckedPlan */
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -10,7 +10,7 @@ const { RUN_UP } = PLANS_ROUTES;
 
 /** Whether a straight line that the plan does not draw leads to the start of the route. @param {Walk} walk */
 export function runsOn({ route }) {
-  return doubles(route.rows)[CURVE.U_BACK] === -Infinity;
+  return doubles(route.rows)[RouteRow.U_BACK] === -Infinity;
 }
 
 /** Where on the route begins what the plan gives, m: after the line before a drawn bend. @param {CheckedPlan} plan @param {Walk} walk */

@@ -7,10 +7,6 @@ import { cueName } from "./cues.js";
 import { named } from "./findings.js";
 import { nearestBoxes } from "./obstacle_distance.js";
 
-const UY = 3;
-const UX = 2;
-const CX = 0;
-const CY = 1;
 export function haltsOf(plan) {
   return py.tuple(py.list(plan.moments()).flatMap((moment) => (((py.has(["hold", "stop"], moment.cue.kind) && (py.truth(moment.cue.text) || py.truth(moment.cue.text_zh)))) ? [new Halt(moment.time, moment.until, cueName(moment.cue))] : [])));
 }
@@ -30,7 +26,7 @@ export function landmarkOf(plan, found, ground) {
 }
 function _edge(found, ground, side) {
   let inwards, x, y;
-  [x, y] = py.list([py.at(side, UY), -py.at(side, UX)]);
-  inwards = (py.add((x * py.sub(py.at(side, CX), py.at(found.box, CX))), (y * py.sub(py.at(side, CY), py.at(found.box, CY)))) < 0.0);
+  [x, y] = py.list([py.at(side, 3), -py.at(side, 2)]);
+  inwards = (py.add((x * py.sub(py.at(side, 0), py.at(found.box, 0))), (y * py.sub(py.at(side, 1), py.at(found.box, 1)))) < 0.0);
   return ground.edge((py.truth(inwards) ? [-x, -y] : [x, y]));
 }

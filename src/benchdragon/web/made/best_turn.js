@@ -13,8 +13,6 @@ import { part, silent } from "./stages.js";
 import { TurnFamily, TurnGoal } from "./turn_goal.js";
 import { SOUGHT, TurnQuestion } from "./turn_question.js";
 
-const APART = 5;
-const BESIDE = 6;
 const EXCEEDED = 1e-07;
 const PRUDENCE = 1e-08;
 const SEARCHED = 0.7;
@@ -109,15 +107,15 @@ async function _exactFigures(plan, seen, rates) {
     py.set(exact, quantity.kind, (await greatestOf(walk, quantity, first, last, RATE)).upper);
   }
   [start, end] = py.list([walk.time_at(first), walk.time_at(last)]);
-  within = py.max((-1.2 * py.at(seen, APART)), plan.limits.margin, 0.05);
+  within = py.max((-1.2 * py.at(seen, 5)), plan.limits.margin, 0.05);
   clearance = (await leastClearance(walk, start, end, within, [DISTANCE]));
-  py.set(exact, APART, -_sure(clearance));
+  py.set(exact, 5, -_sure(clearance));
   lacking = [];
   for (obstacle of py.iter(plan.obstacles())) {
     distance = (await leastDistance(walk, obstacle, start, end, [DISTANCE]));
     py.append(lacking, py.sub(obstacle.margin, _sure(distance)));
   }
-  py.set(exact, BESIDE, py.max(lacking, undefined, NaN));
+  py.set(exact, 6, py.max(lacking, undefined, NaN));
   return [exact, clearance];
 }
 function _sure(distance) {

@@ -6,15 +6,6 @@ import { Answer } from "./answer.js";
 import { TOLERANCES, contactSearch } from "./contact_search.js";
 import { silent } from "./stages.js";
 
-const TOUCH_END = 1;
-const FIRST_TOUCH = 0;
-const CLEAR = 0;
-const FOUND = 1;
-const LEAST = 2;
-const FARTHER = 34;
-const FLOOR_AT = 10;
-const BEST = 9;
-const SEEN = 4;
 const FRAYED = 1e-05;
 const NONE = new Answer(Infinity, Infinity, Infinity, "m", "found", null, [], 0, 0.0);
 const MOST_GRAZES = 100;
@@ -40,11 +31,11 @@ async function _windows(search, most, sure = false) {
   windows = [];
   while (((py.len(windows) < most) && !(py.truth(sure) && py.truth(windows) && (py.at(windows, -1).opens.status === "found")))) {
     touching = (py.bool(windows) && (py.at(windows, -1).closes == null));
-    ending = (await search.find((py.truth(touching) ? TOUCH_END : FIRST_TOUCH)));
-    if (py.eq(ending, CLEAR)) {
+    ending = (await search.find((py.truth(touching) ? 1 : 0)));
+    if (py.eq(ending, 0)) {
       break;
     }
-    found = search.moment((py.eq(ending, FOUND) ? "found" : "undecided"));
+    found = search.moment((py.eq(ending, 1) ? "found" : "undecided"));
     _takeDown(windows, found, touching);
   }
   return windows;
@@ -121,8 +112,8 @@ export async function leastClearance(walk, start, end, within = Infinity, tolera
       if ((py.len(walk.dragon) < 3)) {
         return NONE;
       }
-      if (py.eq((await search.find(LEAST, [within])), FARTHER)) {
-        bracket = [Infinity, py.float(py.at(search.figures, FLOOR_AT)), Infinity];
+      if (py.eq((await search.find(2, [within])), 34)) {
+        bracket = [Infinity, py.float(py.at(search.figures, 10)), Infinity];
         return search.answer(bracket, "m", "found", false);
       }
       return _clearance(search);
@@ -139,7 +130,7 @@ export async function seenClearance(walk, start, end, floor) {
       if ((py.len(walk.dragon) < 3)) {
         return NONE;
       }
-      (await search.find(SEEN));
+      (await search.find(4));
       return _clearance(search, floor);
     } finally {
       search.free();
@@ -148,8 +139,8 @@ export async function seenClearance(walk, start, end, floor) {
 }
 function _clearance(search, floor = /** @type {any} */ (null)) {
   let best, least, upper;
-  best = py.float(py.at(search.figures, BEST));
-  least = ((floor == null) ? py.float(py.at(search.figures, FLOOR_AT)) : py.min(floor, best));
+  best = py.float(py.at(search.figures, 9));
+  least = ((floor == null) ? py.float(py.at(search.figures, 10)) : py.min(floor, best));
   upper = upperEnd(py.or(best, () => search.witness().gap), search.off);
   return search.answer([best, py.max(py.sub(least, search.off), 0.0), upper], "m", "found");
 }

@@ -18,7 +18,6 @@ import { atMost } from "./number_format.js";
 import { Rounds, repeats } from "./rounds.js";
 
 const NEARNESS = 12;
-const MORE = 8;
 const UNKNOWN = 1e-06;
 const SLACK = 1e-13;
 const WIDTH = 1e-13;
@@ -67,7 +66,7 @@ class ContactSearch extends EngineQuestion {
   async find(goal, said = [0.0]) {
     let at, ending, text;
     py.entry("bd_contact_question_seek_contact", this._handle, goal, py.array(said, "d"))[0];
-    while (py.eq((ending = (await this.step())), MORE)) {
+    while (py.eq((ending = (await this.step())), 8)) {
       [at] = py.list(this.tell(2));
       this.progress((py.sub(at, this.start) / py.sub(this.end, this.start)), "");
     }

@@ -5,14 +5,10 @@ import { InputError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { SpeedProfile } from "./profile.js";
 
-const COUNTS = 4;
-const SHORT = 3;
+const HOLD_COUNTS = 4;
 const HOLD_COLUMNS = 3;
 const KNOT_COLUMNS = 3;
 const STOOD_COLUMNS = 4;
-const FINE = 0;
-const TOLD = 2;
-const LAID = 0;
 const TROUBLES = ["overlap", "room", "unreachable", "outside", "over"];
 const KNOTS = 6;
 export class Hold {
@@ -41,17 +37,17 @@ export function withHolds(profile, start, holds, starts, rate) {
   let asked, count, counts, held, knots, pieces, room, speeds, stood, times, trouble;
   [pieces, count] = py.list([_pieces(profile, start), py.len(holds)]);
   asked = py.list(holds).map((hold) => [_orInf(hold.way), _orInf(hold.at), hold.seconds]);
-  [room, counts] = py.list([(KNOTS * (py.add(py.len(pieces), count) + 1)), py.zeros(COUNTS, "q")]);
-  py.set(counts, SHORT, 1);
-  while (py.truth(py.at(counts, SHORT))) {
+  [room, counts] = py.list([(KNOTS * (py.add(py.len(pieces), count) + 1)), py.zeros(HOLD_COUNTS, "q")]);
+  py.set(counts, 3, 1);
+  while (py.truth(py.at(counts, 3))) {
     held = ({ pieces: py.array(pieces), starts: py.array(py.sorted(starts), "d"), holds: py.reshape(py.array(asked, "d"), -1, HOLD_COLUMNS), knots: py.empty([room, KNOT_COLUMNS]), stood: py.empty([count, STOOD_COLUMNS]), waiting: py.empty(count, "q"), counts: counts });
     trouble = py.entry("bd_holds_hold_head", held, start, rate)[0];
     room = (room * 2);
   }
-  if (!py.eq(trouble, FINE)) {
-    throw new HoldError(py.int(py.at(counts, TOLD)), py.at(TROUBLES, (trouble - 1)));
+  if (!py.eq(trouble, 0)) {
+    throw new HoldError(py.int(py.at(counts, 2)), py.at(TROUBLES, (trouble - 1)));
   }
-  knots = py.tolist(py.slice(held.knots, null, py.at(counts, LAID)));
+  knots = py.tolist(py.slice(held.knots, null, py.at(counts, 0)));
   stood = py.list(py.tolist(held.stood)).map(([number, way, since, until]) => new Standing(py.int(number), way, since, until));
   [times, speeds] = py.list([py.list(knots).map(([time, _way, _speed]) => time), py.list(knots).map(([_time, _way, speed]) => speed)]);
   return [new SpeedProfile(py.tuple(times), py.tuple(speeds)), stood];

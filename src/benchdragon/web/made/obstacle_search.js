@@ -20,10 +20,6 @@ const SLACK = 1e-13;
 const WIDTH = 1e-13;
 const MOST_EVALUATIONS = 200000;
 const MOST_LEAST_EVALUATIONS = 2000;
-const FIRST_TOUCH = 0;
-const LEAST = 2;
-const MORE = 8;
-const ASTRAY = 10;
 const SAMPLES = 65;
 const NARROW = 1e-06;
 function repeatsOf(walk) {
@@ -53,7 +49,7 @@ export class ObstacleSearch extends EngineQuestion {
   }
   async touches() {
     let found;
-    found = (await this._found(FIRST_TOUCH, 0.0));
+    found = (await this._found(0, 0.0));
     return py.list(found).map((row) => this._touch(row));
   }
   async least_distance(tolerances) {
@@ -62,7 +58,7 @@ export class ObstacleSearch extends EngineQuestion {
       {
         const caught = refined(n);
         try {
-          found = (await this._found(LEAST, tolerance));
+          found = (await this._found(2, tolerance));
           if (py.truth(py.at(this.figures, 5))) {
             return this._distance(py.at(found, 0));
           }
@@ -73,16 +69,16 @@ export class ObstacleSearch extends EngineQuestion {
         }
       }
     }
-    found = (await this._found(LEAST, Infinity));
+    found = (await this._found(2, Infinity));
     return this._distance(py.at(found, 0));
   }
   async _found(goal, narrow) {
     let ending, found, rows, text;
     py.entry("bd_obstacle_question_seek_obstacle", this._handle, goal, narrow)[0];
-    while (py.eq((ending = (await this.step())), MORE)) {
+    while (py.eq((ending = (await this.step())), 8)) {
       
     }
-    if (py.eq(ending, ASTRAY)) {
+    if (py.eq(ending, 10)) {
       throw this._stopped();
     }
     if (py.eq(ending, 30)) {

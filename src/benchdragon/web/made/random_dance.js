@@ -10,10 +10,6 @@ import { inColumns } from "./bench_tables.js";
 import { inOrder } from "./errors.js";
 import { PlanFamily, QUESTIONS, kernelFamily } from "./size_family.js";
 
-const MORE = 8;
-const TOO_LONG = 2;
-const NO_BENCH = 3;
-const NOT_FOUND = 1;
 export async function answered(plan, limits) {
   let end, ending, family, figures, first, handle, known, laid, last, name, question, start, walk;
   walk = plan.build();
@@ -24,10 +20,10 @@ export async function answered(plan, limits) {
   [family, laid] = py.list(kernelFamily(new PlanFamily(plan, py.at(QUESTIONS, name), 0.0), walk));
   known = py.dict([[1, plan.limits.margin], [2, first], [3, last], [7, budgetMemory()], ...py.items(limits)]);
   handle = py.entry("bd_random_dance_question_open_dance", family, laid, inColumns(known))[0];
-  [figures, ending] = py.list([py.zeros(25), MORE]);
+  [figures, ending] = py.list([py.zeros(25), 8]);
   question = new EngineQuestion(handle, py.entered("bd_random_dance_question_step_dance"), py.entered("bd_random_dance_question_read_dance"), figures);
   try {
-    while (py.eq(ending, MORE)) {
+    while (py.eq(ending, 8)) {
       ending = (await question.step());
     }
   } finally {
@@ -38,14 +34,14 @@ export async function answered(plan, limits) {
 }
 function refuse(ending, guess, number) {
   let text;
-  if (py.eq(ending, TOO_LONG)) {
+  if (py.eq(ending, 2)) {
     throw new InputError(_("the walk is too long, or the dragon, for random dances"));
   }
-  if (py.eq(ending, NO_BENCH)) {
+  if (py.eq(ending, 3)) {
     text = _("dance {number} has a bench that cannot be; make the deviations smaller");
     throw new InputError(py.filled(text, { number: number }));
   }
-  if (py.eq(ending, NOT_FOUND)) {
+  if (py.eq(ending, 1)) {
     text = _("no pitch near {guess} m was found with which dance {number} is just free of contact");
     throw new UnsureError(py.filled(text, { guess: `${py.format(guess, `.4g`)}`, number: number }));
   }

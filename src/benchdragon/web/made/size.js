@@ -14,13 +14,7 @@ import { SizeQuestion } from "./size_question.js";
 import { silent } from "./stages.js";
 
 const TOLERANCE = 1e-12;
-const GOOD = 5;
-const BAD = 6;
-const VALUE = 17;
 const FAR = 10.0;
-const INFEASIBLE = 5;
-const EXHAUSTED = 6;
-const UNLIMITED = 4;
 export async function foundLimit(plan, name, margin = /** @type {any} */ (null), tolerance = TOLERANCE, progress = silent) {
   return py.scoped(async () => {
     let began, ending, family, search;
@@ -36,16 +30,16 @@ export async function foundLimit(plan, name, margin = /** @type {any} */ (null),
 }
 async function _limitAnswer(family, search, ending, began) {
   let bad, evaluations, good, lower, none, seconds, status, texts, unsure, upper, value, witness;
-  [good, bad, value] = py.list(py.list([GOOD, BAD, VALUE]).map((column) => py.float(py.at(search.state, column))));
+  [good, bad, value] = py.list(py.list([5, 6, 17]).map((column) => py.float(py.at(search.state, column))));
   [texts, evaluations] = py.list([_assumed(family, search.doubts), search.evaluations]);
   seconds = py.sub(py.perf_counter(), began);
-  if (py.eq(ending, INFEASIBLE)) {
+  if (py.eq(ending, 5)) {
     none = (py.truth(search.doubts) ? "undecided" : "infeasible");
     return new Answer(NaN, -Infinity, Infinity, "m", none, null, texts, evaluations, seconds);
   }
-  unsure = py.or(py.eq(ending, EXHAUSTED), () => search.in_doubt);
-  bad = (py.eq(ending, UNLIMITED) ? bad : (await search.surely_bad(good, bad)));
-  status = (py.truth(unsure) ? "undecided" : (py.eq(ending, UNLIMITED) ? "unlimited" : "found"));
+  unsure = py.or(py.eq(ending, 6), () => search.in_doubt);
+  bad = (py.eq(ending, 4) ? bad : (await search.surely_bad(good, bad)));
+  status = (py.truth(unsure) ? "undecided" : (py.eq(ending, 4) ? "unlimited" : "found"));
   [lower, upper] = py.list(py.sorted([good, bad]));
   witness = (await _witness(family, search, bad));
   value = py.min(py.max(value, lower), upper);

@@ -12,7 +12,7 @@ const LEAST = 1e-06;
 const MOST_METRES = 100000000.0;
 const ROOMY = 0.9;
 const FITS = 0.001;
-const MOST_PIECES = 7;
+const MOST_TURN_PIECES = 7;
 const PART_COLUMNS = 8;
 const ARCS = 3;
 const TOLERANCE = 1e-12;
@@ -119,6 +119,6 @@ export function kernelFamily(family, walk) {
   py.set(marked, row, py.list(py.enumerate(py.at(marked, row))).map(([n, size]) => ((n >= allOf) ? mark : size)));
   [kind, kinds] = py.list(kindsOf(py.array(marked)));
   own = ({ links: benches.links, sizes: benches.sizes, kind: kind, ahead: benches.ahead, lever: benches.lever });
-  made = ({ numbers: kernelNumbers(family.plan, family.question), parts: py.empty([(MOST_PIECES + 2), PART_COLUMNS]), arcs: py.empty([ARCS, 2]), pieces: py.empty([MOST_PIECES, 3]), sizes: sizes, share: py.array(share) });
+  made = ({ numbers: kernelNumbers(family.plan, family.question), parts: py.empty([(MOST_TURN_PIECES + 2), PART_COLUMNS]), arcs: py.empty([ARCS, 2]), pieces: py.empty([MOST_TURN_PIECES, 3]), sizes: sizes, share: py.array(share) });
   return [made, ({ rows: walk.route.rows, benches: own, kinds: kinds })];
 }

@@ -14,9 +14,6 @@ const SLACK = 1e-13;
 const WIDTH = 1e-13;
 const MOST_EVALUATIONS = 200000;
 const TOLERANCE = 1e-12;
-const ROUTE = 1;
-const FIXED = 0;
-const MORE = 8;
 const MOVED = 1.7763568394002505e-15;
 const MOST_WIDENINGS = 30;
 function limitsOf(family, walk, first, last) {
@@ -46,7 +43,7 @@ export class SizeQuestion extends EngineQuestion {
     [walk, start, end] = py.list(family.walk(family.first));
     limits = limitsOf(family, walk, ...py.iter(py.tolist(walk.head_position([start, end]))));
     [own, laid] = py.list(kernelFamily(family, walk));
-    square = squareOf(family, py.eq(py.at(own.numbers, ROUTE), FIXED));
+    square = squareOf(family, py.eq(py.at(own.numbers, 1), 0));
     handle = py.entry("bd_size_question_open_size", own, laid, square, limits, beginnings())[0];
     [state, doubts] = py.list([py.zeros(24), py.empty(py.add(80, 40))]);
     [meetings, figures] = py.list([py.full([4, 4], -1.0), py.zeros(16)]);
@@ -84,8 +81,8 @@ export class SizeQuestion extends EngineQuestion {
   async _sought(stage, size, good = NaN) {
     let ending, now, tried;
     py.entry("bd_size_question_seek_size", this._handle, stage, size, good)[0];
-    [ending, tried] = py.list([MORE, NaN]);
-    while (py.eq(ending, MORE)) {
+    [ending, tried] = py.list([8, NaN]);
+    while (py.eq(ending, 8)) {
       ending = (await this.step());
       if (!py.eq((now = py.float(py.at(this.state, 20))), tried)) {
         this.progress(0.0, `${py.format(now, `.9g`)} m`);

@@ -12,8 +12,7 @@ import { SpeedProfile, Stretches } from "./profile.js";
 import { Rounds, repeats } from "./rounds.js";
 import { silent } from "./stages.js";
 
-const MORE = 8;
-const STEP = 0.1;
+const FIRST_CHAIN_STEP = 0.1;
 const ROUNDING = 1e-11;
 const TOLERANCE = 1e-10;
 const LEAST_TOLERANCE = 1e-12;
@@ -98,11 +97,11 @@ export class PeakQuestion extends EngineQuestion {
 }
 export async function sought(walk, stretches, asked, progress, head = 0.0) {
   let decides, drives, ending, found, kept, least, lower, most, number, placed, quantities, question, row, s, seen, share, stretch, time, upper, value, x, y;
-  [quantities, ending] = py.list([py.list(py.values(QUANTITIES)), MORE]);
+  [quantities, ending] = py.list([py.list(py.values(QUANTITIES)), 8]);
   [drives, kept] = py.list(_new(walk, stretches));
   question = new PeakQuestion(walk, drives, asked, head);
   try {
-    while (py.eq(ending, MORE)) {
+    while (py.eq(ending, 8)) {
       try {
         ending = (await question.step());
       } catch (error) {
@@ -156,7 +155,7 @@ export function fastestHandle(speeds) {
 }
 export function failureWithin(walk, low, high) {
   let at, count, end, error, n, per, step;
-  [end, step] = py.list([py.max(low, py.min(high, walk.route.length)), (STEP * py.min(py.tolist(walk.dragon.links)))]);
+  [end, step] = py.list([py.max(low, py.min(high, walk.route.length)), (FIRST_CHAIN_STEP * py.min(py.tolist(walk.dragon.links)))]);
   [count, per] = py.list([py.ceil((py.sub(end, low) / step)), py.max(2, py.div(PLACES, (py.len(walk.dragon) + 1)))]);
   for (n of py.iter(py.range(0, (count + 1), (per - 1)))) {
     at = py.list(py.range(n, py.add(n, per))).map((k) => py.min(py.add(low, (step * k)), end));

@@ -8,7 +8,6 @@ import { QUANTITIES, givenLimits } from "./speed.js";
 
 const BOX_COLUMNS = 6;
 const PRUDENCE = 1e-08;
-const MORE = 8;
 const EXCEEDED = 1e-07;
 const FAMILIES = py.dict([["arc-arc", 0], ["arc-line-arc", 1], ["arc-arc-arc", 2]]);
 export const SOUGHT = py.dict([["way", 10], ["length", 9], ["disc", 7], ["speed", 0], ["acceleration", 3]]);
@@ -75,7 +74,7 @@ export class TurnQuestion extends EngineQuestion {
   async _sought(what, x, progress, text) {
     let exceeds;
     py.entry("bd_turn_question_seek_turn", this._handle, what, py.array(x), py.array(this.factors))[0];
-    while (py.eq((await this.step()), MORE)) {
+    while (py.eq((await this.step()), 8)) {
       progress(py.float(py.at(this.figures, 4)), text);
     }
     exceeds = py.float(py.at(this.figures, 2));

@@ -10,13 +10,12 @@ import { finite, notNegative, positive } from "./errors.js";
 
 const asNumbers = (_name, values) => values;
 const PART_COLUMNS = 8;
-const NOTHING = 1e-09;
-const S_START = 2;
-const LOOK = 0.02;
+const NEGLIGIBLE = 1e-09;
+const REACH_LOOK = 0.02;
 const LEAD = 100.0;
 const TRAIL = 1000.0;
 const ARCS = 3;
-const MOST_PIECES = 7;
+const MOST_TURN_PIECES = 7;
 const TurnStatus = { OK: 0, TOO_NEAR: 1, NO_ARCS: 2, NO_LINE: 3, NO_CIRCLE: 4, NOT_EASED: 5, NO_ROOM: 6 };
 const LEAST_THETA = 0.5;
 export class Turn {
@@ -63,7 +62,7 @@ export class Turn {
     checkedSize("radius", radius);
     [k, spirals] = py.list([(this.pitch / (2.0 * Math.PI)), 0.0]);
     for (joint of py.iter([this.entry_radius, this.exit_radius])) {
-      if ((py.sub(radius, joint) > NOTHING)) {
+      if ((py.sub(radius, joint) > NEGLIGIBLE)) {
         spirals = py.extend(spirals, py.sub(py.entry("bd_curve_spiral_length", k, (radius / k))[0], py.entry("bd_curve_spiral_length", k, (joint / k))[0]));
       }
     }
@@ -86,14 +85,14 @@ export class Turn {
   }
 }
 function reach(rows) {
-  return py.entry("bd_route_parts_farthest", rows, py.float(py.at(rows, [1, S_START])), py.float(py.at(rows, [-1, S_START])), LOOK)[0];
+  return py.entry("bd_route_parts_farthest", rows, py.float(py.at(rows, [1, 2])), py.float(py.at(rows, [-1, 2])), REACH_LOOK)[0];
 }
 const REASONS = py.dict([[1, N_("the turn must begin and end farther out than {least} m at this pitch, not at {value} m")], [2, N_("no two arcs of this ratio join the spirals there")], [3, N_("radii of {a} m and {b} m leave no line between the arcs: smaller ones are needed")], [4, N_("no circle of the middle curvature is tangent to both arcs")], [5, N_("no turn eased like this joins the spirals there")], [6, N_("clothoids of {ease} m leave no room for the arcs")]]);
 export function twoArcs(pitch, entryRadius, exitRadius, ratio, ease = 0.0) {
   let arcs, count, joints, pieces, status;
   joints = _checkedJoints(pitch, entryRadius, exitRadius);
   ease = notNegative("ease", ease, "m");
-  [arcs, pieces] = py.list([py.empty([ARCS, 2]), py.empty([MOST_PIECES, 3])]);
+  [arcs, pieces] = py.list([py.empty([ARCS, 2]), py.empty([MOST_TURN_PIECES, 3])]);
   [count, status] = py.list(py.entry("bd_turn_families_two_arcs", ...py.iter(joints), positive("ratio", ratio), ease, arcs, pieces));
   return _made(joints, py.slice(pieces, null, count), status, ease);
 }
@@ -105,7 +104,7 @@ export function threePieces(pitch, entryRadius, exitRadius, radii, bend = 0.0, e
   }
   [first, last] = py.list(py.list(radii).map((radius) => positive("radii", radius, "m")));
   [bend, ease] = py.list([finite("bend", bend, "1/m"), notNegative("ease", ease, "m")]);
-  [arcs, pieces] = py.list([py.empty([ARCS, 2]), py.empty([MOST_PIECES, 3])]);
+  [arcs, pieces] = py.list([py.empty([ARCS, 2]), py.empty([MOST_TURN_PIECES, 3])]);
   [count, status] = py.list(py.entry("bd_turn_families_three_pieces", ...py.iter(joints), first, bend, last, ease, arcs, pieces));
   return _made(joints, py.slice(pieces, null, count), status, ease, [first, last]);
 }
