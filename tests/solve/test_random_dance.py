@@ -174,7 +174,7 @@ def test_a_graze_between_evaluations_counts(monkeypatch: pytest.MonkeyPatch) -> 
     in_python(monkeypatch)
     monkeypatch.setattr(random_dance_look, "LOOK", 12.0)
     monkeypatch.setattr(random_dance_question, "LOOK", 12.0)
-    monkeypatch.setattr(random_dance_look, "SHRINKS", 0)
+    monkeypatch.setattr(random_dance_look, "LOOK_SHRINKS", 0)
     found: list[float] = []
     weigh = random_dance_look.weigh
 

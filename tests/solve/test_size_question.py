@@ -318,7 +318,7 @@ def test_pairs_of_a_step_stay_known_when_room_is_made(monkeypatch: pytest.Monkey
 WASM = """
 import sys
 from benchdragon.kernels.memory import group_at, held
-from benchdragon.kernels.question import CLOSED, close_question
+from benchdragon.kernels.question import QuestionEnding, close_question
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.size import limit
 found = limit(read_plan("spiral-in", sys.argv[1:]), "width")
