@@ -11,7 +11,6 @@ import pytest
 from benchdragon import Arc, Clothoid, Dragon, Line, Route, SpeedProfile, Spiral, Walk, WalkError
 from benchdragon.analysis import speed
 from benchdragon.analysis.speed import QUANTITIES, Quantity, greatest, greatest_speed
-from benchdragon.kernels import speed_memory as told
 from benchdragon.kernels.speed_memory import SpeedGiven
 from benchdragon.model.answer import Answer
 from benchdragon.model.curves import AnyCurve
@@ -41,7 +40,7 @@ def with_room(patch: pytest.MonkeyPatch, **numbers: float) -> None:
     """Let the engine go by other numbers: see kernels/speed_memory.py."""
     room = list(speed.ROOM)
     for name, value in numbers.items():
-        room[getattr(told, name) - SpeedGiven.MOST_CELLS] = value
+        room[getattr(SpeedGiven, name) - SpeedGiven.MOST_CELLS] = value
     patch.setattr(speed, "ROOM", tuple(room))
 
 
