@@ -12,11 +12,14 @@ monotone, so a root inside is the only one and a far end with chord < link is pa
 
 import math
 import statistics
+from unittest.mock import patch
 
 import numpy as np
 
 from benchdragon import Arc, Clothoid, InputError, Line, Route, Spiral
+from benchdragon.kernels import curve
 from benchdragon.kernels import route as kernel
+from benchdragon.kernels.curve import FloatArray, place
 from benchdragon.model.curves import AnyCurve
 
 LINK = 1.65
@@ -55,23 +58,16 @@ def by_scan(route: Route, s: float, link: float) -> float:
 def evaluations(route: Route, s: float) -> int:
     """How many places one search looks at, counted in its plain Python form."""
     count = 0
-    kept = {name: getattr(kernel, name) for name in ("place", "polish", "next_handle")}
     j, u, _status = kernel.locate(route.rows, s)
     x, y = route.point(s)
 
-    def counted(*arguments: object) -> object:
+    def counted(rows: FloatArray, row: int, at: float) -> tuple[float, float, float, float]:
         nonlocal count
         count += 1
-        return kept["place"](*arguments)
+        return place(rows, row, at)
 
-    plain = {name: getattr(function, "py_func", function) for name, function in kept.items()}
-    setattr(kernel, "place", counted)  # noqa: B010 - the compiled names are put back below
-    setattr(kernel, "polish", plain["polish"])  # noqa: B010
-    try:
-        plain["next_handle"](route.rows, j, u, x, y, LINK)
-    finally:
-        for name, function in kept.items():
-            setattr(kernel, name, function)
+    with patch.object(curve, "place", counted):
+        kernel.next_handle(route.rows, j, u, x, y, LINK)
     return count
 
 
@@ -84,8 +80,8 @@ def show_looks() -> None:
         "spiral, pitch 0.55 m": Spiral(0.55, 60.0, 20.0),
         "clothoid, radius 30 to 1 m": Clothoid(20.0, 1.0 / 30.0, 1.0),
     }
-    for name, curve in cases.items():
-        route = Route((curve,))
+    for name, one in cases.items():
+        route = Route((one,))
         places = np.linspace(min(5.0, 0.5 * route.length), route.length, 40)
         counts = [evaluations(route, float(s)) for s in places]
         print(f"{name}: {statistics.mean(counts):.1f} places a handle, at most {max(counts)}")
