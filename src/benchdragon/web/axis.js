@@ -213,6 +213,7 @@ export class Axis {
     if (runs) return;
     this.slider.value = String(time);
     const text = clock(time);
-    if (this.slider.getAttribute("aria-valuetext") !== text) this.slider.setAttribute("aria-valuetext", text);
+    if (this.slider.getAttribute("aria-valuetext") !== text)
+      this.slider.setAttribute("aria-valuetext", text);
   }
 }
