@@ -35,7 +35,7 @@ def test_absurd_sizes_are_refused_by_name(plan: str, key: str, value: str) -> No
         return
     with pytest.raises(PlanError) as caught:
         read_plan(plan, [f"{key}={value}"]).build()
-    assert re.search(rf"\b{key}: (wanted|speed must be at most 100)", str(caught.value))
+    assert re.search(rf"\b{key}: (expected|speed must be at most 100)", str(caught.value))
 
 
 def try_to_walk(plan: str, setting: str) -> None:
