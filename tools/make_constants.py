@@ -119,7 +119,7 @@ def declared(name: str, asked: dict[str, set[str]]) -> list[str]:
 
 
 def files() -> dict[Path, str]:
-    """The whole file."""
+    """The file, and its whole text."""
     asked = imported()
     parts = [HEADER, *(text for name in modules() for text in declared(name, asked))]
     return {FILE: "\n".join(parts)}

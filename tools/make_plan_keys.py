@@ -126,7 +126,7 @@ def built_in() -> dict[str, Any]:
 
 
 def files() -> dict[Path, str]:
-    """The whole file."""
+    """The file, and its whole text."""
     tables: dict[str, Any] = {}
     add(Plan, tables)
     texts = [

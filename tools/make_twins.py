@@ -413,7 +413,7 @@ def _flags(flags: int) -> str:
 
 
 def files() -> dict[Path, str]:
-    """All files."""
+    """All files, and their texts."""
     twins: dict[str, Twin] = {}
     for name in TWINS:
         twins[name] = Twin(name, twins)

@@ -1,6 +1,5 @@
 """compute/plan.js: the plan, its hash, walk, span and sentences are those of Python."""
 
-import json
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,6 @@ from tests.engine.recording import node
 from tests.planner.random_plans import plan
 from tests.planner.twins import answered, asked, difference
 from tests.plans.test_roster import ADDRESSES, NO_ADDRESSES, addressed
-from tests.scripts import script
 
 ROOT = Path(__file__).parents[2]
 pytestmark = pytest.mark.skipif(node() is None, reason="no Node here to run the page's modules in")
@@ -140,8 +138,3 @@ def test_files_and_surveyed_pieces_are_refused_with_what_to_do() -> None:
     )
     assert "the command line does" in read_file["error"]
     assert "the command line does" in line["walk"]["error"]
-
-
-def test_built_in_plans_can_be_sent_to_pages() -> None:
-    tool: Any = script("tools/make_plan_keys.py")
-    assert json.dumps(tool.built_in())

@@ -19,7 +19,7 @@ from benchdragon.kernels.box import corner
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.obstacle_search import ObstacleEnding
 from benchdragon.kernels.size_bracket import SizeVerdict
-from benchdragon.kernels.turn_trial import TURN_MEASURES, TurnMeasure
+from benchdragon.kernels.turn_peaks import TURN_MEASURES, TurnMeasure
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.progress import silent

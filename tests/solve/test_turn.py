@@ -13,7 +13,7 @@ from benchdragon import BenchDragonError, InputError
 from benchdragon.cli.main import run
 from benchdragon.errors import NoSolutionError
 from benchdragon.figures.walk import bench_corners
-from benchdragon.kernels.turn_trial import TURN_MEASURES, TurnMeasure
+from benchdragon.kernels.turn_peaks import TURN_MEASURES, TurnMeasure
 from benchdragon.model.answer import Answer
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Motion

@@ -15,12 +15,13 @@ from benchdragon import budget
 from benchdragon.analysis.speed import QUANTITIES
 from benchdragon.hosts.serving import VARIABLE
 from benchdragon.kernels import turn_descent as descent
+from benchdragon.kernels import turn_peaks as judged
 from benchdragon.kernels import turn_question as kernel
 from benchdragon.kernels import turn_trial as trial
 from benchdragon.kernels.memory import held
 from benchdragon.kernels.question import QuestionEnding
+from benchdragon.kernels.turn_peaks import PeakRow, TurnMeasure
 from benchdragon.kernels.turn_question import TurnSought
-from benchdragon.kernels.turn_trial import PeakRow, TurnMeasure
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
@@ -68,7 +69,7 @@ def test_what_is_seen_of_a_turn_is_what_exact_figures_say(settings: list[str], g
         assert math.isfinite(seen.exceeds)
         exact, _clearance = _exact_figures(family.with_turn(seen.x), seen.figures, list(QUANTITIES))
         for kind in range(TurnMeasure.BESIDE + 1):
-            near = 1e-5 if kind < trial.RATES else 1e-4
+            near = 1e-5 if kind < judged.RATES else 1e-4
             if kind != TurnMeasure.APART and np.isfinite(seen.figures[kind] + exact[kind]):
                 assert seen.figures[kind] == pytest.approx(exact[kind], abs=near)
         turn = family.turn(seen.x)
@@ -110,12 +111,12 @@ def test_a_step_goes_to_the_best_point_of_all_lines(seed: int) -> None:
     unknowns, peaks = int(rng.integers(1, 6)), int(rng.integers(2, 30))
     low, x = np.zeros(unknowns), rng.uniform(0.0, 1.0, unknowns)
     x[0] = 0.0
-    told = np.array([0.0] * 9 + [TurnMeasure.WAY] + [1.0] * trial.RATES)
-    known = np.zeros((trial.MOST_KEPT, trial.PEAK_COLUMNS))
+    told = np.array([0.0] * 9 + [TurnMeasure.WAY] + [1.0] * judged.RATES)
+    known = np.zeros((judged.MOST_KEPT, judged.PEAK_COLUMNS))
     known[:peaks, PeakRow.KIND] = rng.choice([TurnMeasure.WAY, 0], peaks)
     known[0, PeakRow.KIND] = TurnMeasure.WAY
     known[:peaks, PeakRow.MEASURE] = rng.normal(0.0, 0.05, peaks)
-    slopes = rng.normal(0.0, 1.0, (trial.MOST_KEPT, trial.UNKNOWNS))
+    slopes = rng.normal(0.0, 1.0, (judged.MOST_KEPT, judged.UNKNOWNS))
     state = np.array([peaks, 0.0, 0.0, 0.05, 1.0])
     size = descent.STEP_UNKNOWNS
     point = descent.Descent(
@@ -175,7 +176,7 @@ def test_a_question_that_is_closed_answers_no_more() -> None:
     question = TurnQuestion(family)
     handle = question._handle
     question.close()
-    some = [np.zeros(count) for count in (kernel.TURN_FIGURES, 3, trial.TURN_MEASURES)]
+    some = [np.zeros(count) for count in (kernel.TURN_FIGURES, 3, judged.TURN_MEASURES)]
     assert not kernel.read_turn(handle, *some)
     assert not kernel.seek_turn(handle, TurnSought.NEAR, some[1], some[2])
     assert not kernel.judge_turn(handle, some[2], some[2])

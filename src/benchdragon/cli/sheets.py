@@ -82,8 +82,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     read.build()  # says what is wrong, before a folder is made
     roster = roster_of(read)
     record = None if path is None or options["anew"] else read_record(path, read, roster, plan)
-    looks = options["paper"], options["by"], options["night"], options["phones"]
-    wanted = Options(*looks, _chalk_options(options))
+    looks = *(options[name] for name in ("paper", "by", "night", "phones")), _chalk_options(options)
     files = planned_papers(folder, names, options["force"])
     if "benches" in names and not read.people.address and not quiet:
         click.echo(_("No QR codes: the plan does not say people.address."), err=True)
@@ -92,7 +91,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
         if report.safe:
             record = record or record_check(path, report, roster)
             briefing = briefing_of(report, roster, record)
-            write_papers(briefing, folder, names, wanted, part(progress, 0.2, 1.0))
+            write_papers(briefing, folder, names, Options(*looks), part(progress, 0.2, 1.0))
     if not report.safe:
         tell_names(roster.notes, quiet)
         print_report(report)

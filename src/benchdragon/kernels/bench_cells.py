@@ -355,6 +355,16 @@ def greatest_bend(bends: FloatArray, ca: int, cb: int) -> float:
 
 
 @kernel
+def rates_in_cells(
+    benches: FloatArray, k: int, ca: int, cb: int, quantity: int
+) -> tuple[float, float, float, float, float]:
+    """As `bench_in_cells`; the second number alone where a quantity needs no other."""
+    if quantity in (DriveRate.SPEEDS, DriveRate.ACROSS):
+        return 0.0, greatest_fast(benches, k, ca, cb), 0.0, 0.0, 0.0
+    return bench_in_cells(benches, k, ca, cb)
+
+
+@kernel
 def bound_by_cells(
     cells: Cells, group: IntArray, links: int, low: float, high: float, drive: FloatArray,
     quantity: int, enough: float,
@@ -373,17 +383,14 @@ def bound_by_cells(
     off = cells.off[cb]
     wider = 0.0 if quantity == DriveRate.SPEEDS else off
     for i in range(links + 1):
-        bend = (
-            greatest_bend(cells.bends, ca, cb)
-            if quantity in (DriveRate.ACROSS, DriveRate.TOTAL)
-            else 0.0
-        )
+        bend = 0.0
+        if quantity in (DriveRate.ACROSS, DriveRate.TOTAL):
+            bend = greatest_bend(cells.bends, ca, cb)
         size = swayed if quantity == DriveRate.TURNING else fastest
         bound = motion_bounds.ROUNDED_UP * most_of_handle(size, fade, grow, bend, drive, quantity)
         calm = quantity == DriveRate.SPEEDS and bound <= enough and cells.fastest[cb] <= 1.0
-        exactly = bound
-        if quantity == DriveRate.SPEEDS:
-            exactly *= 1.0 + off * (links if calm else i)
+        beyond = off * (links if calm else i) if quantity == DriveRate.SPEEDS else 0.0
+        exactly = bound * (1.0 + beyond)
         most = max(most, exactly)
         if bound > enough:
             last = i
@@ -391,11 +398,7 @@ def bound_by_cells(
             settled = max(settled, exactly)
         if i == links or calm:  # where all is calm, no handle is faster than the one before
             break
-        slow, least, greatest, sway = 0.0, 0.0, 0.0, 0.0
-        if quantity in (DriveRate.SPEEDS, DriveRate.ACROSS):
-            fast = greatest_fast(benches, group[i], ca, cb)
-        else:
-            slow, fast, least, greatest, sway = bench_in_cells(benches, group[i], ca, cb)
+        slow, fast, least, greatest, sway = rates_in_cells(benches, group[i], ca, cb, quantity)
         if not fast < math.inf:
             return math.inf, settled, links
         low, high = rear_range(benches, borders, group[i], ca, cb, low, high)

@@ -104,11 +104,9 @@ def find_tightest(
         set_box(line.sizes, k, places.x, places.y, 0, boxes, 0)
         set_box(line.sizes, other, places.x, places.y, 0, boxes, 1)
         upper = max(apart(boxes, 0, 1), 0.0)
-        out[k, TightMoment.WHERE], out[k, TightMoment.UPPER], out[k, TightMoment.HEAD] = (
-            nearest_side(boxes),
-            upper,
-            head,
-        )
+        out[k, TightMoment.WHERE] = nearest_side(boxes)
+        out[k, TightMoment.UPPER] = upper
+        out[k, TightMoment.HEAD] = head
         out[k, TightMoment.LOWER] = min(max(benches[k, BenchRow.FLOOR], least, 0.0), upper)
         out[k, TightMoment.EARLY], out[k, TightMoment.LATE] = early, late
         out[k, TightMoment.PLACE_X], out[k, TightMoment.PLACE_Y] = places.x[k, 0], places.y[k, 0]

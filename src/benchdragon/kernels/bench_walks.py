@@ -188,17 +188,13 @@ def add_piece(known: Known, time: float, s: float, speed: float) -> int:
     """A new piece of no side and no pace yet; its row."""
     pieces, row = known.pieces, known.tally[0]
     known.tally[0] = row + 1
-    pieces[row, PacePiece.TIME], pieces[row, PacePiece.WAY], pieces[row, PacePiece.SPEED] = (
-        time,
-        s,
-        speed,
-    )
+    pieces[row, PacePiece.TIME] = time
+    pieces[row, PacePiece.WAY] = s
+    pieces[row, PacePiece.SPEED] = speed
     pieces[row, PacePiece.SIDE] = pieces[row, PacePiece.PACE] = math.nan
-    pieces[row, PacePiece.SLOW], pieces[row, PacePiece.FAST], pieces[row, PacePiece.NEXT] = (
-        math.inf,
-        -math.inf,
-        -1.0,
-    )
+    pieces[row, PacePiece.SLOW] = math.inf
+    pieces[row, PacePiece.FAST] = -math.inf
+    pieces[row, PacePiece.NEXT] = -1.0
     return row
 
 
@@ -432,19 +428,13 @@ def tell_stretches(rows: Table, turned: Vector, end: float, known: Known, out: T
         for _piece in range(left):
             after = int(line[n, PacePiece.NEXT])
             turned_to = turned_by(rows, turned, line[after, PacePiece.WAY])
-            out[told, PaceStretch.BENCH], out[told, PaceStretch.START], out[told, PaceStretch.END] = (
-                k,
-                line[n, PacePiece.TIME],
-                line[after, PacePiece.TIME],
-            )
-            out[told, PaceStretch.TURN], out[told, PaceStretch.STEPS] = (
-                line[n, PacePiece.SIDE],
-                line[n, PacePiece.PACE],
-            )
-            out[told, PaceStretch.FAR], out[told, PaceStretch.ANGLE] = (
-                line[after, PacePiece.WAY] - line[n, PacePiece.WAY],
-                turned_to - angle,
-            )
+            out[told, PaceStretch.BENCH] = k
+            out[told, PaceStretch.START] = line[n, PacePiece.TIME]
+            out[told, PaceStretch.END] = line[after, PacePiece.TIME]
+            out[told, PaceStretch.TURN] = line[n, PacePiece.SIDE]
+            out[told, PaceStretch.STEPS] = line[n, PacePiece.PACE]
+            out[told, PaceStretch.FAR] = line[after, PacePiece.WAY] - line[n, PacePiece.WAY]
+            out[told, PaceStretch.ANGLE] = turned_to - angle
             out[told, PaceStretch.LOW] = min(
                 line[n, PacePiece.SLOW], line[n, PacePiece.SPEED], line[after, PacePiece.SPEED]
             )

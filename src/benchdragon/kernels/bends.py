@@ -47,10 +47,8 @@ def find_bends(rows: Table, at: Vector, sides: IntVector, turned: Vector) -> int
             turned[j] = (
                 turned[j - 1] + before - heading(rows, j - 1, rows[j - 1, RouteRow.U_START]) + kink
             )
-        first, last = (
-            curvature(rows, j, rows[j, RouteRow.U_START]),
-            curvature(rows, j, rows[j, RouteRow.U_END]),
-        )
+        first = curvature(rows, j, rows[j, RouteRow.U_START])
+        last = curvature(rows, j, rows[j, RouteRow.U_END])
         turns = first * last < 0.0 and min(abs(first), abs(last)) > STRAIGHT
         for n in range(2 if turns else 1):
             side = side_of(first if n == 0 and (turns or abs(first) > abs(last)) else last)

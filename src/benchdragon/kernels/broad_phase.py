@@ -167,12 +167,10 @@ def add_overlap(counts: IntArray, near: IntArray, i: int, j: int) -> None:
 def find_overlaps(ground: Hierarchy, grid: Grid, found: IntArray, i: int) -> None:
     """Note all boxes of cells not beyond that of row i that are near it."""
     tree, hulls, groups = ground.tree, ground.hulls, ground.counts[BoxCount.GROUPS]
-    a, c, reach, widest = (
-        tree[i, Node.GROUP],
-        tree[i, Node.NUMBER],
-        ground.measures[BoxMeasure.REACH],
-        0.0,
-    )
+    a = tree[i, Node.GROUP]
+    c = tree[i, Node.NUMBER]
+    reach = ground.measures[BoxMeasure.REACH]
+    widest = 0.0
     if math.isnan(hulls[i, Box.CX]):
         return
     for b in range(groups):
@@ -222,11 +220,9 @@ def overlapping_parts(ground: Hierarchy, i: int, j: int, every: bool) -> bool:
 def add_candidates(ground: Hierarchy, i: int, j: int) -> None:
     """Make part j a partner of part i."""
     counts, tree, groups = ground.counts, ground.tree, ground.groups
-    n, g, size = (
-        counts[BoxCount.ENTRIES],
-        tree[i, Node.GROUP],
-        ground.measures[BoxMeasure.CELL] / of.PARTS,
-    )
+    n = counts[BoxCount.ENTRIES]
+    g = tree[i, Node.GROUP]
+    size = ground.measures[BoxMeasure.CELL] / of.PARTS
     counts[BoxCount.ENTRIES] = n + 1
     begin = (tree[i, Node.NUMBER] + counts[BoxCount.LOW] * of.PARTS) * size
     groups[g, BenchGroup.FIRST] = min(groups[g, BenchGroup.FIRST], begin)

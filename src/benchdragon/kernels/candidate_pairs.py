@@ -246,11 +246,9 @@ def next_step(walk: Walk, room: Workspace, stride: float) -> int:
         tally[WalkTally.PAIRS] = found
         if found > room.meeting.first.shape[0]:
             return NextStep.NARROW
-        way[Course.STEP_START], way[Course.STEP_END], way[Course.AT] = (
-            at[t],
-            at[t + 1],
-            at[t + 1],
-        )
+        way[Course.STEP_START] = at[t]
+        way[Course.STEP_END] = at[t + 1]
+        way[Course.AT] = at[t + 1]
         tally[WalkTally.SLOT] = t + 1
         if found:
             return NextStep.STEP

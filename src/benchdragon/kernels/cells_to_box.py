@@ -120,11 +120,9 @@ def mark_behind(ground: Hierarchy, grid: Grid, found: IntArray, row: int) -> Non
     `grid` holds the middles of all cells.
     """
     hulls, middles, tree, span_of = ground.hulls, ground.middles, ground.tree, ground.span_of
-    groups, reach, cell = (
-        ground.counts[BoxCount.GROUPS],
-        ground.measures[BoxMeasure.REACH],
-        ground.measures[BoxMeasure.CELL],
-    )
+    groups = ground.counts[BoxCount.GROUPS]
+    reach = ground.measures[BoxMeasure.REACH]
+    cell = ground.measures[BoxMeasure.CELL]
     a, c, widest, table = tree[row, Node.GROUP], tree[row, Node.NUMBER], 0.0, ground.groups
     if math.isnan(hulls[row, Box.CX]):
         return

@@ -62,12 +62,10 @@ def looked(hunt: Hunt) -> bool:
             hunt.placed, hunt.boxes,
         )  # fmt: skip
         if apart < f[ContactTold.BEST]:
-            (
-                f[ContactTold.BEST],
-                f[ContactTold.WHERE],
-                f[ContactTold.FIRST_BENCH],
-                f[ContactTold.SECOND_BENCH],
-            ) = apart, s, i, j
+            f[ContactTold.BEST] = apart
+            f[ContactTold.WHERE] = s
+            f[ContactTold.FIRST_BENCH] = i
+            f[ContactTold.SECOND_BENCH] = j
     f[ContactTold.BEST] = max(f[ContactTold.BEST], 0.0)
     return True
 
@@ -126,11 +124,9 @@ def pass_begun(block: int, n: int) -> int:
     made = RoomEnding.ROOMY if n == LOWERING else contact_steps.begun_again(block)
     hunt = group_at(Hunt, block + told.BASE)
     f, note = hunt.figures, hunt.note
-    f[ContactTold.PASS], f[ContactTold.ASIDE], f[ContactTold.LEFT] = (
-        n,
-        0.0,
-        hunt.limits[ContactGiven.MOST_LEAST],
-    )
+    f[ContactTold.PASS] = n
+    f[ContactTold.ASIDE] = 0.0
+    f[ContactTold.LEFT] = hunt.limits[ContactGiven.MOST_LEAST]
     f[ContactTold.AIMED] = (
         f[ContactTold.REACH] if n == LOWERING else min(f[ContactTold.REACH], f[ContactTold.BEST])
     )
@@ -161,10 +157,8 @@ def passed_on(block: int, left: float) -> tuple[int, bool]:
     f, n, count = hunt.figures, int(hunt.figures[ContactTold.PASS]), hunt.tolerances.shape[0]
     share, counted, aside = left, Told.SPENT, 0 <= n < count
     if aside:
-        share, counted = (
-            hunt.limits[ContactGiven.REFINING_ON if n else ContactGiven.REFINING],
-            ContactTold.ASIDE,
-        )
+        share = hunt.limits[ContactGiven.REFINING_ON if n else ContactGiven.REFINING]
+        counted = ContactTold.ASIDE
     ending = contact_steps.searched_on(block, Goal.LEAST, tolerance_of(hunt), share, counted)
     hunt = group_at(Hunt, block + told.BASE)
     f = hunt.figures

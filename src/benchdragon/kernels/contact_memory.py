@@ -152,10 +152,8 @@ def lay_hunt(slots: IntArray, address: int, asked: ContactAsked) -> int:
     """Lay all from an address on that keeps its size; the bytes that takes."""
     rows, benches = asked.rows.shape[0], asked.links.shape[0]
     places = asked.beginnings[Beginning.PLACES]
-    kinds, count = (
-        min(benches, int(asked.limits[ContactGiven.MOST_KINDS])),
-        max(FEWEST, min(LANES, places // (benches + 1))),
-    )
+    kinds = min(benches, int(asked.limits[ContactGiven.MOST_KINDS]))
+    count = max(FEWEST, min(LANES, places // (benches + 1)))
     memory.lay(slots, CONTACT_WALK_SLOT, address, (
         (rows, COLUMNS), *walks(benches, kinds), (rows, SEAM_COLUMNS),
     ))  # fmt: skip

@@ -75,12 +75,10 @@ def seek_contact(handle: int, goal: int, said: Vector) -> bool:
     for n in range(hunt.note.shape[0]):
         hunt.note[n] = 0.0
     if goal == ContactGoal.BETWEEN:
-        f[ContactTold.EARLY], f[ContactTold.LATE], f[ContactTold.BEST], f[ContactTold.WHERE] = (
-            said[1],
-            said[2],
-            said[3],
-            said[4],
-        )
+        f[ContactTold.EARLY] = said[1]
+        f[ContactTold.LATE] = said[2]
+        f[ContactTold.BEST] = said[3]
+        f[ContactTold.WHERE] = said[4]
         f[ContactTold.FIRST_BENCH], f[ContactTold.SECOND_BENCH] = said[5], said[6]
     return True
 
@@ -101,11 +99,9 @@ def read_contact(handle: int, figures: Vector, near: Vector) -> bool:
 def touched_on(block: int, left: float) -> int:
     """Seek the next touch, the end of one, or the next step; how a step ends."""
     hunt = memory.group_at(Hunt, block + told.BASE)
-    f, goal, slack = (
-        hunt.figures,
-        int(hunt.figures[ContactTold.GOAL]),
-        hunt.limits[ContactGiven.LEAST_OFF],
-    )
+    f = hunt.figures
+    goal = int(hunt.figures[ContactTold.GOAL])
+    slack = hunt.limits[ContactGiven.LEAST_OFF]
     if f[ContactTold.READY] == 0.0:
         if (
             goal == Goal.FIRST_TOUCH

@@ -251,10 +251,8 @@ def judged(hunt: Hunt, ending: int) -> int:
     if not is_sharp(hunt, note[Note.OFF]):
         return ContactEnding.BLURRED
     if ending == WalkEnding.ASTRAY:
-        f[ContactTold.SOUND_TO], f[ContactTold.UNTIL] = (
-            way[Course.SOUND],
-            way[Course.SOUND] + 2.0 * hunt.room.ground.measures[BoxMeasure.CELL],
-        )
+        f[ContactTold.SOUND_TO] = way[Course.SOUND]
+        f[ContactTold.UNTIL] = way[Course.SOUND] + 2.0 * hunt.room.ground.measures[BoxMeasure.CELL]
         if way[Course.AT] < way[Course.SOUND]:
             f[ContactTold.SOUND_TO], f[ContactTold.UNTIL] = way[Course.AT], way[Course.SOUND]
         return ContactEnding.STOPPED

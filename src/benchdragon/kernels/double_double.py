@@ -72,10 +72,8 @@ def way_to(rows: FloatArray, j: int, u: float) -> Double:
     """Arc length from the start of row j to parameter u, m; negative on an extension."""
     if rows[j, RouteRow.KIND] != CurveKind.SPIRAL:
         return u, 0.0
-    start, end = (
-        spiral_way(rows[j, RouteRow.P], rows[j, RouteRow.U_START]),
-        spiral_way(rows[j, RouteRow.P], u),
-    )
+    start = spiral_way(rows[j, RouteRow.P], rows[j, RouteRow.U_START])
+    end = spiral_way(rows[j, RouteRow.P], u)
     ahead = dd_add(end, (-start[0], -start[1]))
     sign = walks_up(rows, j)
     return sign * ahead[0], sign * ahead[1]

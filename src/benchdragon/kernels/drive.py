@@ -120,10 +120,8 @@ class Scratch(NamedTuple):
 def jump_row(rows: FloatArray, first: int, last: int) -> int:
     """The first row from first on, before last, at whose end the curvature jumps; -1 without one."""
     for j in range(first, last):
-        before, after = (
-            curvature(rows, j, rows[j, RouteRow.U_END]),
-            curvature(rows, j + 1, rows[j + 1, RouteRow.U_START]),
-        )
+        before = curvature(rows, j, rows[j, RouteRow.U_END])
+        after = curvature(rows, j + 1, rows[j + 1, RouteRow.U_START])
         if abs(after - before) > JUMP:
             return j
     return -1
@@ -234,10 +232,8 @@ def most_of_handle(
     Of d log(ds_i / dsigma) / dsigma low and high are the least and the greatest, 1/m, `bend` is that of
     the curvature's size. Of a bench `fast` is its turning rate, rad/m.
     """
-    least_square, square = (
-        min(drive[DriveStep.FROM], drive[DriveStep.TO]),
-        max(drive[DriveStep.FROM], drive[DriveStep.TO]),
-    )
+    least_square = min(drive[DriveStep.FROM], drive[DriveStep.TO])
+    square = max(drive[DriveStep.FROM], drive[DriveStep.TO])
     if quantity in (DriveRate.SPEEDS, DriveRate.TURNING):
         value = fast * math.sqrt(square) if square > 0.0 else 0.0
     else:

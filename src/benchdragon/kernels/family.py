@@ -146,10 +146,8 @@ def size_benches(family: Family, benches: Benches, kinds: Kinds, size: float) ->
 def lay_spiral(family: Family, rows: FloatArray, size: float) -> int:
     """Fill the row of a spiral in to the disc, or to the centre; how many there are, 0 or 1."""
     numbers, part = family.numbers, family.parts[:1]
-    pitch, disc = (
-        varied(numbers, Varied.PITCH, PlanNumber.PITCH_SIZE, size),
-        varied(numbers, Varied.DISC, PlanNumber.DISC_RADIUS, size),
-    )
+    pitch = varied(numbers, Varied.PITCH, PlanNumber.PITCH_SIZE, size)
+    disc = varied(numbers, Varied.DISC, PlanNumber.DISC_RADIUS, size)
     k, start = pitch / (2.0 * math.pi), 2.0 * math.pi * numbers[PlanNumber.START_TURN]
     end = disc / k if disc == disc else 0.0
     if end >= start or max(start * k, spiral_length(k, start)) > curve.MOST_METRES:
@@ -217,10 +215,8 @@ def lay_turn(family: Family, links: FloatArray, rows: FloatArray, size: float) -
     numbers, longest, whole = family.numbers, 0.0, 0.0
     for i in range(links.shape[0]):
         longest, whole = max(longest, links[i]), whole + links[i]
-    pitch, disc = (
-        varied(numbers, Varied.PITCH, PlanNumber.PITCH_SIZE, size),
-        varied(numbers, Varied.DISC, PlanNumber.DISC_RADIUS, size),
-    )
+    pitch = varied(numbers, Varied.PITCH, PlanNumber.PITCH_SIZE, size)
+    disc = varied(numbers, Varied.DISC, PlanNumber.DISC_RADIUS, size)
     entry, leave = numbers[PlanNumber.ENTRY_RADIUS], numbers[PlanNumber.EXIT_RADIUS]
     entry = entry if entry == entry else disc
     leave = leave if leave == leave else entry

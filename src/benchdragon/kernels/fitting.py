@@ -119,16 +119,8 @@ def set_clothoid(poses: FloatArray, n: int, parts: FloatArray) -> FitStatus:
     if abs(left) > CLOSED or share < LEAST_SHARE:
         return FitStatus.DOUBLES_BACK
     straight = max(abs(phi0), abs(phi1)) <= STRAIGHT_HEADING
-    length = chord / share
-    add(
-        parts,
-        n,
-        CurveKind.LINE if straight else CurveKind.CLOTHOID,
-        length,
-        poses[n, 0],
-        poses[n, 1],
-        poses[n, 2],
-    )
+    kind, length = CurveKind.LINE if straight else CurveKind.CLOTHOID, chord / share
+    add(parts, n, kind, length, poses[n, 0], poses[n, 1], poses[n, 2])
     if not straight:
         parts[n, RoutePart.FIRST] = (change - a) / length
         parts[n, RoutePart.LAST] = (change + a) / length
@@ -354,17 +346,13 @@ def set_radii(sides: FloatArray, closed: bool, left: float) -> float:
     count = sides.shape[0]
     wanted, tangent, room, fair = np.empty((4, count))
     for n in range(count):
-        reach = left - max(sides[n, PolylineSide.STRAY], sides[(n + 1) % count, PolylineSide.STRAY])
-        wanted[n] = (
-            min(reach / sides[n, PolylineSide.REACH], MOST_RADIUS)
-            if sides[n, PolylineSide.REACH] > 0.0
-            else MOST_RADIUS
-        )
-        tangent[n] = (
-            sides[n, PolylineSide.TANGENT] if abs(sides[n, PolylineSide.TURN]) > LEAST_TURN else 0.0
-        )
+        side, after = sides[n], sides[(n + 1) % count]
+        reach = left - max(side[PolylineSide.STRAY], after[PolylineSide.STRAY])
+        wide, bends = side[PolylineSide.REACH], abs(side[PolylineSide.TURN]) > LEAST_TURN
+        wanted[n] = min(reach / wide, MOST_RADIUS) if wide > 0.0 else MOST_RADIUS
+        tangent[n] = side[PolylineSide.TANGENT] if bends else 0.0
         end = not closed and (n == 0 or n == count - 1)
-        room[n] = sides[n, PolylineSide.LENGTH] * (1.0 - STRAIGHT_END if end else 1.0)
+        room[n] = side[PolylineSide.LENGTH] * (1.0 - STRAIGHT_END if end else 1.0)
     for n in range(count):
         both = tangent[n - 1] + tangent[n]
         fair[n] = room[n] / both if both > 0.0 else math.inf
@@ -378,9 +366,9 @@ def set_radii(sides: FloatArray, closed: bool, left: float) -> float:
     least = math.inf
     for n in np.argsort(radii, kind="mergesort"):  # which keeps the order of equals
         if tangent[n]:
-            after, left = (n + 1) % count, 0.0
+            left, then = 0.0, (n + 1) % count
             if count > 1:
-                left = min(room[n] - taken[n - 1], room[after] - taken[after])
+                left = min(room[n] - taken[n - 1], room[then] - taken[then])
             taken[n] = max(taken[n], min(wanted[n] * tangent[n], left))
     for n in range(count):
         sides[n, PolylineSide.RADIUS] = taken[n] / tangent[n] if tangent[n] else math.inf
@@ -396,38 +384,23 @@ def rounded_sides(sides: FloatArray, closed: bool, parts: FloatArray) -> tuple[i
     A closed one begins where the bend at the end of its last side ends.
     """
     count, k, bound, row = sides.shape[0], 0, 0.0, np.empty((1, COLUMNS))
-    last = sides[count - 1]
-    begin = (
-        last[PolylineSide.RADIUS] * last[PolylineSide.TANGENT]
-        if closed and last[PolylineSide.RADIUS] < math.inf
-        else 0.0
-    )
+    last, begin = sides[count - 1], 0.0
+    if closed and last[PolylineSide.RADIUS] < math.inf:
+        begin = last[PolylineSide.RADIUS] * last[PolylineSide.TANGENT]
     for n in range(count):
         side, after = sides[n], sides[(n + 1) % count]
         radius = side[PolylineSide.RADIUS] if side[PolylineSide.RADIUS] < math.inf else 0.0
         tangent, heading = radius * side[PolylineSide.TANGENT], side[PolylineSide.HEADING]
         c, s, length = math.cos(heading), math.sin(heading), side[PolylineSide.LENGTH]
         x, y = side[PolylineSide.X], side[PolylineSide.Y]
-        bound = max(
-            bound,
-            max(side[PolylineSide.STRAY], after[PolylineSide.STRAY])
-            + radius * side[PolylineSide.REACH],
-        )
-        if length - begin - tangent > LEAST_LINE:
-            add(
-                parts,
-                k,
-                CurveKind.LINE,
-                length - begin - tangent,
-                x + begin * c,
-                y + begin * s,
-                heading,
-            )
+        stray = max(side[PolylineSide.STRAY], after[PolylineSide.STRAY])
+        bound, left = max(bound, stray + radius * side[PolylineSide.REACH]), length - begin - tangent
+        if left > LEAST_LINE:
+            add(parts, k, CurveKind.LINE, left, x + begin * c, y + begin * s, heading)
             k += 1
         if tangent > 0.0:
-            start = Pose(
-                after[PolylineSide.X] - tangent * c, after[PolylineSide.Y] - tangent * s, heading
-            )
+            x, y = after[PolylineSide.X], after[PolylineSide.Y]
+            start = Pose(x - tangent * c, y - tangent * s, heading)
             k = add_bend(
                 parts, k, radius, side[PolylineSide.TURN], side[PolylineSide.EASED], start, row
             )

@@ -150,12 +150,10 @@ def fill_stretch(
     )
     if first + count > tables.nodes.shape[1]:
         return math.inf
-    row[NodeStretch.START], row[NodeStretch.STEP], row[NodeStretch.FIRST], row[NodeStretch.NODES] = (
-        low,
-        (high - low) / (count - 1),
-        first,
-        count,
-    )
+    row[NodeStretch.START] = low
+    row[NodeStretch.STEP] = (high - low) / (count - 1)
+    row[NodeStretch.FIRST] = first
+    row[NodeStretch.NODES] = count
     for look in range(2):  # at nodes, then at all places
         for k in range(0, looks, 1 if look else 4):
             s = even(low + inside, high - inside, k, looks)

@@ -123,8 +123,6 @@ def tail_swing(parts: FloatArray, side: float, swing: float, r: float, swings: i
         n = add(parts, n, CurveKind.ARC, r, half * angle * (-side if bend % 2 else side))
     if run > 0.0:
         n = add(parts, n, CurveKind.LINE, run, 0.0)
-    parts[0, RoutePart.X], parts[0, RoutePart.Y] = (
-        -swings * r * math.sin(angle) - run,
-        -0.5 * side * swing,
-    )
+    parts[0, RoutePart.X] = -swings * r * math.sin(angle) - run
+    parts[0, RoutePart.Y] = -0.5 * side * swing
     return n

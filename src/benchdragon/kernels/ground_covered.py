@@ -124,12 +124,10 @@ def set_slab(
     swing = min(turn, 0.5 * math.pi)
     pad = around + (out + around) * math.sin(swing)
     slabs[n, Slab.X], slabs[n, Slab.Y], slabs[n, Slab.ALONG_X], slabs[n, Slab.ALONG_Y] = x, y, tx, ty
-    slabs[n, Slab.LOW], slabs[n, Slab.HIGH], slabs[n, Slab.AROUND], slabs[n, Slab.SWING] = (
-        -pad,
-        chord + pad,
-        around,
-        swing,
-    )
+    slabs[n, Slab.LOW] = -pad
+    slabs[n, Slab.HIGH] = chord + pad
+    slabs[n, Slab.AROUND] = around
+    slabs[n, Slab.SWING] = swing
 
 
 @kernel
@@ -150,12 +148,10 @@ def raise_sides(
     hulls: FloatArray, k: int, slabs: FloatArray, n: int, seen: FloatArray, sides: FloatArray
 ) -> None:
     """Raise sides[n] to how far hull k reaches to the left and right within slab n, m."""
-    tx, ty, low, high = (
-        slabs[n, Slab.ALONG_X],
-        slabs[n, Slab.ALONG_Y],
-        slabs[n, Slab.LOW],
-        slabs[n, Slab.HIGH],
-    )
+    tx = slabs[n, Slab.ALONG_X]
+    ty = slabs[n, Slab.ALONG_Y]
+    low = slabs[n, Slab.LOW]
+    high = slabs[n, Slab.HIGH]
     left, right = 0.0, 0.0
     for i in range(CORNERS):
         dx, dy = hulls[k, 2 * i] - slabs[n, Slab.X], hulls[k, 2 * i + 1] - slabs[n, Slab.Y]

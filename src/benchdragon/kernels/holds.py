@@ -128,11 +128,9 @@ def reach(held: Held, n: int, way: float, speed: float) -> int:
 @kernel
 def next_cut(held: Held, p: int, at: float, last: float, target: float, slope: float) -> float:
     """The next place on piece p at which the squared speed bends, or where it ends."""
-    now, cut, bends = (
-        held.knots[held.counts[HoldCount.KNOTS] - 1, Knot.WAY],
-        last,
-        held.counts[HoldCount.STOOD] > 0,
-    )
+    now = held.knots[held.counts[HoldCount.KNOTS] - 1, Knot.WAY]
+    cut = last
+    bends = held.counts[HoldCount.STOOD] > 0
     if bends:
         place = meets(held.pieces, p, now, slope)
         cut = place if at < place < cut else cut
@@ -209,21 +207,17 @@ def brake(held: Held, at: float, rate: float, end: int) -> bool:
 @kernel
 def stand(held: Held, hold: int) -> int:
     """Stand from now on, for as long as a hold says; FINE."""
-    counts, now, seconds = (
-        held.counts,
-        held.counts[HoldCount.KNOTS] - 1,
-        held.holds[hold, HoldRow.SECONDS],
-    )
+    counts = held.counts
+    now = held.counts[HoldCount.KNOTS] - 1
+    seconds = held.holds[hold, HoldRow.SECONDS]
     held.knots[now, Knot.SPEED], time, way = 0.0, held.knots[now, Knot.TIME], held.knots[now, Knot.WAY]
     end = time + seconds
     for start in held.starts:
         if seconds == math.inf and start >= time:
             end = min(end, start)
-    row, counts[HoldCount.STOOD], held.waiting[hold] = (
-        counts[HoldCount.STOOD],
-        counts[HoldCount.STOOD] + 1,
-        0,
-    )
+    row = counts[HoldCount.STOOD]
+    counts[HoldCount.STOOD] = counts[HoldCount.STOOD] + 1
+    held.waiting[hold] = 0
     held.stood[row, Stood.NUMBER], held.stood[row, Stood.WAY] = hold, way
     held.stood[row, Stood.START], held.stood[row, Stood.END] = time, end
     if time < end < math.inf:
@@ -249,11 +243,9 @@ def stand_next(held: Held, rate: float) -> int:
             placed = n if placed < 0 or holds[n, HoldRow.WAY] < holds[placed, HoldRow.WAY] else placed
             timed = n if timed < 0 or holds[n, HoldRow.AT] < holds[timed, HoldRow.AT] else timed
     way, at, stood = holds[placed, HoldRow.WAY], holds[timed, HoldRow.AT], counts[HoldCount.STOOD] > 0
-    time, ahead, speed = (
-        held.knots[now, Knot.TIME],
-        way - held.knots[now, Knot.WAY],
-        held.knots[now, Knot.SPEED],
-    )
+    time = held.knots[now, Knot.TIME]
+    ahead = way - held.knots[now, Knot.WAY]
+    speed = held.knots[now, Knot.SPEED]
     if is_over(held):
         return told(held, first, HoldTrouble.OVER)
     if stood and way <= held.knots[now, Knot.WAY] + SAME_PLACE:

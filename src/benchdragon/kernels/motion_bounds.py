@@ -211,11 +211,9 @@ def bound_handles(
     ja, ua, jb, ub = places.row[0, a], places.u[0, a], places.row[0, b], places.u[0, b]
     h = path_bound(rows, ja, ua, jb, ub)
     low, high = curvature_range(rows, ja, ua, jb, ub)
-    bounds[0, HandleBound.PATH], bounds[0, HandleBound.SLOWEST], bounds[0, HandleBound.SPEED] = (
-        h,
-        1.0,
-        1.0,
-    )
+    bounds[0, HandleBound.PATH] = h
+    bounds[0, HandleBound.SLOWEST] = 1.0
+    bounds[0, HandleBound.SPEED] = 1.0
     bounds[0, HandleBound.GROWTH_LOW], bounds[0, HandleBound.GROWTH_HIGH] = 0.0, 0.0
     bounds[0, HandleBound.ACCELERATION], bounds[0, HandleBound.TURNING_RATE] = magnitude(low, high), 0.0
     bounds[0, HandleBound.LEFT], bounds[0, HandleBound.RIGHT] = high, low
@@ -259,10 +257,8 @@ def bound_next(
     seen = places.ratio[i + 1, a], places.ratio[i + 1, b]
     bounds[i + 1, HandleBound.SLOWEST], bounds[i + 1, HandleBound.GROWTH_LOW] = 0.0, -math.inf
     bounds[i + 1, HandleBound.SPEED], bounds[i + 1, HandleBound.GROWTH_HIGH] = math.inf, math.inf
-    bounds[i + 1, HandleBound.ACCELERATION], bounds[i + 1, HandleBound.TURNING_RATE] = (
-        math.inf,
-        math.inf,
-    )
+    bounds[i + 1, HandleBound.ACCELERATION] = math.inf
+    bounds[i + 1, HandleBound.TURNING_RATE] = math.inf
     for _ in range(PASSES):
         f, r = angle_range(sa, sb, ca, cb, front), angle_range(ta, tb, da, db, rear)
         if not (min(f[2], r[2]) > FOLD_COSINE and bounds[i, HandleBound.SPEED] < math.inf):
@@ -317,10 +313,8 @@ def bound_rates(
     next_fast = min(next_fast, peak(seen[0], seen[1], low, high, h))
     next_slow = max(next_slow, -peak(-seen[0], -seen[1], -high, -low, h))
     bounds[i + 1, HandleBound.SLOWEST], bounds[i + 1, HandleBound.SPEED] = next_slow, next_fast
-    bounds[i + 1, HandleBound.GROWTH_LOW], bounds[i + 1, HandleBound.GROWTH_HIGH] = (
-        growth_low,
-        growth_high,
-    )
+    bounds[i + 1, HandleBound.GROWTH_LOW] = growth_low
+    bounds[i + 1, HandleBound.GROWTH_HIGH] = growth_high
     bounds[i + 1, HandleBound.TURNING_RATE] = magnitude(turn_low, turn_high)
     bounds[i + 1, HandleBound.TURN_LOW], bounds[i + 1, HandleBound.TURN_HIGH] = turn_low, turn_high
     return rates

@@ -64,12 +64,10 @@ def nearness(boxes: Table, i: int, j: int, row: Vector) -> None:
         (Closest.POINTS, Closest.POINTS + 2) if owner < other else (Closest.POINTS + 2, Closest.POINTS)
     )
     row[own], row[own + 1], row[far], row[far + 1] = x, y, there_x, there_y
-    row[Closest.OWNER], row[Closest.CORNER], row[Closest.OTHER], row[Closest.FEATURE] = (
-        owner,
-        which,
-        other,
-        feature,
-    )
+    row[Closest.OWNER] = owner
+    row[Closest.CORNER] = which
+    row[Closest.OTHER] = other
+    row[Closest.FEATURE] = feature
 
 
 @kernel

@@ -236,10 +236,8 @@ def fill_beside(
 def sort_repeats(repeats: Table, out: Table) -> None:
     """Copy repeats, those first that leave out most."""
     for n in range(repeats.shape[0]):
-        m, way = (
-            n,
-            repeats[n, RepeatSpan.LOW] - repeats[n, RepeatSpan.HIGH] + repeats[n, RepeatSpan.PERIOD],
-        )
+        m = n
+        way = repeats[n, RepeatSpan.LOW] - repeats[n, RepeatSpan.HIGH] + repeats[n, RepeatSpan.PERIOD]
         while (
             m > 0
             and out[m - 1, RepeatSpan.LOW] - out[m - 1, RepeatSpan.HIGH] + out[m - 1, RepeatSpan.PERIOD]

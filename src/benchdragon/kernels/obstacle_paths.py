@@ -31,11 +31,9 @@ def stands(beside: Beside) -> bool:
     while next_span(beside):
         way, first = beside.ways[int(figures[ObstacleTold.SIZE])], figures[ObstacleTold.FROM]
         if way[SizeWay.COUNT] == 0.0:
-            way[SizeWay.BENCH], way[SizeWay.LOW], way[SizeWay.HIGH] = (
-                figures[ObstacleTold.SIZE],
-                first,
-                first,
-            )
+            way[SizeWay.BENCH] = figures[ObstacleTold.SIZE]
+            way[SizeWay.LOW] = first
+            way[SizeWay.HIGH] = first
             way[SizeWay.LENGTH] = 0.0
         way[SizeWay.COUNT] += 1.0 if figures[ObstacleTold.SPAN] == 1.0 else 0.0
         way[SizeWay.LOW] = min(way[SizeWay.LOW], first)
@@ -90,11 +88,9 @@ def begin_size(beside: Beside, k: int) -> None:
     bench.link[0] = beside.links[k]
     for n in range(4):
         bench.sizes[n, 0] = beside.sizes[n, k]
-    figures[ObstacleTold.SIZE], figures[ObstacleTold.BENCH], figures[ObstacleTold.AHEAD] = (
-        k,
-        k - 1,
-        math.inf,
-    )
+    figures[ObstacleTold.SIZE] = k
+    figures[ObstacleTold.BENCH] = k - 1
+    figures[ObstacleTold.AHEAD] = math.inf
     figures[ObstacleTold.REPEATS] = begin_repeats(
         bench.rows, bench.link, beside.repeats, beside.at, beside.chain, beside.begun
     )
@@ -139,9 +135,7 @@ def next_span(beside: Beside) -> bool:
         if not next_bench(beside):
             return False
     n = int(figures[ObstacleTold.SPAN])
-    figures[ObstacleTold.FROM], figures[ObstacleTold.TO], figures[ObstacleTold.SPAN] = (
-        beside.spans[n, 0],
-        beside.spans[n, 1],
-        n + 1,
-    )
+    figures[ObstacleTold.FROM] = beside.spans[n, 0]
+    figures[ObstacleTold.TO] = beside.spans[n, 1]
+    figures[ObstacleTold.SPAN] = n + 1
     return True

@@ -28,12 +28,10 @@ MOST_PLACE_STEPS = 100
 def put(beside: Beside, n: int, low: float, high: float, bench: float, sure: bool) -> None:
     """Fill row n of what is found."""
     row = beside.found[n]
-    (
-        row[ObstacleFound.LOW_END],
-        row[ObstacleFound.HIGH_END],
-        row[ObstacleFound.HEAD],
-        row[ObstacleFound.WHO],
-    ) = low, high, high, bench
+    row[ObstacleFound.LOW_END] = low
+    row[ObstacleFound.HIGH_END] = high
+    row[ObstacleFound.HEAD] = high
+    row[ObstacleFound.WHO] = bench
     row[ObstacleFound.SURE] = 1.0 if sure else 0.0
 
 
@@ -120,11 +118,8 @@ def show(beside: Beside, n: int) -> None:
     venue the point is the corner that is farthest out, and the gap minus how far.
     """
     row, asked, box, boxes = beside.found[n], beside.asked, beside.box, beside.standing.boxes
-    sort, bench, outline = (
-        int(asked[ObstacleGiven.SORT]),
-        int(beside.found[n, ObstacleFound.WHO]),
-        beside.outline,
-    )
+    sort, radius = int(asked[ObstacleGiven.SORT]), asked[ObstacleGiven.RADIUS]
+    bench, outline = int(row[ObstacleFound.WHO]), beside.outline
     at, _ratio = last_handle(beside, bench + 1, row[ObstacleFound.HEAD])
     row[ObstacleFound.GAP] = math.nan
     if math.isnan(at):
@@ -137,10 +132,8 @@ def show(beside: Beside, n: int) -> None:
     x, y, apart = near[Closest.POINTS], near[Closest.POINTS + 1], near[Closest.DISTANCE]
     own = near[Closest.OWNER] == 0.0
     feature = corner_feature(int(near[Closest.CORNER])) if own else int(near[Closest.FEATURE])
-    gap = (near[Closest.GAP] if apart <= 0.0 else apart) - asked[ObstacleGiven.RADIUS]
-    if gap > 0.0 and forbids(
-        sort, outline, asked[ObstacleGiven.RADIUS], box[0, Box.CX], box[0, Box.CY]
-    ):
+    gap = (near[Closest.GAP] if apart <= 0.0 else apart) - radius
+    if gap > 0.0 and forbids(sort, outline, radius, box[0, Box.CX], box[0, Box.CY]):
         gap = -gap
     farthest = math.inf
     for k in range(4 if sort == ObstacleKind.VENUE else 0):
@@ -152,9 +145,7 @@ def show(beside: Beside, n: int) -> None:
             if -beyond < farthest:
                 farthest, gap, x, y = -beyond, -beyond, corner_x, corner_y
                 feature = corner_feature(k)
-    (
-        row[ObstacleFound.AT_X],
-        row[ObstacleFound.AT_Y],
-        row[ObstacleFound.GAP],
-        row[ObstacleFound.FEATURE],
-    ) = x, y, gap, feature
+    row[ObstacleFound.AT_X] = x
+    row[ObstacleFound.AT_Y] = y
+    row[ObstacleFound.GAP] = gap
+    row[ObstacleFound.FEATURE] = feature

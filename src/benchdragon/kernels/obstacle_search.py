@@ -68,11 +68,9 @@ def known_off(figures: Vector, off: float) -> bool:
 def seek_beside(beside: Beside, goal: int, narrow: float) -> None:
     """Seek, from the next step on, FIRST_TOUCH, or LEAST within a bracket so narrow, m."""
     figures, note = beside.figures, beside.note
-    figures[ObstacleTold.GOAL], figures[ObstacleTold.NARROW], figures[ObstacleTold.SOONEST] = (
-        goal,
-        narrow,
-        math.inf,
-    )
+    figures[ObstacleTold.GOAL] = goal
+    figures[ObstacleTold.NARROW] = narrow
+    figures[ObstacleTold.SOONEST] = math.inf
     figures[ObstacleTold.COUNT] = figures[ObstacleTold.TOLD_ROWS] = 0.0
     figures[ObstacleTold.BEGINS] = 1.0
     rewind(beside)
@@ -100,11 +98,9 @@ def keep_nearest(beside: Beside) -> None:
 def stands_touching(beside: Beside) -> bool:
     """Tell of the start, if how benches stand there decides when one touches; whether it does."""
     figures, asked = beside.figures, beside.asked
-    reach, off, head = (
-        asked[ObstacleGiven.MARGIN] + asked[ObstacleGiven.RADIUS],
-        figures[ObstacleTold.APART_OFF],
-        asked[ObstacleGiven.HEAD_FIRST],
-    )
+    reach = asked[ObstacleGiven.MARGIN] + asked[ObstacleGiven.RADIUS]
+    off = figures[ObstacleTold.APART_OFF]
+    head = asked[ObstacleGiven.HEAD_FIRST]
     sure = figures[ObstacleTold.APART] <= reach - off
     if not sure and (
         figures[ObstacleTold.APART] > reach + off or head < asked[ObstacleGiven.HEAD_LAST]
@@ -152,12 +148,10 @@ def touched_on(block: int, slot: int, most: float) -> int:
 @kernel
 def take_down(beside: Beside, sure: bool) -> None:
     """Take down a touch, or a graze. A graze that runs into a touch is its beginning."""
-    figures, note, found, n = (
-        beside.figures,
-        beside.note,
-        beside.found,
-        int(beside.figures[ObstacleTold.COUNT]),
-    )
+    figures = beside.figures
+    note = beside.note
+    found = beside.found
+    n = int(beside.figures[ObstacleTold.COUNT])
     lower = note[Note.LOWER]
     if (
         figures[ObstacleTold.GRAZES] > 0.0
@@ -200,11 +194,9 @@ def settled(beside: Beside) -> int:
             if found[n, ObstacleFound.HIGH_END] < last:
                 last, who = found[n, ObstacleFound.HIGH_END], found[n, ObstacleFound.WHO]
     for n in range(int(figures[ObstacleTold.COUNT])):
-        low, high, bench = (
-            found[n, ObstacleFound.LOW_END],
-            found[n, ObstacleFound.HIGH_END],
-            found[n, ObstacleFound.WHO],
-        )
+        low = found[n, ObstacleFound.LOW_END]
+        high = found[n, ObstacleFound.HIGH_END]
+        bench = found[n, ObstacleFound.WHO]
         if found[n, ObstacleFound.SURE] > 0.0 or low >= clear_to:
             continue
         m = count
@@ -266,11 +258,9 @@ def lowered_on(beside: Beside, most: float) -> int:
 def tell_least(beside: Beside) -> int:
     """Tell the least distance: from the edges of what stands still, and of the head."""
     figures, row, bench = beside.figures, beside.found[0], int(beside.figures[ObstacleTold.NEAR_BENCH])
-    near, radius, head = (
-        figures[ObstacleTold.NEAR],
-        beside.asked[ObstacleGiven.RADIUS],
-        beside.asked[ObstacleGiven.HEAD_FIRST],
-    )
+    near = figures[ObstacleTold.NEAR]
+    radius = beside.asked[ObstacleGiven.RADIUS]
+    head = beside.asked[ObstacleGiven.HEAD_FIRST]
     if not known_off(figures, figures[ObstacleTold.APART_OFF]):
         return ObstacleEnding.TOO_FAR_OFF
     if not math.isnan(figures[ObstacleTold.NEAR_AT]):
@@ -284,11 +274,9 @@ def tell_least(beside: Beside) -> int:
     low = max(min(floor, near) - radius - off, 0.0)
     high = gap + off if gap > 0.0 else max(gap + math.sqrt(2.0) * off, 0.0)
     put(beside, 0, low, high, bench, True)
-    row[ObstacleFound.VALUE], row[ObstacleFound.HEAD], figures[ObstacleTold.COUNT] = (
-        max(gap, 0.0),
-        head,
-        1.0,
-    )
+    row[ObstacleFound.VALUE] = max(gap, 0.0)
+    row[ObstacleFound.HEAD] = head
+    figures[ObstacleTold.COUNT] = 1.0
     show(beside, 0)
     return ObstacleEnding.ALL_TOLD
 

@@ -61,8 +61,6 @@ def search_pairs(
         out[q, PairAnswer.ENDING] = bisect(
             search, goal, chain, Pairs(mine, other), top, 0, limits, note
         )
-        out[q, PairAnswer.SOUGHT_LOW], out[q, PairAnswer.SOUGHT_HIGH] = (
-            note[Note.LOWER],
-            note[Note.UPPER],
-        )
+        out[q, PairAnswer.SOUGHT_LOW] = note[Note.LOWER]
+        out[q, PairAnswer.SOUGHT_HIGH] = note[Note.UPPER]
         out[q, PairAnswer.SEPARATION] = note[Note.NEAREST]

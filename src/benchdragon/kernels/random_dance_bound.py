@@ -136,10 +136,8 @@ def prepare(
     for i in range(links.shape[0]):
         whole += links[i]
     facts[BoundFact.B], facts[BoundFact.FIRST], facts[BoundFact.LAST] = rows[0, RouteRow.P], first, last
-    facts[BoundFact.LOW], facts[BoundFact.GRID_LOW] = (
-        first - MOST_WAY * whole - 1.0,
-        first - WAYS * whole - LINE_ALONG,
-    )
+    facts[BoundFact.LOW] = first - MOST_WAY * whole - 1.0
+    facts[BoundFact.GRID_LOW] = first - WAYS * whole - LINE_ALONG
     u = parameter_at(rows, 0, last)
     x, y, tx, ty = place(rows, 0, u)
     facts[BoundFact.OUTWARD] = math.copysign(
@@ -197,10 +195,8 @@ def follow(bound: Bound, rows: FloatArray, links: FloatArray, bend: float) -> bo
         longest = apart * angle + math.hypot(link, apart * angle)
         shortest = math.sqrt(max(link**2 - apart**2, 0.0)) - apart * angle
         off = abs(aside[i]) + facts[BoundFact.MOST_STRAY]
-        bound.apart[i], bound.ways[i] = (
-            apart,
-            longest / (max(chord, SPARE_LENGTH) * (1.0 - off * local)),
-        )
+        bound.apart[i] = apart
+        bound.ways[i] = longest / (max(chord, SPARE_LENGTH) * (1.0 - off * local))
         nearest[i + 1] = nearest[i] + shortest / (1.0 + off * local)
         farthest[i + 1] = farthest[i] + bound.ways[i]
         sound = sound and bound.ways[i] < MOST_WAY * link and angle + apart / link < MOST_BENCH_ANGLE

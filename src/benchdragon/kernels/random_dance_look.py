@@ -66,11 +66,9 @@ def note_low(dance: Dance, found: Meeting) -> None:
 def set_hint(dance: Dance, n: int, s: float, j: int) -> None:
     """Let hint n be a place of the head, m, as told to a dance with another pitch."""
     figures, hints = dance.figures, dance.hints
-    hints[n, 0], hints[n, 1], hints[n, 2] = (
-        s - figures[DanceTold.START],
-        figures[DanceTold.END] - s,
-        j + 1 + BEYOND,
-    )
+    hints[n, 0] = s - figures[DanceTold.START]
+    hints[n, 1] = figures[DanceTold.END] - s
+    hints[n, 2] = j + 1 + BEYOND
     figures[DanceTold.HINTS] = max(figures[DanceTold.HINTS], n + 1)
 
 
@@ -129,12 +127,10 @@ def meeting_near(dance: Dance, hint: int) -> Meeting:
 
     Counted from the start and from the end: whichever is nearer to touching.
     """
-    start, end, hints, longest = (
-        dance.figures[DanceTold.START],
-        dance.figures[DanceTold.END],
-        dance.hints,
-        0.0,
-    )
+    start = dance.figures[DanceTold.START]
+    end = dance.figures[DanceTold.END]
+    hints = dance.hints
+    longest = 0.0
     for i in range(dance.drawn.links.shape[0]):
         longest = max(longest, dance.drawn.links[i])
     count = min(int(hints[hint, 2]), dance.drawn.links.shape[0])
@@ -186,11 +182,9 @@ def weigh(dance: Dance) -> None:
     room = figures[DanceTold.LOW] - dance.limits[DanceGiven.MARGIN]
     figures[DanceTold.ROOM], figures[DanceTold.DOING] = room, DanceStage.JUDGING
     if room >= 0.0 and (is_sure(dance) or room <= PITCH_TOLERANCE):
-        figures[DanceTold.DOING], figures[DanceTold.PART], figures[DanceTold.PLACE] = (
-            DanceStage.SEARCHING,
-            0.0,
-            0.0,
-        )
+        figures[DanceTold.DOING] = DanceStage.SEARCHING
+        figures[DanceTold.PART] = 0.0
+        figures[DanceTold.PLACE] = 0.0
 
 
 @kernel
@@ -204,16 +198,12 @@ def look_first(dance: Dance) -> None:
             return
         if found.distance < figures[DanceTold.LOW]:
             note_low(dance, found)
-    figures[DanceTold.DOING], figures[DanceTold.PART], figures[DanceTold.PLACE] = (
-        DanceStage.LOOKING,
-        0.0,
-        0.0,
-    )
-    figures[DanceTold.SEEN], figures[DanceTold.SEEN_PART], figures[DanceTold.SEEN_PLACE] = (
-        math.inf,
-        0.0,
-        0.0,
-    )
+    figures[DanceTold.DOING] = DanceStage.LOOKING
+    figures[DanceTold.PART] = 0.0
+    figures[DanceTold.PLACE] = 0.0
+    figures[DanceTold.SEEN] = math.inf
+    figures[DanceTold.SEEN_PART] = 0.0
+    figures[DanceTold.SEEN_PLACE] = 0.0
     room = figures[DanceTold.LOW] - dance.limits[DanceGiven.MARGIN]
     if room < 0.0 or PITCH_TOLERANCE < room < math.inf:
         weigh(dance)
@@ -233,11 +223,9 @@ def look_on(dance: Dance) -> None:
             figures[DanceTold.DOING] = DanceStage.JUDGING
             return
         if found.distance < figures[DanceTold.SEEN]:
-            figures[DanceTold.SEEN], figures[DanceTold.SEEN_PART], figures[DanceTold.SEEN_PLACE] = (
-                found.distance,
-                part,
-                t,
-            )
+            figures[DanceTold.SEEN] = found.distance
+            figures[DanceTold.SEEN_PART] = part
+            figures[DanceTold.SEEN_PLACE] = t
     figures[DanceTold.PLACE] = n + m.STEPS_TOGETHER
     if n + m.STEPS_TOGETHER < places:
         return

@@ -138,11 +138,9 @@ def begin(dance: Dance, family: Family, walk: Walk, limits: Vector) -> None:
     radii(drawn.sizes, dance.circles[0])
     figures[DanceTold.DOING] = DanceStage.BEGINNING if can_be(drawn) else DanceStage.SPOILT
     figures[DanceTold.PARTNERS], dance.sizes[DanceSize.PAIRS] = FEW_PARTNERS, -1
-    figures[DanceTold.CLEAR], figures[DanceTold.BEFORE], figures[DanceTold.ROOM_BEFORE] = (
-        math.inf,
-        math.nan,
-        math.nan,
-    )
+    figures[DanceTold.CLEAR] = math.inf
+    figures[DanceTold.BEFORE] = math.nan
+    figures[DanceTold.ROOM_BEFORE] = math.nan
     figures[DanceTold.PITCH] = limits[DanceGiven.GUESS] + LIKELY * math.hypot(
         limits[DanceGiven.ASIDE], limits[DanceGiven.STRAY]
     )
@@ -306,12 +304,10 @@ def draw_line(dance: Dance, first: float, last: float) -> None:
     points, along = dance.points, dance.along
     figures[DanceTold.START], figures[DanceTold.END] = first, last
     fill_noise(int(limits[DanceGiven.SEED]), int(limits[DanceGiven.DANCE]), dance.noise)
-    figures[DanceTold.PARTS], parts[0, 0], parts[0, 1], parts[0, 2] = (
-        1.0,
-        first,
-        last,
-        drawn.links.shape[0],
-    )
+    figures[DanceTold.PARTS] = 1.0
+    parts[0, 0] = first
+    parts[0, 1] = last
+    parts[0, 2] = drawn.links.shape[0]
     if dance.sizes[DanceSize.RADII] and prepare(
         dance.bound, rows, drawn.links, drawn.sizes, drawn.aside, dance.noise, stray, first, last
     ):
@@ -334,12 +330,10 @@ def draw_line(dance: Dance, first: float, last: float) -> None:
 def search_on(block: int) -> int:
     """Search some more steps of the head: MORE, or why not."""
     dance = group_at(Dance, block + m.BASE)
-    figures, drawn, search, part = (
-        dance.figures,
-        dance.drawn,
-        dance.search,
-        int(dance.figures[DanceTold.PART]),
-    )
+    figures = dance.figures
+    drawn = dance.drawn
+    search = dance.search
+    part = int(dance.figures[DanceTold.PART])
     if part >= figures[DanceTold.PARTS]:
         figures[DanceTold.DOING] = DanceStage.JUDGING
         return QuestionEnding.MORE
@@ -365,10 +359,8 @@ def search_on(block: int) -> int:
         return QuestionEnding.MORE if size == 0 else given_up(figures, size)
     if ending == Ending.CLEAR:
         last = n + some == places - 1
-        figures[DanceTold.PART], figures[DanceTold.PLACE] = (
-            part + (1.0 if last else 0.0),
-            0.0 if last else n + some,
-        )
+        figures[DanceTold.PART] = part + (1.0 if last else 0.0)
+        figures[DanceTold.PLACE] = 0.0 if last else n + some
         return QuestionEnding.MORE
     figures[DanceTold.ROOM], figures[DanceTold.DOING] = math.nan, DanceStage.JUDGING
     if ending != Ending.FALLEN:
@@ -397,12 +389,10 @@ def judge_touch(dance: Dance) -> int:
 def judge_pitch(dance: Dance) -> int:
     """Answer which pitch is needed, or go on to the next: MORE."""
     figures, guess = dance.figures, dance.limits[DanceGiven.GUESS]
-    a, fa, b, fb = (
-        figures[DanceTold.BEFORE],
-        figures[DanceTold.ROOM_BEFORE],
-        figures[DanceTold.PITCH],
-        figures[DanceTold.ROOM],
-    )
+    a = figures[DanceTold.BEFORE]
+    fa = figures[DanceTold.ROOM_BEFORE]
+    b = figures[DanceTold.PITCH]
+    fb = figures[DanceTold.ROOM]
     sure = is_sure(dance)
     if not fb >= 0.0:
         figures[DanceTold.TOUCHING] = max(figures[DanceTold.TOUCHING], b)

@@ -155,10 +155,8 @@ def add_run(
         return count
     for k in range(first, end + 1):
         used[k] = 1
-    way, high = (
-        rows[first, RouteRow.S_START] - rows[begin, RouteRow.S_START],
-        rows[end, RouteRow.S_START] + rows[end, RouteRow.LENGTH],
-    )
+    way = rows[first, RouteRow.S_START] - rows[begin, RouteRow.S_START]
+    high = rows[end, RouteRow.S_START] + rows[end, RouteRow.LENGTH]
     return add_repeat(known, count, rows[begin, RouteRow.S_START], high, way, missed)
 
 
@@ -223,16 +221,12 @@ def spans_left(
         length += links[i]
     order, kept = np.empty(total, dtype=np.int64), np.empty(total)
     for n in range(total):
-        order[n], kept[n] = (
-            n,
-            known[n, RepeatSpan.LOW] - known[n, RepeatSpan.HIGH] + known[n, RepeatSpan.PERIOD],
-        )
+        order[n] = n
+        kept[n] = known[n, RepeatSpan.LOW] - known[n, RepeatSpan.HIGH] + known[n, RepeatSpan.PERIOD]
         put_in_order(kept, n + 1, order)
-    ordered, begun, skips = (
-        np.empty((total, REPEAT)),
-        np.empty((total, BegunRepeat.BEGUN)),
-        np.empty((total, 2)),
-    )
+    ordered = np.empty((total, REPEAT))
+    begun = np.empty((total, BegunRepeat.BEGUN))
+    skips = np.empty((total, 2))
     for n in range(total):
         for k in range(REPEAT):
             ordered[n, k] = known[order[n], k]

@@ -106,12 +106,10 @@ def set_axis(rows: FloatArray, j: int) -> None:
 @kernel
 def write_row(parts: FloatArray, i: int, rows: FloatArray, j: int, s: float) -> None:
     """Row j, at route position s, for part i; for a clothoid that is cut the first of its rows."""
-    kind, size, first, last = (
-        parts[i, RoutePart.KIND],
-        parts[i, RoutePart.SIZE],
-        parts[i, RoutePart.FIRST],
-        parts[i, RoutePart.LAST],
-    )
+    kind = parts[i, RoutePart.KIND]
+    size = parts[i, RoutePart.SIZE]
+    first = parts[i, RoutePart.FIRST]
+    last = parts[i, RoutePart.LAST]
     rows[j, RouteRow.KIND] = kind
     rows[j, RouteRow.PART] = i
     rows[j, RouteRow.S_START] = s

@@ -199,10 +199,8 @@ def size_workspace(
     cells = min(wanted, beginnings[Beginning.MOST_CELLS])
     most = min(beginnings[Beginning.A_CELL] * cells, beginnings[Beginning.AT_FIRST])
     sizes[RoomSize.CELLS], sizes[RoomSize.PARTS], sizes[RoomSize.ENTRIES] = cells, most, most
-    sizes[RoomSize.DOUBTS], sizes[RoomSize.PAIRS] = (
-        beginnings[Beginning.FIRST_DOUBTS],
-        beginnings[Beginning.FIRST_PAIRS],
-    )
+    sizes[RoomSize.DOUBTS] = beginnings[Beginning.FIRST_DOUBTS]
+    sizes[RoomSize.PAIRS] = beginnings[Beginning.FIRST_PAIRS]
     sizes[RoomSize.MEMBERS] = min(beginnings[Beginning.FIRST_MEMBERS], benches)
     sizes[RoomSize.MOST_CELLS] = beginnings[Beginning.MOST_CELLS]
 

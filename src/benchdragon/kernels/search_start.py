@@ -44,15 +44,11 @@ def begin_group(benches: Benches, kinds: Kinds, ground: Hierarchy, s: FloatArray
     for b in range(counts[BoxCount.GROUPS]):
         if groups[g, BenchGroup.WAYS + b] < math.inf or groups[b, BenchGroup.WAYS + g] < math.inf:
             alone = 0.0
-    groups[g, BenchGroup.ARM], groups[g, BenchGroup.HIND] = (
-        arm + ground.measures[BoxMeasure.CELL],
-        hind,
-    )
-    groups[g, BenchGroup.WIDEST], groups[g, BenchGroup.ALONE], groups[g, BenchGroup.FIRST] = (
-        0.0,
-        alone,
-        math.inf,
-    )
+    groups[g, BenchGroup.ARM] = arm + ground.measures[BoxMeasure.CELL]
+    groups[g, BenchGroup.HIND] = hind
+    groups[g, BenchGroup.WIDEST] = 0.0
+    groups[g, BenchGroup.ALONE] = alone
+    groups[g, BenchGroup.FIRST] = math.inf
     groups[g, BenchGroup.FOREMOST], groups[g, BenchGroup.REARMOST] = foremost, rearmost
 
 

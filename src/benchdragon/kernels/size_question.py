@@ -195,12 +195,10 @@ def hint(block: int) -> float:
         walk.rows, walk.benches.links, walk.benches.sizes, first, last, sought.at, sought.placed,
         sought.boxes,
     )  # fmt: skip
-    (
-        m[KnownMeeting.GUIDE, Meet.S],
-        m[KnownMeeting.GUIDE, Meet.LEFT],
-        m[KnownMeeting.GUIDE, Meet.FRONT],
-        m[KnownMeeting.GUIDE, Meet.REAR],
-    ) = s, last - s, i, j
+    m[KnownMeeting.GUIDE, Meet.S] = s
+    m[KnownMeeting.GUIDE, Meet.LEFT] = last - s
+    m[KnownMeeting.GUIDE, Meet.FRONT] = i
+    m[KnownMeeting.GUIDE, Meet.REAR] = j
     return least - sought.limits[SizeGiven.MARGIN]
 
 
@@ -218,12 +216,10 @@ def distance(block: int) -> float:
         return math.nan
     i, j = int(m[KnownMeeting.ROOTED, Meet.FRONT]), int(m[KnownMeeting.ROOTED, Meet.REAR])
     near = 1.5 * max(benches.links[i], benches.links[j])
-    least, where, at, other = (
-        math.inf,
-        math.inf,
-        m[KnownMeeting.ROOTED, Meet.S],
-        last - m[KnownMeeting.ROOTED, Meet.LEFT],
-    )
+    least = math.inf
+    where = math.inf
+    at = m[KnownMeeting.ROOTED, Meet.S]
+    other = last - m[KnownMeeting.ROOTED, Meet.LEFT]
     for n in range(2 if abs(other - at) > 0.1 * near else 1):
         middle = at if n == 0 else other
         apart, s = local_minimum(
@@ -247,12 +243,10 @@ def failed_alone(sought: Sought) -> int:
 def failed_at(sought: Sought, s: float, left: float, i: int, j: int) -> int:
     """That a walk fails in which benches i and j met."""
     m = sought.meetings
-    (
-        m[KnownMeeting.FAILED, Meet.S],
-        m[KnownMeeting.FAILED, Meet.LEFT],
-        m[KnownMeeting.FAILED, Meet.FRONT],
-        m[KnownMeeting.FAILED, Meet.REAR],
-    ) = s, left, i, j
+    m[KnownMeeting.FAILED, Meet.S] = s
+    m[KnownMeeting.FAILED, Meet.LEFT] = left
+    m[KnownMeeting.FAILED, Meet.FRONT] = i
+    m[KnownMeeting.FAILED, Meet.REAR] = j
     return SizeVerdict.FAILS
 
 
@@ -299,11 +293,9 @@ def laid(block: int) -> int:
     count, first, last = walk_of(block, sought.state[Bracket.NOW])
     if count == 0:
         return failed_alone(group_at(Sought, block + BASE))
-    figures[SizeTold.FIRST], figures[SizeTold.LAST], figures[SizeTold.DOING] = (
-        first,
-        last,
-        SizeStage.BESIDE,
-    )
+    figures[SizeTold.FIRST] = first
+    figures[SizeTold.LAST] = last
+    figures[SizeTold.DOING] = SizeStage.BESIDE
     begin_square(group_at(Sought, block + BASE))
     return GOES_ON
 
@@ -312,12 +304,10 @@ def laid(block: int) -> int:
 def begun(block: int) -> int:
     """How the walk of NOW goes, or GOES_ON once its search is begun."""
     sought = group_at(Sought, block + BASE)
-    walk, limits, figures, first = (
-        sought.walk,
-        sought.limits,
-        sought.figures,
-        sought.figures[SizeTold.FIRST],
-    )
+    walk = sought.walk
+    limits = sought.limits
+    figures = sought.figures
+    first = sought.figures[SizeTold.FIRST]
     sought.at[0] = first
     if not place_chain(walk.rows, walk.benches.links, sought.at, 0, 1, sought.placed):
         return failed_alone(sought)

@@ -59,14 +59,10 @@ def begin_thing(block: int) -> bool:
     asked[ObstacleGiven.SORT], asked[ObstacleGiven.RADIUS], asked[ObstacleGiven.MARGIN] = (
         things[n, Thing.SORT], things[n, Thing.RADIUS], things[n, Thing.KEPT_OFF]
     )  # fmt: skip
-    asked[ObstacleGiven.HEAD_FIRST], asked[ObstacleGiven.HEAD_LAST] = (
-        figures[SizeTold.FIRST],
-        figures[SizeTold.LAST],
-    )
-    asked[ObstacleGiven.LEAST_OFF], asked[ObstacleGiven.WIDTH] = (
-        limits[SizeGiven.LEAST_OFF] + things[n, Thing.OFF],
-        limits[SizeGiven.WIDTH],
-    )
+    asked[ObstacleGiven.HEAD_FIRST] = figures[SizeTold.FIRST]
+    asked[ObstacleGiven.HEAD_LAST] = figures[SizeTold.LAST]
+    asked[ObstacleGiven.LEAST_OFF] = limits[SizeGiven.LEAST_OFF] + things[n, Thing.OFF]
+    asked[ObstacleGiven.WIDTH] = limits[SizeGiven.WIDTH]
     asked[ObstacleGiven.MOST] = limits[SizeGiven.MOST]
     benches, repeats = walk.benches, sought.repeats[: int(figures[SizeTold.KNOWN])]
     return begin_beside(

@@ -46,11 +46,9 @@ def begin_repeats(
     for i in range(links.shape[0]):
         length += links[i]
     for n in range(repeats.shape[0]):
-        low, high, period = (
-            repeats[n, RepeatSpan.LOW],
-            repeats[n, RepeatSpan.HIGH],
-            repeats[n, RepeatSpan.PERIOD],
-        )
+        low = repeats[n, RepeatSpan.LOW]
+        high = repeats[n, RepeatSpan.HIGH]
+        period = repeats[n, RepeatSpan.PERIOD]
         wanted = high - low - period > WORTH * length
         for m in range(count):
             soonest = begun[m, BegunRepeat.BEGINS] + begun[m, RepeatSpan.PERIOD]

@@ -195,11 +195,9 @@ def next_window(asked: SpeedAsked) -> bool:
     figures[SpeedTold.HIGH] = (
         figures[SpeedTold.END] if n + 1 == count else begin + way * ((n + 1) / count)
     )
-    figures[SpeedTold.GAP], figures[SpeedTold.CLOSED_BY], state[SpeedState.PHASE] = (
-        0.0,
-        0.0,
-        SpeedStage.BEGUN,
-    )
+    figures[SpeedTold.GAP] = 0.0
+    figures[SpeedTold.CLOSED_BY] = 0.0
+    state[SpeedState.PHASE] = SpeedStage.BEGUN
     return True
 
 
@@ -301,11 +299,9 @@ def wait(block: int, phase: int, by_cells: int) -> int:
     """Let samples of the window wait, or all of its stretches."""
     slots, asked = memory.integers_at(block, SPEED_END_SLOT), memory.group_at(SpeedAsked, block + BASE)
     figures, ways, benches = asked.figures, asked.drives.ways, asked.links.shape[0]
-    low, high, room = (
-        figures[SpeedTold.LOW],
-        figures[SpeedTold.HIGH],
-        LOSS_SAMPLES if phase == SpeedStage.SAMPLED else 0,
-    )
+    low = figures[SpeedTold.LOW]
+    high = figures[SpeedTold.HIGH]
+    room = LOSS_SAMPLES if phase == SpeedStage.SAMPLED else 0
     for n in range(0 if phase == SpeedStage.SAMPLED else ways.shape[0]):
         room += 1 if ways[n, 0] <= high and ways[n, 1] >= low else 0
     room += int(asked.numbers[SpeedGiven.FIRST_OPEN])
@@ -335,11 +331,9 @@ def sought(block: int) -> int:
     """Look through what waits until the bracket is closed, or too much waits."""
     asked = memory.group_at(SpeedAsked, block + BASE)
     figures, notes, shortest = asked.figures, asked.notes, asked.kinds.links[0, 0]
-    q, room, budget = (
-        int(figures[SpeedTold.QUANTITY]),
-        asked.heap.parts.shape[0],
-        asked.numbers[SpeedGiven.BUDGET],
-    )
+    q = int(figures[SpeedTold.QUANTITY])
+    room = asked.heap.parts.shape[0]
+    budget = asked.numbers[SpeedGiven.BUDGET]
     coarse = asked.numbers[SpeedGiven.COARSE_STEP] * shortest
     aim = peak.SpeedAim(
         q, asked.tolerances[q], figures[SpeedTold.LIMIT], coarse, FIRST_CHAIN_STEP * shortest
@@ -408,10 +402,8 @@ def settle(asked: SpeedAsked) -> None:
         figures[SpeedTold.HIGHER], figures[SpeedTold.DECIDES] = exceeds, q
     figures[SpeedTold.VALUE], figures[SpeedTold.LEAST] = notes[SpeedNote.SEEN], notes[SpeedNote.SURE]
     figures[SpeedTold.MOST] = most
-    figures[SpeedTold.AT], figures[SpeedTold.STRETCH] = (
-        notes[SpeedNote.WHERE],
-        asked.counts[SpeedCount.WHEN],
-    )
+    figures[SpeedTold.AT] = notes[SpeedNote.WHERE]
+    figures[SpeedTold.STRETCH] = asked.counts[SpeedCount.WHEN]
     places, row, fast = asked.chains.places, asked.counts[SpeedCount.ROW], 0.0
     asked.batch.at[0] = notes[SpeedNote.WHERE]
     place_chain(asked.rows, asked.links, asked.batch.at, 0, 1, places)
@@ -423,11 +415,9 @@ def settle(asked: SpeedAsked) -> None:
         row = 0
         while places.ratio[row, 0] < fast * (1.0 - asked.numbers[SpeedGiven.ALIKE]):
             row += 1
-    figures[SpeedTold.HANDLE], figures[SpeedTold.X], figures[SpeedTold.Y] = (
-        row,
-        places.x[row, 0],
-        places.y[row, 0],
-    )
+    figures[SpeedTold.HANDLE] = row
+    figures[SpeedTold.X] = places.x[row, 0]
+    figures[SpeedTold.Y] = places.y[row, 0]
 
 
 @kernel

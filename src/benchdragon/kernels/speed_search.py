@@ -173,11 +173,9 @@ def push(
     """Let a part from a to b, m, wait."""
     parts, marks, i = heap.parts, heap.marks, counts[SpeedCount.OPEN]
     parts[i, PartSpan.BOUND], parts[i, PartSpan.START], parts[i, PartSpan.END] = bound, a, b
-    marks[i, PartFact.STRETCH], marks[i, PartFact.LINKS], marks[i, PartFact.BY_CELLS] = (
-        stretch,
-        links,
-        cells,
-    )
+    marks[i, PartFact.STRETCH] = stretch
+    marks[i, PartFact.LINKS] = links
+    marks[i, PartFact.BY_CELLS] = cells
     counts[SpeedCount.OPEN] = i + 1
     while i > 0 and before(parts, i, (i - 1) // 2):
         swap(parts, marks, i, (i - 1) // 2)
@@ -237,11 +235,9 @@ def divide(heap: Heap, counts: IntArray, batch: Batch, step: float) -> None:
     pieces = int(min(math.ceil((b - a) / step), MOST_PART_PIECES))
     for k in range(pieces):
         p, q = a + (b - a) * (k / pieces), b if k + 1 == pieces else a + (b - a) * ((k + 1) / pieces)
-        stretch, links, cells = (
-            batch.marks[0, PartFact.STRETCH],
-            batch.marks[0, PartFact.LINKS],
-            batch.marks[0, PartFact.BY_CELLS],
-        )
+        stretch = batch.marks[0, PartFact.STRETCH]
+        links = batch.marks[0, PartFact.LINKS]
+        cells = batch.marks[0, PartFact.BY_CELLS]
         push(heap, counts, batch.parts[0, PartSpan.BOUND], p, q, stretch, links, cells)
 
 
@@ -251,11 +247,9 @@ def look_by_cells(
     notes: FloatArray, counts: IntArray,
 ) -> None:  # fmt: skip
     """Bound steps of the batch's first part by cells, and let wait what they leave open."""
-    a, b, stretch = (
-        batch.parts[0, PartSpan.START],
-        batch.parts[0, PartSpan.END],
-        batch.marks[0, PartFact.STRETCH],
-    )
+    a = batch.parts[0, PartSpan.START]
+    b = batch.parts[0, PartSpan.END]
+    stretch = batch.marks[0, PartFact.STRETCH]
     wanted = enough(believed(notes), aim.tolerance, aim.limit)
     pieces = int(min(max(math.ceil((b - a) / aim.cell_step), CELL_SHARES), MOST_PART_PIECES))
     for k in range(pieces):
@@ -410,8 +404,7 @@ def look_by_chains(
 @kernel
 def seek_peak(
     rows: Table, links: Vector, group: IntVector, cells: Cells, aim: SpeedAim, drives: Drives,
-    heap: Heap,
-    batch: Batch, chains: Chains, notes: Vector, counts: IntVector, budget: int,
+    heap: Heap, batch: Batch, chains: Chains, notes: Vector, counts: IntVector, budget: int,
 ) -> Ended:  # fmt: skip
     """Look through the parts that wait; notes and counts receive what was found.
 
@@ -419,8 +412,7 @@ def seek_peak(
     with a larger heap. What waits then bounds the quantity, with notes[UPPER]. FALLEN: the chain cannot
     stand at one of the batch's positions.
     """
-    spent = 0.0
-    wanted = enough(believed(notes), aim.tolerance, aim.limit)
+    spent, wanted = 0.0, enough(believed(notes), aim.tolerance, aim.limit)
     while counts[SpeedCount.OPEN] > 0 and heap.parts[0, PartSpan.BOUND] > wanted:
         if counts[SpeedCount.OPEN] + CHAIN_SLOTS > heap.parts.shape[0]:
             return Ended.ROOM
@@ -428,10 +420,8 @@ def seek_peak(
             return Ended.MORE
         by_cells = heap.marks[0, PartFact.BY_CELLS] > 0
         step = aim.cell_step if by_cells else aim.step
-        if (
-            heap.parts[0, PartSpan.END] - heap.parts[0, PartSpan.START]
-            > step * LENGTH_ROUNDING * MOST_PART_PIECES
-        ):
+        wide = heap.parts[0, PartSpan.END] - heap.parts[0, PartSpan.START]
+        if wide > step * LENGTH_ROUNDING * MOST_PART_PIECES:
             take(heap, counts, batch, 0)
             divide(heap, counts, batch, step)
         elif by_cells:
@@ -442,13 +432,12 @@ def seek_peak(
             count, slots, most = take_batch(heap, counts, batch, wanted, step)
             counts[SpeedCount.EVALUATIONS] += slots
             spent += slots * (most + 1.0)
-            few = links[:most]
-            if not place_batch(rows, few, batch.at, slots, chains, aim.quantity):
+            if not place_batch(rows, links[:most], batch.at, slots, chains, aim.quantity):
                 return Ended.FALLEN
             for n in range(count):
                 see(rows, most, aim.quantity, drives, batch, n, chains, notes, counts)
             for n in range(count):
-                look_by_chains(rows, few, aim, drives, heap, batch, n, chains, notes, counts)
+                look_by_chains(rows, links[:most], aim, drives, heap, batch, n, chains, notes, counts)
         wanted = enough(believed(notes), aim.tolerance, aim.limit)
     if counts[SpeedCount.OPEN] > 0:
         notes[SpeedNote.UPPER] = max(notes[SpeedNote.UPPER], heap.parts[0, PartSpan.BOUND])

@@ -71,10 +71,8 @@ def before(rows: FloatArray, s: float, low: float) -> float:
     j = row_at(rows, s - LEAST_PART)
     start = rows[j, RouteRow.S_START]
     border = max(start, low) if j > 0 else low
-    near, far = (
-        parameter_at(rows, j, s - start),
-        parameter_at(rows, j, max(s - ARC_LENGTH, border) - start),
-    )
+    near = parameter_at(rows, j, s - start)
+    far = parameter_at(rows, j, max(s - ARC_LENGTH, border) - start)
     change = max(bend_slope(rows, j, near), bend_slope(rows, j, far))
     step = ARC_LENGTH if change * ARC_LENGTH**3 <= ARC_CHANGE else (ARC_CHANGE / change) ** (1.0 / 3.0)
     return border if s - step < border + LEAST_PART else s - step
@@ -115,18 +113,14 @@ def write_bend(
     """Row j of a line, at s, m."""
     for column in range(COLUMNS):
         line[j, column] = 0.0
-    line[j, RouteRow.KIND], line[j, RouteRow.X], line[j, RouteRow.Y], line[j, RouteRow.ANGLE] = (
-        kind,
-        start.x,
-        start.y,
-        start.heading,
-    )
-    (
-        line[j, RouteRow.P],
-        line[j, RouteRow.S_START],
-        line[j, RouteRow.LENGTH],
-        line[j, RouteRow.U_END],
-    ) = bend, s, length, length
+    line[j, RouteRow.KIND] = kind
+    line[j, RouteRow.X] = start.x
+    line[j, RouteRow.Y] = start.y
+    line[j, RouteRow.ANGLE] = start.heading
+    line[j, RouteRow.P] = bend
+    line[j, RouteRow.S_START] = s
+    line[j, RouteRow.LENGTH] = length
+    line[j, RouteRow.U_END] = length
     line[j, RouteRow.AXIS_X], line[j, RouteRow.AXIS_Y] = (
         math.cos(start.heading),
         math.sin(start.heading),

@@ -414,10 +414,8 @@ def bisect(
     while top > 0:
         while ready <= top:
             if not evaluate_slot(chain, search, ready, 0):
-                note[Note.LOWER], note[Note.UPPER] = (
-                    min(note[Note.LOWER], search.at[0]),
-                    search.at[ready],
-                )
+                note[Note.LOWER] = min(note[Note.LOWER], search.at[0])
+                note[Note.UPPER] = search.at[ready]
                 return Ending.FALLEN
             ready += 1
             evaluations += 1

@@ -9,26 +9,18 @@ narrowed. At a limit or where peaks meet, such steps close in on the best turn a
 import math
 from typing import NamedTuple
 
-from benchdragon.kernels import turn_trial
+from benchdragon.kernels import turn_peaks
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.numbered import Numbered
-from benchdragon.kernels.turn_trial import (
-    PeakRow,
-    Trial,
-    TurnCount,
-    TurnGiven,
-    greatest,
-    lay_trial,
-    look,
-    narrow,
-)
+from benchdragon.kernels.turn_peaks import PeakRow, Trial, TurnCount, TurnGiven, greatest
+from benchdragon.kernels.turn_trial import lay_trial, look, narrow
 
 # How much a limit counts that is exceeded by all of itself: more than what exceeding it may gain.
 HARD = 30.0
 # Those of a turn, and two more.
-STEP_UNKNOWNS = turn_trial.UNKNOWNS + 2
+STEP_UNKNOWNS = turn_peaks.UNKNOWNS + 2
 
 
 class StepUnknown(Numbered):
@@ -37,13 +29,13 @@ class StepUnknown(Numbered):
     What is sought, and by how much limits are exceeded.
     """
 
-    BEST = turn_trial.UNKNOWNS
-    WORST = turn_trial.UNKNOWNS + 1
+    BEST = turn_peaks.UNKNOWNS
+    WORST = turn_peaks.UNKNOWNS + 1
 
 
 # Rows of a step's lines: the peaks, both ends of each unknown's range, and no less than no excess.
 # Behind the columns: what a row must be at least, by how much it is more, and how much that counts.
-MOST_LINES = turn_trial.MOST_KEPT + 2 * turn_trial.UNKNOWNS + 1
+MOST_LINES = turn_peaks.MOST_KEPT + 2 * turn_peaks.UNKNOWNS + 1
 LINE_COLUMNS = STEP_UNKNOWNS + 3
 
 
@@ -116,9 +108,9 @@ def learn(trial: Trial, descent: Descent) -> None:
     """Keep the peaks of the trial, which is at x."""
     descent.state[DescentState.EXCESS] = max(greatest(trial, False), 0.0)
     noted = trial.counts[TurnCount.NOTED]
-    descent.state[DescentState.KNOWN] = noted if noted <= turn_trial.MOST_KEPT else 0
+    descent.state[DescentState.KNOWN] = noted if noted <= turn_peaks.MOST_KEPT else 0
     for n in range(int(descent.state[DescentState.KNOWN])):
-        for k in range(turn_trial.PEAK_COLUMNS):
+        for k in range(turn_peaks.PEAK_COLUMNS):
             descent.known[n, k] = trial.peaks[n, k]
 
 
@@ -150,7 +142,7 @@ def see_again(trial: Trial, descent: Descent) -> None:
     """Look at known peaks, near their places, in a turn that is hardly another."""
     rows = trial.rows[: trial.counts[TurnCount.ROUTE]]
     for n in range(int(descent.state[DescentState.KNOWN])):
-        for k in range(turn_trial.PEAK_COLUMNS):
+        for k in range(turn_peaks.PEAK_COLUMNS):
             trial.peaks[n, k] = descent.known[n, k]
         trial.peaks[n, PeakRow.VALUE] = -math.inf
         narrow(trial, rows, n, PEAK_NEARBY, NARROWINGS)
@@ -167,7 +159,7 @@ def draw_lines(trial: Trial, descent: Descent) -> int:
     for n in range(MOST_LINES):
         for k in range(LINE_COLUMNS):
             lines[n, k] = 0.0
-    for k in range(turn_trial.UNKNOWNS):
+    for k in range(turn_peaks.UNKNOWNS):
         z[k] = 0.0
         width = trial.high[k] - trial.low[k] if k < x.shape[0] else 0.0
         down, up = -trust, trust

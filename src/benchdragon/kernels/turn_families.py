@@ -185,11 +185,9 @@ def circle_between(swing: float, x: float, y: float, arcs: FloatArray) -> TurnSt
         one, two, three = swept(p, first), swept(q - p, bend), swept(swing - q, last)
         if one + two + three < shortest:
             shortest = one + two + three
-            arcs[0, TurnPiece.LENGTH], arcs[1, TurnPiece.LENGTH], arcs[2, TurnPiece.LENGTH] = (
-                one,
-                two,
-                three,
-            )
+            arcs[0, TurnPiece.LENGTH] = one
+            arcs[1, TurnPiece.LENGTH] = two
+            arcs[2, TurnPiece.LENGTH] = three
     return TurnStatus.OK
 
 
@@ -257,11 +255,9 @@ def lay_pieces(easing: Easing, ratio: float, arcs: FloatArray, pieces: FloatArra
 @kernel
 def set_piece(pieces: FloatArray, n: int, length: float, start: float, end: float) -> None:
     """Let piece n be of this length, m, and these curvatures, 1/m."""
-    pieces[n, TurnPiece.LENGTH], pieces[n, TurnPiece.START], pieces[n, TurnPiece.END] = (
-        length,
-        start,
-        end,
-    )
+    pieces[n, TurnPiece.LENGTH] = length
+    pieces[n, TurnPiece.START] = start
+    pieces[n, TurnPiece.END] = end
 
 
 @kernel
@@ -315,11 +311,9 @@ def missed(
     """By what the pieces end beside the bridge's end, m, and by how much they turn too far, rad."""
     x, y, heading = 0.0, 0.0, 0.0
     for n in range(lay_pieces(easing, ratio, arcs, pieces)):
-        length, start, end = (
-            pieces[n, TurnPiece.LENGTH],
-            pieces[n, TurnPiece.START],
-            pieces[n, TurnPiece.END],
-        )
+        length = pieces[n, TurnPiece.LENGTH]
+        start = pieces[n, TurnPiece.START]
+        end = pieces[n, TurnPiece.END]
         turn = max(abs(start), abs(end)) * abs(length)
         if not turn < curve.MOST_TURN:
             return math.nan, math.nan, math.nan
@@ -354,11 +348,9 @@ def turn_parts(
     set_spiral(parts, 0, pitch, 0.0, theta_after(k, entry_radius / k, lead), entry_radius / k)
     set_spiral(parts, last, pitch, math.pi, exit_radius / k, theta_after(k, exit_radius / k, trail))
     for n in range(last - 1):
-        length, start, end = (
-            pieces[n, TurnPiece.LENGTH],
-            pieces[n, TurnPiece.START],
-            pieces[n, TurnPiece.END],
-        )
+        length = pieces[n, TurnPiece.LENGTH]
+        start = pieces[n, TurnPiece.START]
+        end = pieces[n, TurnPiece.END]
         parts[n + 1, RoutePart.KIND] = CurveKind.LINE
         parts[n + 1, RoutePart.SIZE] = length
         if start != end:

@@ -8,7 +8,7 @@ where that ends. Given a point, it goes downhill from there alone.
 import math
 from typing import NamedTuple
 
-from benchdragon.kernels import memory, turn_descent, turn_trial
+from benchdragon.kernels import memory, turn_descent, turn_peaks, turn_trial
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.curve import COLUMNS as ROUTE_COLUMNS
@@ -21,15 +21,8 @@ from benchdragon.kernels.route_parts import PART_COLUMNS
 from benchdragon.kernels.search_room import placements
 from benchdragon.kernels.turn_descent import Descent, DescentState, begin_at, descend
 from benchdragon.kernels.turn_families import ARCS, MOST_TURN_PIECES
-from benchdragon.kernels.turn_trial import (
-    PeakRow,
-    Trial,
-    TurnCount,
-    exceeding,
-    figures_of,
-    greatest,
-    look,
-)
+from benchdragon.kernels.turn_peaks import PeakRow, Trial, TurnCount, exceeding, greatest
+from benchdragon.kernels.turn_trial import figures_of, look
 
 # Points that are strewn for each unknown with a range, the best of them that are gone on from, how far
 # apart those are, as a share of ranges, and what a limit counts that is exceeded by all of itself.
@@ -90,18 +83,18 @@ def lay_asked(slots: IntArray, address: int, x: int, benches: int, boxes: int, o
     """Lay all of a question from an address on; the bytes that takes."""
     few, slot_count, point = min(turn_trial.FEW, benches), turn_trial.LOOK_SLOTS, (x, ROW)
     return memory.lay(slots, memory.HEADER, address, (
-        (turn_trial.TURN_GIVEN, ROW), point, point, (turn_trial.TURN_MEASURES, ROW), (4, benches),
+        (turn_peaks.TURN_GIVEN, ROW), point, point, (turn_peaks.TURN_MEASURES, ROW), (4, benches),
         (benches, ROW),
         (boxes, BOX_COLUMNS), (obstacles + 1, ROW), (obstacles, 2), (ARCS, 2), (MOST_TURN_PIECES, 3),
         (MOST_TURN_PIECES + 2, PART_COLUMNS), (turn_trial.MOST_ROWS, ROUTE_COLUMNS), (slot_count, ROW),
         *placements(few + 1, slot_count), (benches + 1, slot_count), (benches + 1, slot_count),
-        *placements(benches + 1, 1), (2, BOX_COLUMNS), (2 * turn_trial.RATES, few + 1), (2, ROW),
-        (turn_trial.MOST_NOTED, turn_trial.PEAK_COLUMNS), (turn_trial.TURN_COUNTS, ROW), point, point,
-        (turn_descent.STEP_UNKNOWNS, ROW), (turn_trial.MOST_KEPT, turn_trial.PEAK_COLUMNS),
-        (turn_trial.MOST_KEPT, turn_trial.UNKNOWNS), (turn_descent.MOST_LINES,
+        *placements(benches + 1, 1), (2, BOX_COLUMNS), (2 * turn_peaks.RATES, few + 1), (2, ROW),
+        (turn_peaks.MOST_NOTED, turn_peaks.PEAK_COLUMNS), (turn_peaks.TURN_COUNTS, ROW), point, point,
+        (turn_descent.STEP_UNKNOWNS, ROW), (turn_peaks.MOST_KEPT, turn_peaks.PEAK_COLUMNS),
+        (turn_peaks.MOST_KEPT, turn_peaks.UNKNOWNS), (turn_descent.MOST_LINES,
         turn_descent.LINE_COLUMNS),
         (turn_descent.STEP_UNKNOWNS, turn_descent.STEP_UNKNOWNS + 1), (turn_descent.DESCENT_STATE, ROW),
-        (STARTS, turn_trial.UNKNOWNS + 1), (TURN_FIGURES, ROW),
+        (STARTS, turn_peaks.UNKNOWNS + 1), (TURN_FIGURES, ROW),
     ))  # fmt: skip
 
 
@@ -159,7 +152,7 @@ def seek_turn(handle: int, what: int, x: Vector, factors: Vector) -> bool:
     asked.figures[TurnTold.NUMBER], asked.figures[TurnTold.SHARE] = 0.0, 0.0
     asked.figures[TurnTold.DOING] = TurnStage.STREWING if what == TurnSought.ALL else TurnStage.CLOSELY
     for n in range(STARTS):
-        asked.starts[n, turn_trial.UNKNOWNS] = math.inf
+        asked.starts[n, turn_peaks.UNKNOWNS] = math.inf
     return True
 
 
@@ -193,7 +186,7 @@ def read_turn(handle: int, figures: Vector, x: Vector, seen: Vector) -> bool:
     asked = memory.group_at(TurnAsked, block + BASE)
     memory.copy_row(figures, asked.figures)
     memory.copy_row(x, asked.descent.x)
-    for kind in range(turn_trial.TURN_MEASURES):
+    for kind in range(turn_peaks.TURN_MEASURES):
         seen[kind] = math.nan
     if asked.figures[TurnTold.DOING] == TurnStage.ENDED and asked.figures[TurnTold.EXCEEDS] < math.inf:
         figures_of(asked.trial, x, seen)
@@ -214,7 +207,7 @@ def judge_turn(handle: int, exact: Vector, exceeds: Vector) -> bool:
     block = memory.recall(handle)
     if block == 0:
         return False
-    for kind in range(turn_trial.TURN_MEASURES):
+    for kind in range(turn_peaks.TURN_MEASURES):
         exceeds[kind] = exceeding(memory.group_at(TurnAsked, block + BASE).trial, kind, exact[kind])
     return True
 
@@ -261,15 +254,15 @@ def enlist(asked: TurnAsked, worth: float) -> None:
         for k in range(unknowns):
             width = max(trial.high[k] - trial.low[k], 1e-9)
             apart = max(apart, abs(starts[n, k] - x[k]) / width)
-        if apart < STARTS_APART and starts[n, turn_trial.UNKNOWNS] < math.inf:
-            if starts[n, turn_trial.UNKNOWNS] <= worth:
+        if apart < STARTS_APART and starts[n, turn_peaks.UNKNOWNS] < math.inf:
+            if starts[n, turn_peaks.UNKNOWNS] <= worth:
                 return
             place = n
             break
-    if worth < starts[place, turn_trial.UNKNOWNS]:
+    if worth < starts[place, turn_peaks.UNKNOWNS]:
         for k in range(unknowns):
             starts[place, k] = x[k]
-        starts[place, turn_trial.UNKNOWNS] = worth
+        starts[place, turn_peaks.UNKNOWNS] = worth
         sort_starts(starts)
 
 
@@ -278,8 +271,8 @@ def sort_starts(starts: Table) -> None:
     """Let the best start be the first."""
     for n in range(1, STARTS):
         for m in range(n, 0, -1):
-            if starts[m, turn_trial.UNKNOWNS] < starts[m - 1, turn_trial.UNKNOWNS]:
-                for k in range(turn_trial.UNKNOWNS + 1):
+            if starts[m, turn_peaks.UNKNOWNS] < starts[m - 1, turn_peaks.UNKNOWNS]:
+                for k in range(turn_peaks.UNKNOWNS + 1):
                     starts[m, k], starts[m - 1, k] = starts[m - 1, k], starts[m, k]
 
 
@@ -294,7 +287,7 @@ def go_down(asked: TurnAsked) -> None:
     figures[TurnTold.NUMBER] += 1.0
     if steps == 0:
         descent.state[DescentState.MERIT] = math.inf
-        if fine == 0 and not starts[start, turn_trial.UNKNOWNS] < math.inf:
+        if fine == 0 and not starts[start, turn_peaks.UNKNOWNS] < math.inf:
             return
         if fine == 0:
             for k in range(descent.x.shape[0]):
@@ -310,7 +303,7 @@ def go_down(asked: TurnAsked) -> None:
         return
     for k in range(descent.x.shape[0]):
         starts[start, k] = descent.x[k]
-    starts[start, turn_trial.UNKNOWNS] = descent.state[DescentState.MERIT]
+    starts[start, turn_peaks.UNKNOWNS] = descent.state[DescentState.MERIT]
     figures[TurnTold.NUMBER] = (start + 1) * (MOST_DESCENT_STEPS[1] + 2)
     figures[TurnTold.SHARE] = 0.5 + 0.4 * (start + 1) / STARTS
     if start + 1 == STARTS:

@@ -17,7 +17,7 @@ from benchdragon.analysis.obstacles import least_distance
 from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_of
 from benchdragon.errors import InputError, NoSolutionError, of_kind, positive
 from benchdragon.i18n import _
-from benchdragon.kernels.turn_trial import TurnMeasure
+from benchdragon.kernels.turn_peaks import TurnMeasure
 from benchdragon.model.answer import Answer
 from benchdragon.model.turns import Turn
 from benchdragon.plans.schema import Plan

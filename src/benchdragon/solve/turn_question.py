@@ -9,13 +9,14 @@ import numpy as np
 from benchdragon import budget
 from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.speed import QUANTITIES, given_limits
+from benchdragon.kernels import turn_peaks as judged
 from benchdragon.kernels import turn_question as kernel
 from benchdragon.kernels import turn_trial as told_of
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.question import QuestionEnding
+from benchdragon.kernels.turn_peaks import ArcFamily, TurnGiven, TurnMeasure
 from benchdragon.kernels.turn_question import TurnSought, TurnTold
-from benchdragon.kernels.turn_trial import ArcFamily, TurnGiven, TurnMeasure
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.progress import Progress
 from benchdragon.solve.turn_goal import EXCEEDED, PRUDENCE, TurnFamily
@@ -52,7 +53,7 @@ class Seen(NamedTuple):
 
 
 def told_of_limits(family: TurnFamily) -> FloatArray:
-    """A family's numbers as the engine takes them: see kernels/turn_trial.py."""
+    """A family's numbers as the engine takes them: see kernels/turn_peaks.py."""
     plan, goal = family.plan, family.goal
     known = {
         TurnGiven.FAMILY: FAMILIES[plan.turn.family],
@@ -69,7 +70,7 @@ def told_of_limits(family: TurnFamily) -> FloatArray:
     for name, limit in given_limits(plan).items():
         if QUANTITIES[name].kind != SOUGHT[goal.objective]:
             known[TurnGiven.LIMIT + QUANTITIES[name].kind] = limit
-    return np.array([known.get(column, math.inf) for column in range(told_of.TURN_GIVEN)])
+    return np.array([known.get(column, math.inf) for column in range(judged.TURN_GIVEN)])
 
 
 def _side(obstacle: Obstacle) -> float:
@@ -99,14 +100,12 @@ class TurnQuestion(EngineQuestion):
             np.array(standing).reshape(-1, BOX_COLUMNS), np.array(border, dtype=np.int64),
             np.array(keep).reshape(-1, 2),
         )  # fmt: skip
-        found, seen = np.zeros(len(low)), np.zeros(told_of.TURN_MEASURES)
+        found, seen = np.zeros(len(low)), np.zeros(judged.TURN_MEASURES)
         super().__init__(
             handle, kernel.step_turn, kernel.read_turn, np.zeros(kernel.TURN_FIGURES), found, seen
         )
         self._found_at, self._seen = found, seen
-        self.factors = [1.0 + PRUDENCE] * told_of.RATES + [1.0] * (
-            told_of.TURN_MEASURES - told_of.RATES
-        )
+        self.factors = [1.0 + PRUDENCE] * judged.RATES + [1.0] * (judged.TURN_MEASURES - judged.RATES)
         for kind in (TurnMeasure.APART, TurnMeasure.BESIDE):
             self.factors[kind] = 0.0
 
@@ -135,14 +134,14 @@ class TurnQuestion(EngineQuestion):
         for kind, (one, other) in enumerate(zip(seen, exact, strict=True)):
             if not math.isfinite(one) or not math.isfinite(other):
                 continue
-            if kind < told_of.RATES:
+            if kind < judged.RATES:
                 self.factors[kind] = other / one * (1.0 + prudence)
             elif kind in (TurnMeasure.APART, TurnMeasure.BESIDE):
                 self.factors[kind] = max(other - one + prudence, 0.0)
 
     def exceeded(self, exact: Sequence[float]) -> dict[str, float]:
         """By what share exact figures exceed their limits, by the names of those that there are."""
-        exceeds = np.zeros(told_of.TURN_MEASURES)
+        exceeds = np.zeros(judged.TURN_MEASURES)
         kernel.judge_turn(self._handle, np.array(exact), exceeds)
         shares = exceeds.tolist()
         return {name: shares[kind] for kind, name in LIMITS.items() if shares[kind] > -1.0}
