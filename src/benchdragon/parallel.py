@@ -374,19 +374,29 @@ class _Recording(SpawnContext):
         return self.started[-1]
 
 
+@contextmanager
+def interrupts_held() -> Iterator[None]:
+    """Hold Ctrl-C back until the block ends, where the system has masks of signals.
+
+    A process that is started within is deaf to it, and known to who kills it once the interrupt comes.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 class Worker(SpawnProcess):
     """A process that is deaf to Ctrl-C, which is for its parent, from before it begins."""
 
     def start(self) -> None:
-        """Start it, where the system has masks with them."""
-        if not hasattr(signal, "pthread_sigmask"):
+        """Start it."""
+        with interrupts_held():
             super().start()
-            return
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-        try:
-            super().start()
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager

@@ -225,6 +225,26 @@ def test_ctrl_c_ends_with_130_and_leaves_nothing(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="masks of signals")
+def test_an_interrupt_while_ffmpeg_starts_leaves_none_running(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It would write the file that was just removed."""
+    started: list[subprocess.Popen[bytes]] = []
+
+    class Interrupted(subprocess.Popen[bytes]):
+        def __init__(self, *arguments: Any, **named: Any) -> None:
+            super().__init__(*arguments, **named)
+            started.append(self)
+            os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setattr(subprocess, "Popen", Interrupted)
+    reel = Reel(SMALL, 10, 40, iter(()), "x", "y")
+    with pytest.raises(KeyboardInterrupt):
+        encode_mp4(tmp_path / "a.mp4", reel)
+    assert [process.returncode for process in started] == [-signal.SIGKILL]
+
+
 def test_what_ffmpeg_complains_of_is_told(tmp_path: Path) -> None:
     frames: Iterator[memoryview] = (memoryview(bytes(320 * 180 * 4)) for _n in range(40))
     with pytest.raises(EncoderError, match=r"ffmpeg failed: .*No such file"):

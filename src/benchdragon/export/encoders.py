@@ -12,6 +12,7 @@ from typing import IO, Any
 
 from benchdragon.errors import MachineError, pipe_closed
 from benchdragon.i18n import _
+from benchdragon.parallel import interrupts_held
 
 # Quality of H.264: 18 shows no difference to the eye.
 QUALITY = 18
@@ -93,22 +94,23 @@ def _unread() -> Iterator[None]:
 
 def _piped(command: list[str], frames: Iterator[memoryview], said: IO[bytes]) -> int:
     """Run a program on frames; its exit code. It ends with us, whatever happens."""
-    with subprocess.Popen(
-        command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said
-    ) as process:
+    process: subprocess.Popen[bytes] | None = None
+    try:
+        with interrupts_held():
+            process = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said
+            )
         assert process.stdin is not None
-        try:
-            with _unread():  # it ended early, and says why
-                for frame in frames:
-                    process.stdin.write(frame)
-                process.stdin.close()
-            return process.wait()
-        except BaseException:
-            process.kill()
-            raise
-        finally:
+        with _unread():  # it ended early, and says why
+            for frame in frames:
+                process.stdin.write(frame)
+            process.stdin.close()
+        return process.wait()
+    finally:
+        if process is not None:
+            process.kill()  # does nothing to one that has ended
             with _unread():
-                process.stdin.close()
+                process.communicate()
 
 
 def encode_gif(path: Path, reel: Reel) -> None:
