@@ -143,7 +143,6 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
     const walk = plan.build(arena);
     const [start, end] = plan.span(walk);
     const dance = await question(() => plainDance(walk, { start, end, ...shown }, progress));
-    const tables = plan;
     const { start: first, step, count } = dance.sent.frames;
     const cues = cued(plan.moments(), first, first + step * (count - 1));
     const occasions = [...dance.sent.occasions, ...cues];
@@ -151,16 +150,15 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
       ...dance.sent,
       plan_sha256: plan.sha256,
       title: both(() => plan.title(language())),
-      disc: tables.disc.radius,
-      margin: tables.limits.margin,
-      speed_limit: tables.limits.speed,
+      disc: plan.disc.radius,
+      margin: plan.limits.margin,
+      speed_limit: plan.limits.speed,
       obstacles: plan.obstacles().map(drawnObstacle),
       occasions: occasions.sort((a, b) => a.time - b.time),
       beats: beatsOf(plan, start, end),
-      papers:
-        "people" in plan.own() || "cues" in plan.own() ? { said: tables.cues.clock, start } : null,
-      village: village(tables.people, walk.dragon.benches),
-      north: tables.survey.crs !== null,
+      papers: "people" in plan.own() || "cues" in plan.own() ? { said: plan.cues.clock, start } : null,
+      village: village(plan.people, walk.dragon.benches),
+      north: plan.survey.crs !== null,
     };
     return { ...dance, sent };
   });
