@@ -12,11 +12,11 @@ from benchdragon.cli.answers import NO_SOLUTION
 from benchdragon.cli.by_hand import kept_by_hand, warn_of_lost
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.new_answers import QUESTIONS, Question, read_place
 from benchdragon.cli.options import file_option, output_option, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _, language
+from benchdragon.plans.answers import QUESTIONS, Question, count_in
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
@@ -148,7 +148,7 @@ def _asked_again(said: dict[str, Any], found: "TooSmall") -> set[str]:
     for n, one in enumerate(offered, 1):
         click.echo(f"{n:4}  {_told_answer(one, said)}", err=True)
     label = _("Its number")
-    chosen = _prompt(label, "1", lambda text: offered[read_place(label, text, len(offered))])
+    chosen = _prompt(label, "1", lambda text: offered[count_in(label, text, "1", 1, len(offered)) - 1])
     said[chosen.name] = _answer(chosen, usual.get(chosen.name) or None)
     return {chosen.name}
 
@@ -161,12 +161,12 @@ def _told_answer(question: Question, said: Mapping[str, Any]) -> str:
 
 def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
     """Add the usual answers to those given, without a terminal."""
-    missing = [one.option for one in questions if one.usual is None]
+    missing = [one.option for one in questions if not one.usually]
     if missing:
         text = _("there is no terminal to ask in: add {options}")
         raise InputError(text.format(options=", ".join(missing)))
     for one in questions:
-        if one.usual is not None:
+        if one.usually:
             said[one.name] = one.answer(one.option, one.usual(said))
 
 
@@ -176,7 +176,7 @@ def _asked(questions: Sequence[Question], said: dict[str, Any]) -> set[str]:
         click.echo(_("Press Enter to take the value shown. Ctrl-C leaves, to begin again."), err=True)
     given = set()
     for one in questions:
-        usual = None if one.usual is None else one.usual(said)
+        usual = one.usual(said) or None
         said[one.name] = _answer(one, usual)
         if usual is None or said[one.name] != one.answer(one.option, usual):
             given.add(one.name)

@@ -21,6 +21,7 @@ from benchdragon.analysis.swept import swept_area
 from benchdragon.errors import InputError, UnsureError, WalkError, as_number, of_kind
 from benchdragon.i18n import N_, _, both
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.plans.answers import MOST_BEARERS, MOST_BENCHES
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
@@ -38,7 +39,6 @@ NAME = "benchdragon new"
 SHOULDERS, ELBOWS, AHEAD, SWAY, IMPRECISION = 0.5, 0.5, 0.5, 0.05, 0.1
 # Asked for beyond that, m: between benches, and from the edge of the square.
 MARGIN, VENUE_MARGIN = 0.05, 0.5
-MOST_BENCHES, MOST_BEARERS = 500, 8
 # Sizes are proposed in decimetres, speeds in steps of 5 cm/s: finer ones cannot be laid out.
 SIZE_STEP, SPEED_STEP = 0.1, 0.05
 # Discs that are tried, as multiples of the longer of a link and a bench's width with its bearers.

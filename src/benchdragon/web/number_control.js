@@ -1,7 +1,7 @@
 // A number of the plan as a slider and a box, into which people type as they speak: "150cm", "1米5".
 
 import { make } from "./elements.js";
-import { typedNumber } from "./typed.js";
+import { numberIn } from "./made/answers.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
@@ -17,7 +17,7 @@ import { _ } from "./words.js";
  * @property {number} step
  * @property {number} [begin] what it begins with where the plan leaves it open; without it, it may not
  * @property {number} [usual] what it is where it says something and nothing was said
- * @property {number} [most] a number beyond it was mistyped: MOST_LENGTH and the like of cli/new_answers.py
+ * @property {number} [most] a number beyond it was mistyped
  * @property {boolean} [whole] whether it is a count
  * @property {(plan: Plan) => boolean} [when] whether it says anything
  */
@@ -78,7 +78,7 @@ export class NumberControl {
   #typed() {
     const { field, box } = this;
     const empty = !box.value.trim();
-    const number = empty ? this.#value : typedNumber(box.value, field.unit);
+    const number = empty ? this.#value : numberIn(box.value, field.unit);
     this.#ask(number === null ? this.#unread() : this.#doubted(number));
     if (!this.asked.hidden) return;
     if (empty) this.show(this.plan);

@@ -1,6 +1,7 @@
 // The plan as controls: a slider and a number for each size.
 
 import { choice, make } from "./elements.js";
+import { MOST_LENGTH, MOST_WIDTH } from "./made/answers.js";
 import { NumberControl } from "./number_control.js";
 import { _, language } from "./words.js";
 
@@ -50,7 +51,7 @@ const GROUPS = [
         low: 0.8,
         high: 5,
         step: 0.01,
-        most: 20,
+        most: MOST_LENGTH,
         when: sized,
       },
       {
@@ -60,7 +61,7 @@ const GROUPS = [
         low: 0.8,
         high: 4,
         step: 0.01,
-        most: 20,
+        most: MOST_LENGTH,
         when: sized,
       },
       {
@@ -70,7 +71,7 @@ const GROUPS = [
         low: 0.1,
         high: 0.8,
         step: 0.01,
-        most: 2,
+        most: MOST_WIDTH,
         when: sized,
       },
     ],
