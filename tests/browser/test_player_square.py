@@ -103,6 +103,21 @@ def test_the_whole_square_is_in_sight_and_obstacles_have_their_colour(
     assert [0, 0, 0] in [[c if c > 60 else 0 for c in dot] for dot in pixels(page, around)]
 
 
+def test_entrances_are_rings_with_a_name_in_sight(pages: Pages, tmp_path: Path) -> None:
+    plan = read_plan("turn", [*SAID[:2], "event.entrances=[[30, 12], [-33, 0]]"])
+    page = page_of(pages, tmp_path, plan)
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    places = page.evaluate("[[30, 12], [-33, 0]].map((at) => benchdragon.camera.toScreen(...at))")
+    for x, y in places:
+        assert 0.0 < x < box["width"]
+        ring = [(box["x"] + x + dx, box["y"] + y) for dx in range(5, 10)]
+        assert [0x00, 0x72, 0xB2] in pixels(page, ring)
+        assert pixels(page, [(box["x"] + x, box["y"] + y)]) == [[0xFF] * 3]
+    name = [(box["x"] + places[1][0] + dx, box["y"] + places[1][1] - 16) for dx in range(40)]
+    assert min(map(sum, pixels(page, name))) < 300
+
+
 def test_margins_are_shaded_where_they_are(pages: Pages, tmp_path: Path) -> None:
     page = page_of(pages, tmp_path, NEAR)
     box = page.locator("canvas").bounding_box()

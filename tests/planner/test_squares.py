@@ -24,6 +24,7 @@ PLANS: dict[str, dict[str, Any]] = {
     | {
         "limits": {"margin": 0.05, "venue_margin": 0.5},
         "venue": {"rectangle": [24, 40]},
+        "event": {"entrances": [[12, 3.25], [-12, 0]]},
         "obstacle": [
             {"kind": "circle", "centre": [0, 0], "radius": 1, "name": "well", "margin": 4},
             {"kind": "polygon", "points": STAR, "margin": 0.8},
@@ -53,6 +54,9 @@ def test_what_a_check_found_is_on_the_dance() -> None:
         own = judged_dance(read, check, span).model_dump(mode="json")
         assert occasions(twin["sent"]) == occasions(own)
         assert drawn(twin["sent"]) == drawn(own)
+        assert (
+            twin["sent"]["entrances"] == own["entrances"] == data.get("event", {}).get("entrances", [])
+        )
         for one, other in zip(own["occasions"], twin["sent"]["occasions"], strict=True):
             assert abs(one["time"] - other["time"]) < 0.02  # the tightest moment is flat
         far = np.subtract(own["nearest"]["distance"], twin["sent"]["nearest"]["distance"])

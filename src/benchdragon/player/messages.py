@@ -199,6 +199,7 @@ class Dance(Record):
         papers_sha256: what papers made with it bear; "" where none were.
         village: of plans that say how benches are counted alone.
         north: whether y points north.
+        entrances: where people come in, m.
     """
 
     version: str
@@ -223,3 +224,4 @@ class Dance(Record):
     papers_sha256: str = ""
     village: Village | None = None
     north: bool = False
+    entrances: list[tuple[float, float]] = []

@@ -154,6 +154,7 @@ def _of_plan(
             "papers": _papers(plan),
             "village": told and messages.Village(**vars(told)),
             "north": plan.survey.north,
+            "entrances": plan.event.entrances,
         }
     )
 

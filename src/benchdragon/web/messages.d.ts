@@ -127,6 +127,7 @@ export interface CuesTable {
  *     papers_sha256: what papers made with it bear; "" where none were.
  *     village: of plans that say how benches are counted alone.
  *     north: whether y points north.
+ *     entrances: where people come in, m.
  */
 export interface Dance {
   version: string;
@@ -151,6 +152,7 @@ export interface Dance {
   papers_sha256?: string;
   village?: Village | null;
   north?: boolean;
+  entrances?: Array<[number, number]>;
 }
 
 /** The turning space: a circle about the spiral's centre. */

@@ -60,7 +60,7 @@ export class Player {
     this.scene = scene;
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
-    this.square = new Square(scene.sent.obstacles, scene.sent.ground);
+    this.square = new Square(scene.sent);
     /** The pair in the ring. @type {Pair | null} */
     this.ringed = null;
     this.face = new Face(this);
@@ -101,7 +101,7 @@ export class Player {
     this.scene = scene;
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
-    this.square = new Square(scene.sent.obstacles, scene.sent.ground);
+    this.square = new Square(scene.sent);
     this.ringed = null;
     this.time = Math.min(Math.max(this.time, scene.start), scene.end);
     if (this.chosen >= scene.benches) this.chosen = -1;
@@ -148,8 +148,7 @@ export class Player {
     this.face.showChosen(this.chosen);
     listen(canvas, this.camera, {
       moved: () => this.#touched(),
-      tapped: (px, py) =>
-        this.choose(this.boxes.at(...this.camera.toGround(px, py), 12 / this.camera.scale)),
+      tapped: (px, py) => this.onTapped(this.camera.toGround(px, py)),
       measured: (px, py, ended, began) => this.#measured(px, py, ended, began),
     });
     this.#watch.disconnect();
@@ -201,6 +200,9 @@ export class Player {
     this.#newFace();
     this.onTranslated?.();
   }
+
+  /** What a tap at a place of the ground, m, does. @param {[number, number]} at */
+  onTapped = (at) => this.choose(this.boxes.at(...at, 12 / this.camera.scale));
 
   /** What else keys do on the page. @returns {[string, string][]} */
   more = () => [];

@@ -20,6 +20,8 @@ const MOST_SIDES = 400_000;
 /** Names are written in a picture of no more obstacles. */
 const MOST_NAMES = 40;
 const NAME_SIZE = 13;
+/** Rings that stand for entrances, CSS pixels. */
+const ENTRANCE = 7;
 
 /** An obstacle's sides; of a circle its centre, as a side without length. @param {DrawnObstacle} one @returns {[Point, Point][]} */
 function sidesOf({ kind, points }) {
@@ -29,10 +31,11 @@ function sidesOf({ kind, points }) {
 }
 
 export class Square {
-  /** @param {DrawnObstacle[]} obstacles @param {Point[][]} ground outlines of what the dance covers */
-  constructor(obstacles, ground) {
+  /** @param {import("./messages").Dance} sent whose `ground` is outlines of what the dance covers */
+  constructor({ obstacles, ground, entrances }) {
     this.obstacles = obstacles;
     this.ground = ground;
+    this.entrances = entrances ?? [];
     this.sides = obstacles.map(sidesOf);
     const count = this.sides.reduce((sum, { length }) => sum + length, 0);
     /** How many sides there are in all. */
@@ -106,7 +109,7 @@ export class Square {
 
   /** Corners of upright rectangles about all of it, m. @returns {Point[]} */
   corners() {
-    return this.obstacles.flatMap(({ points, radius }) =>
+    const found = this.obstacles.flatMap(({ points, radius }) =>
       points.flatMap(
         ([x, y]) =>
           /** @type {Point[]} */ ([
@@ -115,6 +118,7 @@ export class Square {
           ]),
       ),
     );
+    return [...found, ...this.entrances];
   }
 
   /** In words how near the nearest bench is. @param {Beside | null} near @param {number} touch m */
@@ -160,35 +164,58 @@ export class Square {
       ctx.lineWidth = one.kind === "venue" ? 3 : one.kind === "line" ? 4 : 1.2;
       ctx.stroke();
     }
+    for (const place of this.entrances) {
+      ctx.beginPath();
+      ctx.arc(...camera.toScreen(...place), ENTRANCE, 0, 2 * Math.PI);
+      ctx.fillStyle = inks.ground;
+      ctx.fill();
+      ctx.strokeStyle = inks.edge;
+      ctx.lineWidth = 3;
+      ctx.stroke();
+    }
+  }
+
+  /** Names, and what lies below them: of an obstacle's upper corners, or an entrance's ring. @param {Camera} camera @returns {{ text: string, inner: boolean, left: number, right: number, top: number }[]} */
+  #names(camera) {
+    const { scale } = camera;
+    const entrances = this.entrances.map(([x, y], n) => ({
+      text: _("entrance {n}", { n: n + 1 }),
+      inner: false,
+      left: x - ENTRANCE / scale,
+      right: x + ENTRANCE / scale,
+      top: y + ENTRANCE / scale,
+    }));
+    const obstacles = this.obstacles.map(({ kind, name, points, radius }) => {
+      const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
+      const [left, right] = [Math.min(...xs) - radius, Math.max(...xs) + radius];
+      const top = Math.max(...ys) + radius;
+      return { text: name[language()], inner: kind === "venue", left, right, top };
+    });
+    return [...obstacles, ...entrances];
   }
 
   /** Write the names, above what they name, towards the middle of all; where they stand. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks @param {string} font @returns {Tag[]} */
   name(ctx, camera, inks, font) {
-    /** @type {Tag[]} */
-    const tags = [];
-    if (!this.count || this.obstacles.length > MOST_NAMES) return tags;
     const across = this.corners().map(([x]) => x);
+    if (!across.length || this.obstacles.length > MOST_NAMES) return [];
     const middle = 0.5 * (Math.min(...across) + Math.max(...across));
     ctx.font = `600 ${NAME_SIZE}px ${font}`;
     ctx.lineWidth = 4;
     ctx.lineJoin = "round";
     ctx.strokeStyle = inks.ground;
     ctx.fillStyle = inks.ink;
-    for (const { kind, name, points, radius } of this.obstacles) {
-      const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
-      const [left, right] = [Math.min(...xs) - radius, Math.max(...xs) + radius];
-      const venue = kind === "venue";
-      const east = !venue && 0.5 * (left + right) > middle;
-      const [px, py] = camera.toScreen(east ? right : left, Math.max(...ys) + radius);
+    const tags = this.#names(camera).map(({ text, inner, left, right, top }) => {
+      const east = !inner && 0.5 * (left + right) > middle;
+      const [px, py] = camera.toScreen(east ? right : left, top);
       ctx.textAlign = east ? "right" : "left";
-      ctx.textBaseline = venue ? "top" : "bottom";
-      const [x, y] = venue ? [px + 6, py + 6] : [px, py - 3];
-      ctx.strokeText(name[language()], x, y);
-      ctx.fillText(name[language()], x, y);
-      const half = 0.5 * ctx.measureText(name[language()]).width;
+      ctx.textBaseline = inner ? "top" : "bottom";
+      const [x, y] = inner ? [px + 6, py + 6] : [px, py - 3];
+      ctx.strokeText(text, x, y);
+      ctx.fillText(text, x, y);
+      const half = 0.5 * ctx.measureText(text).width;
       const tall = 0.5 * NAME_SIZE;
-      tags.push({ x: east ? x - half : x + half, y: venue ? y + tall : y - tall, half, tall });
-    }
+      return { x: east ? x - half : x + half, y: inner ? y + tall : y - tall, half, tall };
+    });
     ctx.lineJoin = "miter";
     return tags;
   }

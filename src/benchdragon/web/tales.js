@@ -57,7 +57,7 @@ export function talesOf(scene) {
 function metOf(scene) {
   const { occasions, obstacles } = scene.sent;
   const boxes = new Boxes(scene);
-  const square = new Square(obstacles, []);
+  const square = new Square(scene.sent);
   const found = occasions.flatMap((about) => {
     if (about.obstacle == null) return [];
     boxes.place(scene.stand(about.time, scene.room()));

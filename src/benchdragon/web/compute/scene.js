@@ -95,6 +95,7 @@ async function plainDance(walk, shown, progress = silent) {
     papers_sha256: "",
     village: null,
     north: false,
+    entrances: [],
   };
   const tables = behind ? behind.tables.map((table) => table.nodes) : [];
   return { sent, nodes: way.nodes, framed: shot.numbers, tables };
@@ -159,6 +160,7 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
       papers: "people" in plan.own() || "cues" in plan.own() ? { said: plan.cues.clock, start } : null,
       village: village(plan.people, walk.dragon.benches),
       north: plan.survey.crs !== null,
+      entrances: plan.event.entrances,
     };
     return { ...dance, sent };
   });

@@ -1,0 +1,140 @@
+// The square in the panel: its edge by numbers, what is put onto it, and the list of all that stands there.
+
+import { make } from "./elements.js";
+import { spread } from "./extent.js";
+import { sketchOf } from "./grip_kinds.js";
+import { ThingRow } from "./thing_row.js";
+import { hasSquare, SORTS, thingsOf, withSquare, withThing } from "./things.js";
+import { _ } from "./words.js";
+
+/** @typedef {import("./grips.js").Grips} Grips */
+/** @typedef {import("./placing.js").Placing} Placing */
+/** @typedef {import("./plan_form.js").Plan} Plan */
+/** @typedef {import("./player.js").Player} Player */
+/** @typedef {import("./things.js").Sort} Sort */
+/** @typedef {import("./things.js").Thing} Thing */
+/** @typedef {[number, number]} Point */
+
+/** Ground left free about the dance in a new square, m. */
+const ABOUT = 1.5;
+
+/**
+ * The page whose plan is changed.
+ * @typedef {{ plan: Plan, player: Player | null, grips: Grips, placing: Placing,
+ *   change: (plan: Plan, final: boolean) => void }} Host
+ */
+
+export class SquareForm {
+  /** @param {Host} host */
+  constructor(host) {
+    this.host = host;
+    /** The id of the thing that is shown in the picture. */
+    this.chosen = "";
+    /** @type {Map<string, ThingRow>} */
+    this.rows = new Map();
+    const { grips, placing } = host;
+    placing.end();
+    placing.onPlaced = (sort, points) => this.#placed(sort, points);
+    grips.marks = (plan) => (placing.sort ? placing.lines : this.#outline(plan));
+    this.begin = make(
+      "button",
+      { type: "button", onclick: () => this.#addSquare() },
+      `+ ${_("square")}`,
+    );
+    const sorts = /** @type {[Sort, typeof SORTS.well][]} */ (Object.entries(SORTS));
+    const buttons = sorts.map(([sort, { button }]) =>
+      make(
+        "button",
+        { type: "button", "data-add": sort, onclick: () => placing.begin(sort) },
+        `+ ${button()}`,
+      ),
+    );
+    this.adding = make(
+      "div",
+      { class: "row adders", role: "group", "aria-label": _("put onto the square") },
+      this.begin,
+      ...buttons,
+    );
+    this.list = make("div", { class: "things" });
+    this.element = make("fieldset", {}, make("legend", {}, _("The square")), this.adding, this.list);
+  }
+
+  /** What the rows are made for: the ids and kinds of things. */
+  #made = "";
+
+  /** @param {Plan} plan */
+  show(plan) {
+    const things = thingsOf(plan);
+    this.begin.hidden = hasSquare(plan);
+    const made = JSON.stringify(things.map(({ id, table }) => [id, table.kind, !table.rectangle]));
+    if (made !== this.#made) this.#rebuild(things);
+    this.#made = made;
+    for (const thing of things) this.rows.get(thing.id)?.show(plan, thing);
+  }
+
+  /** @param {Thing[]} things */
+  #rebuild(things) {
+    const held = this.list.contains(document.activeElement);
+    if (!things.some(({ id }) => id === this.chosen)) this.chosen = "";
+    this.rows = new Map(
+      things.map((thing) => {
+        const change = (/** @type {Plan} */ plan, /** @type {boolean} */ final) =>
+          this.host.change(plan, final);
+        const row = new ThingRow(thing, change, (open) => this.#toggled(thing.id, open));
+        row.element.open = thing.id === this.chosen;
+        return [thing.id, row];
+      }),
+    );
+    this.list.replaceChildren(...[...this.rows.values()].map(({ element }) => element));
+    if (held) this.adding.querySelector("button")?.focus({ preventScroll: true });
+  }
+
+  /** A row was opened or closed. @param {string} id @param {boolean} open */
+  #toggled(id, open) {
+    if (open && id !== this.chosen) this.#choose(id);
+    else if (!open && id === this.chosen) this.#choose("");
+  }
+
+  /** Show a thing in the picture, and its row alone open; "": none. @param {string} id */
+  #choose(id) {
+    this.chosen = id;
+    for (const [other, { element }] of this.rows) element.open = other === id;
+    const { player, grips } = this.host;
+    const [lines] = this.#outline(this.host.plan);
+    if (player && id === "venue") player.fit(spread(player.scene));
+    else if (player && lines) bring(player, lines);
+    grips.renew();
+    if (id) grips.linger();
+  }
+
+  /** The outline of the thing that is chosen. @param {Plan} plan */
+  #outline(plan) {
+    const thing = thingsOf(plan).find(({ id }) => id === this.chosen);
+    return thing ? sketchOf(thing.alone) : [];
+  }
+
+  /** Something was put onto the square: choose it, and have it ready to be dragged. @param {Sort} sort @param {Point[]} points */
+  #placed(sort, points) {
+    const { plan, id } = withThing(this.host.plan, sort, points);
+    this.host.change(plan, true);
+    this.#choose(id);
+    this.host.grips.take(id);
+  }
+
+  /** A square about the dance. */
+  #addSquare() {
+    const { player, plan } = this.host;
+    if (!player) return; // no dance, and no button then
+    this.host.change(withSquare(plan, player.room(spread(player.scene), ABOUT)), true);
+    this.#choose("venue");
+    this.rows.get("venue")?.summary.focus();
+  }
+}
+
+/** Have an outline in sight. @param {Player} player @param {Point[]} outline */
+function bring(player, outline) {
+  const [xs, ys] = [outline.map(([x]) => x), outline.map(([, y]) => y)];
+  const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const radius = 0.5 * Math.max(right - left, high - low);
+  if (player.camera.bring(0.5 * (left + right), 0.5 * (low + high), radius)) player.zoom(1);
+}
