@@ -5,6 +5,8 @@ Metres, seconds, metres a second.
 
 from typing import Literal
 
+from pydantic import Field
+
 from benchdragon.analysis.records import Record, Verdict
 from benchdragon.i18n import Words
 
@@ -224,4 +226,4 @@ class Dance(Record):
     papers_sha256: str = ""
     village: Village | None = None
     north: bool = False
-    entrances: list[tuple[float, float]] = []
+    entrances: list[tuple[float, float]] = Field(default_factory=list)

@@ -1,4 +1,6 @@
-// Taps of several fingers on the picture: two undo, three redo.
+// Taps of several fingers on the picture: two undo, three redo; and what else fingers and keys do here.
+
+import { _ } from "./words.js";
 
 /** Fingers that stay so near, CSS pixels, and so short, ms, tap. */
 const NEAR = 12;
@@ -32,4 +34,14 @@ export function onFingerTaps(element, tapped) {
   };
   element.addEventListener("pointerup", up);
   element.addEventListener("pointercancel", up);
+}
+
+/** What keys and fingers do on this page, beside what they do to the player. @returns {[string, string][]} */
+export function helpRows() {
+  return [
+    [_("Ctrl Z, two fingers tap"), _("undo")],
+    [_("Ctrl Y, three fingers tap"), _("redo")],
+    [_("drag a grip in the picture"), _("change the plan; Alt: without round values; Esc: as it was")],
+    [_("arrows on a grip"), _("change the plan step by step; Shift: ten steps")],
+  ];
 }

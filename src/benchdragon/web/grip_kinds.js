@@ -2,6 +2,7 @@
 // elsewhere. Lengths in metres, angles in degrees to the left.
 
 import { fieldOf } from "./plan_form.js";
+import { obstacleName } from "./things.js";
 import { _, decimals } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
@@ -42,6 +43,8 @@ const LEAST_SIDE = 0.7;
 const LEAST_RADIUS = 0.3;
 /** A disc of a turn that the plan does not say. */
 const USUAL_DISC = 4.5;
+/** Entrances are drawn so large, m. */
+const ENTRANCE = 0.5;
 
 /** @param {number} value @param {Quantity} quantity @param {boolean} [free] */
 function rounded(value, quantity, free = false) {
@@ -50,7 +53,7 @@ function rounded(value, quantity, free = false) {
 }
 
 /** @param {Point} point @param {boolean} free @returns {Point} */
-function roundedPoint([x, y], free) {
+export function roundedPoint([x, y], free) {
   return [rounded(x, "place", free), rounded(y, "place", free)];
 }
 
@@ -339,7 +342,7 @@ function obstacleGrips(plan, arm) {
   const all = /** @type {Record<string, any>[]} */ (plan.obstacle ?? []);
   return all.flatMap((one, n) => {
     const id = `obstacle.${n}`;
-    const name = one.name || _("obstacle {n}", { n: n + 1 });
+    const name = obstacleName(one, n);
     const set = (/** @type {object} */ values) =>
       changed(plan, (copy) => {
         Object.assign(copy.obstacle[n], values);
@@ -387,6 +390,18 @@ function circleGrip(id, name, { centre, radius }, set) {
   });
 }
 
+/** Grips of where people come in. @param {Plan} plan @returns {Grip[]} */
+function entranceGrips(plan) {
+  const places = /** @type {Point[]} */ (plan.event?.entrances ?? []);
+  return places.map((place, n) =>
+    placeGrip(`entrance.${n}`, _("entrance {n}", { n: n + 1 }), place, (to) =>
+      changed(plan, (copy) => {
+        copy.event.entrances[n] = to;
+      }),
+    ),
+  );
+}
+
 /** Grips of the points of a drawn route. @param {Plan} plan @returns {Grip[]} */
 function drawnGrips(plan) {
   const { route } = plan;
@@ -413,6 +428,7 @@ export function gripsOf(plan, arm, began = plan) {
   return [
     ...venueGrips(plan, arm),
     ...obstacleGrips(plan, arm),
+    ...entranceGrips(plan),
     ...drawnGrips(plan),
     ...danceGrips(plan, arm),
     ...spiralGrips(plan, began),
@@ -429,7 +445,7 @@ function circle([x, y], radius) {
 
 /** Lines, on the ground, that a plan draws before its dance is computed. @param {Plan} plan @returns {Point[][]} */
 export function sketchOf(plan) {
-  const { route, disc, venue, obstacle } = plan;
+  const { route, disc, venue, obstacle, event } = plan;
   const frame = danceFrame(plan);
   /** @type {Point[][]} */
   const lines = [];
@@ -455,6 +471,7 @@ export function sketchOf(plan) {
     else if (one.kind === "rectangle") rectangle(one.centre, one.size, one.angle);
     else outline(one.points, one.kind === "polygon");
   }
+  for (const place of event?.entrances ?? []) lines.push(circle(place, ENTRANCE));
   if (route.kind === "drawn" && route.points)
     outline(
       route.points.map((/** @type {Point} */ point) => frame.ground(point)),

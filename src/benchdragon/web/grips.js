@@ -44,6 +44,8 @@ export class Grips {
     this.shown = new Map();
     /** @type {Drag | null} */
     this.drag = null;
+    /** What else is drawn in the picture, on the ground. @type {(plan: Plan) => [number, number][][]} */
+    this.marks = () => [];
     this.#listen();
   }
 
@@ -52,10 +54,7 @@ export class Grips {
       if (event.pointerType === "mouse" && !this.drag) this.#reveal(this.#over(event));
     });
     addEventListener("pointerdown", (event) => {
-      if (event.pointerType === "mouse" || !this.#over(event)) return;
-      this.#reveal(true);
-      clearTimeout(this.#leaving);
-      this.#leaving = setTimeout(() => this.drag || this.#reveal(false), LINGER);
+      if (event.pointerType !== "mouse" && this.#over(event)) this.linger();
     });
     addEventListener("keydown", (event) => event.key === "Escape" && this.#restore(event), true);
     this.element.addEventListener("focusin", () => this.follow());
@@ -64,6 +63,19 @@ export class Grips {
   }
 
   #leaving = 0;
+
+  /** Show the grips for a while. */
+  linger() {
+    this.#reveal(true);
+    clearTimeout(this.#leaving);
+    this.#leaving = setTimeout(() => this.drag || this.#reveal(false), LINGER);
+  }
+
+  /** Have the focus on a grip. @param {string} id */
+  take(id) {
+    this.renew();
+    this.shown.get(id)?.element.focus({ preventScroll: true });
+  }
 
   /** The picture, if there is one. */
   get #canvas() {
@@ -81,9 +93,9 @@ export class Grips {
     if (on) this.follow();
   }
 
-  /** Whether grips are there to be seen. */
+  /** Whether grips or marks are there to be seen. */
   get #seen() {
-    return this.element.matches(".seen, :focus-within");
+    return this.element.matches(".seen, .marked, :focus-within");
   }
 
   /** Have the grips where they belong in the picture, the first time and while they are seen: it may have moved. */
@@ -93,6 +105,12 @@ export class Grips {
 
   /** Where the picture was when grips were placed. */
   #placed = "";
+
+  /** Show grips and marks anew, where they belong. */
+  renew() {
+    this.#placed = "";
+    this.#place();
+  }
 
   #place() {
     const { player } = this.host;
@@ -128,7 +146,9 @@ export class Grips {
     }
     const chain = (/** @type {[number, number][]} */ line) =>
       `M${line.map((point) => camera.toScreen(...point).map((at) => at.toFixed(1))).join("L")}`;
-    this.lines.setAttribute("d", this.drag ? sketchOf(plan).map(chain).join("") : "");
+    const lines = this.drag ? sketchOf(plan) : this.marks(plan);
+    this.lines.setAttribute("d", lines.map(chain).join(""));
+    this.element.classList.toggle("marked", lines.length > 0);
   }
 
   /** @param {Grip} grip @param {Player["camera"]} camera */

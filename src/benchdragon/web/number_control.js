@@ -113,7 +113,7 @@ export class NumberControl {
 
   /** What the plan says; null where it leaves it open. @returns {number | null} */
   get #value() {
-    const value = valueOf(this.plan, this.field.key);
+    const value = valueOf(this.plan, this.field.key) ?? this.field.usual;
     return typeof value === "number" ? value : null;
   }
 

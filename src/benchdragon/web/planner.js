@@ -4,15 +4,17 @@ import { addressed, obey, remember } from "./address.js";
 import { make } from "./elements.js";
 import { answerText, evidenceDialog } from "./evidence.js";
 import { Files } from "./files.js";
-import { onFingerTaps } from "./fingers.js";
+import { helpRows, onFingerTaps } from "./fingers.js";
 import { Grips } from "./grips.js";
 import { JobList, questionText } from "./jobs.js";
 import { linkText, readLink } from "./link.js";
+import { Placing } from "./placing.js";
 import { planText, PlanForm } from "./plan_form.js";
 import { Player, REST } from "./player.js";
 import { showShare } from "./share.js";
 import { Sheets } from "./sheets.js";
 import { Span } from "./span.js";
+import { SquareForm } from "./square_form.js";
 import { Delayed, Standing, samePlan } from "./standing.js";
 import { Stories } from "./stories.js";
 import { Line } from "./telling.js";
@@ -37,16 +39,6 @@ const QUESTIONS = /** @type {const} */ (["turn", "speed", "pace", "margins"]);
 /** A plan's smallest pitch says something: its spiral ends at a disc. @param {Plan} plan */
 function hasPitch(plan) {
   return plan.route.kind === "turn" || (plan.route.kind === "spiral-in" && plan.disc.radius != null);
-}
-
-/** What keys and fingers do on this page, beside what they do to the player. @returns {[string, string][]} */
-function helpRows() {
-  return [
-    [_("Ctrl Z, two fingers tap"), _("undo")],
-    [_("Ctrl Y, three fingers tap"), _("redo")],
-    [_("drag a grip in the picture"), _("change the plan; Alt: without round values; Esc: as it was")],
-    [_("arrows on a grip"), _("change the plan step by step; Shift: ten steps")],
-  ];
 }
 
 export class Planner {
@@ -106,6 +98,7 @@ export class Planner {
     this.root = /** @type {HTMLElement} */ (document.getElementById("planner"));
     this.stage = make("main", { id: "player", class: "player" });
     this.grips = new Grips(this, this.stage);
+    this.placing = new Placing(this);
     this.sheets = new Sheets(this.root, answers);
     const busy = () => !!this.unread || this.root.ariaBusy === "true" || this.grips.drag !== null;
     this.tracks = new Tracks(answers, busy);
@@ -150,6 +143,8 @@ export class Planner {
     document.title = _("Bench dragon planner");
     this.form = new PlanForm(this.presets, (plan, final) => this.change(plan, final));
     this.tracks.attach(this.form);
+    this.square = new SquareForm(this);
+    this.form.source.after(this.square.element);
     this.span = new Span((plan, final) => this.change(plan, final));
     this.undoButton = make("button", { type: "button", onclick: () => this.undo() }, _("undo"));
     this.redoButton = make("button", { type: "button", onclick: () => this.redo() }, _("redo"));
@@ -281,6 +276,7 @@ export class Planner {
   /** Show the plan in the controls. */
   #shown() {
     this.form?.show(this.plan);
+    this.square?.show(this.plan);
     this.span?.show(this.plan);
     this.tracks.show(this.plan);
     this.grips.show(this.plan);

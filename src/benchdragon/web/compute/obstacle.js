@@ -64,7 +64,7 @@ export function _crossing(corners) {
 }
 
 /** Whether two segments share a point. @param {Point} a @param {Point} b @param {Point} c @param {Point} d */
-function doMeet(a, b, c, d) {
+export function doMeet(a, b, c, d) {
   for (const k of [0, 1])
     if (Math.max(a[k], b[k]) < Math.min(c[k], d[k]) || Math.max(c[k], d[k]) < Math.min(a[k], b[k]))
       return false;

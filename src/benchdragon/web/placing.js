@@ -1,0 +1,174 @@
+// Something is put onto the square by a tap in the picture: what is said meanwhile, and how it ends.
+
+import { _crossing, doMeet } from "./compute/obstacle.js";
+import { make } from "./elements.js";
+import { roundedPoint } from "./grip_kinds.js";
+import { SORTS } from "./things.js";
+import { _ } from "./words.js";
+
+/** @typedef {import("./grips.js").Grips} Grips */
+/** @typedef {import("./player.js").Player} Player */
+/** @typedef {import("./things.js").Sort} Sort */
+/** @typedef {[number, number]} Point */
+
+/** The first corner is tapped again within so many CSS pixels. */
+const NEAR = 22;
+/** Arms of the cross in the middle of the picture, CSS pixels. */
+const ARM = 12;
+/** Sides of what is placed in the middle, so that its corners can be taken hold of: CSS pixels, and m. */
+const SIDE = 100;
+const LEAST_SIDE = 2;
+
+/** @typedef {{ player: Player | null, grips: Grips, root: HTMLElement }} Host */
+
+export class Placing {
+  /** @param {Host} host */
+  constructor(host) {
+    this.host = host;
+    /** What is being placed. @type {Sort | null} */
+    this.sort = null;
+    /** Its corners so far. @type {Point[]} */
+    this.points = [];
+    /** Called with what was placed. @type {(sort: Sort, points: Point[]) => void} */
+    this.onPlaced = () => {};
+    this.bar = make("div", { class: "placing", role: "group", hidden: true });
+    host.grips.element.append(this.bar);
+    addEventListener("keydown", (event) => this.#key(event), true);
+  }
+
+  /** Who had the focus before. @type {Element | null} */
+  #from = null;
+  /** What taps in the picture do at other times. @type {Player["onTapped"] | null} */
+  #tap = null;
+
+  /** Begin to place something. @param {Sort} sort */
+  begin(sort) {
+    const { player, root } = this.host;
+    if (!player) return; // no picture, and no button then
+    this.end();
+    [this.sort, this.points] = [sort, []];
+    this.#from = document.activeElement;
+    this.#tap = player.onTapped;
+    player.onTapped = (at) => this.#tapped(roundedPoint(at, false));
+    player.rule(false);
+    for (const list of player.face.lists) list.open = false; // they lie over the picture
+    root.classList.add("adding");
+    this.bar.ariaLabel = SORTS[sort].button();
+    const said = make("p", { "aria-live": "polite" });
+    this.bar.replaceChildren(
+      said,
+      this.#button(_("in the middle"), () => this.#middle()),
+      this.#button(_("done"), () => this.#close()),
+      this.#button(_("give up"), () => this.#giveUp()),
+    );
+    this.bar.hidden = false;
+    this.#show();
+    player.face.stage.scrollIntoView({ block: "nearest" });
+    this.bar.querySelector("button")?.focus({ preventScroll: true });
+  }
+
+  /** @param {string} text @param {() => void} action */
+  #button(text, action) {
+    return make("button", { type: "button", onclick: action }, text);
+  }
+
+  /** Place nothing any more. */
+  end() {
+    const { player, grips, root } = this.host;
+    if (!this.sort) return;
+    this.sort = null;
+    if (player && this.#tap) player.onTapped = this.#tap;
+    root.classList.remove("adding");
+    this.bar.hidden = true;
+    grips.renew();
+  }
+
+  #giveUp() {
+    this.end();
+    if (this.#from instanceof HTMLElement) this.#from.focus({ preventScroll: true });
+  }
+
+  /** Say what to do, and draw what was done. @param {string} [trouble] */
+  #show(trouble = "") {
+    const { sort, points, bar } = this;
+    if (!sort) return;
+    const [said, middle, done] = bar.children;
+    said.textContent = trouble || this.#words(sort);
+    /** @type {HTMLElement} */ (middle).hidden = points.length > 0;
+    /** @type {HTMLElement} */ (done).hidden = points.length < 3;
+    this.host.grips.renew();
+  }
+
+  /** What to do now. @param {Sort} sort */
+  #words(sort) {
+    if (sort !== "shape")
+      return _("Tap in the picture where the {name} is.", { name: SORTS[sort].name() });
+    if (this.points.length < 3) return _("Tap its corners in the picture, one after another.");
+    return _("Tap the next corner, or the first again to close it.");
+  }
+
+  /** What is drawn of it on the ground: a cross in the middle of the picture, and sides so far. @returns {Point[][]} */
+  get lines() {
+    const { player } = this.host;
+    const { points } = this;
+    if (!player) return [];
+    const { x, y, scale } = player.camera;
+    const arm = ARM / scale;
+    if (!points.length)
+      return [
+        [[x - arm, y], [x + arm, y]],
+        [[x, y - arm], [x, y + arm]],
+      ]; // prettier-ignore
+    const [[u, v]] = points;
+    const near = (0.5 * NEAR) / scale;
+    return [points, [[u, v - near], [u + near, v], [u, v + near], [u - near, v], [u, v - near]]]; // prettier-ignore
+  }
+
+  /** @param {Point} at */
+  #tapped(at) {
+    const { sort, points, host } = this;
+    if (sort !== "shape") return this.#placed([at]);
+    const reach = NEAR / (host.player?.camera.scale ?? 1);
+    const [first, last] = [points[0], points[points.length - 1]];
+    if (points.length > 2 && Math.hypot(at[0] - first[0], at[1] - first[1]) <= reach)
+      return this.#close();
+    if (last && at[0] === last[0] && at[1] === last[1]) return;
+    const meets = points.slice(0, -2).some((from, n) => doMeet(from, points[n + 1], last, at));
+    if (meets) return this.#show(_("That side would cross another: tap elsewhere."));
+    points.push(at);
+    this.#show();
+  }
+
+  /** Close the outline. */
+  #close() {
+    if (!_crossing(this.points)) return this.#placed(this.points);
+    this.points = [];
+    this.#show(_("Its sides would cross: tap its corners anew, in going round."));
+  }
+
+  /** Place it in the middle of the picture. */
+  #middle() {
+    const { player } = this.host;
+    if (!player) return;
+    const { x, y, scale } = player.camera;
+    const half = 0.5 * Math.max(Math.ceil(SIDE / scale), LEAST_SIDE);
+    const corners = /** @type {Point[]} */ ([[-1, -1], [1, -1], [1, 1], [-1, 1]]); // prettier-ignore
+    const shape = corners.map(([a, b]) => roundedPoint([x + a * half, y + b * half], false));
+    this.#placed(this.sort === "shape" ? shape : [roundedPoint([x, y], false)]);
+  }
+
+  /** @param {Point[]} points */
+  #placed(points) {
+    const { sort } = this;
+    this.end();
+    if (sort) this.onPlaced(sort, points);
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    if (!this.sort || event.key !== "Escape") return;
+    event.stopPropagation();
+    event.preventDefault();
+    this.#giveUp();
+  }
+}

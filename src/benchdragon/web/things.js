@@ -1,0 +1,140 @@
+// What stands on the square, in a plan: added, named, given sizes, deleted. Each makes a plan of its own.
+
+import { _ } from "./words.js";
+
+/** @typedef {import("./plan_form.js").Plan} Plan */
+/** @typedef {[number, number]} Point */
+/** What can be put onto the square. @typedef {"well" | "stage" | "tree" | "shape" | "entrance"} Sort */
+
+/** Letters of a name: MOST_LETTERS of plans/square.py. */
+export const MOST_LETTERS = 80;
+
+/** What is put onto the square: on its button, what it is called then, and the obstacle at corners or a centre. @type {Record<Sort, { button: () => string, name: () => string, made: (points: Point[]) => object }>} */
+export const SORTS = {
+  well: {
+    button: () => _("well"),
+    name: () => _("well"),
+    made: ([centre]) => ({ kind: "circle", centre, radius: 0.6 }),
+  },
+  stage: {
+    button: () => _("stage"),
+    name: () => _("stage"),
+    made: ([centre]) => ({ kind: "rectangle", centre, size: [8, 4] }),
+  },
+  tree: {
+    button: () => _("tree"),
+    name: () => _("tree"),
+    made: ([centre]) => ({ kind: "circle", centre, radius: 0.4 }),
+  },
+  shape: {
+    button: () => _("own shape"),
+    name: () => _("obstacle"),
+    made: (points) => ({ kind: "polygon", points }),
+  },
+  entrance: { button: () => _("entrance"), name: () => _("entrance"), made: ([at]) => at },
+};
+
+/** What stands on the square: its table, and a plan of it alone, by which it is drawn. @typedef {{ id: string, table: Record<string, any>, name: string, alone: Plan }} Thing */
+
+/** Whether a plan says an edge of its square. @param {Plan} plan */
+export function hasSquare({ venue }) {
+  return Boolean(venue?.rectangle || venue?.boundary);
+}
+
+/** All that stands on the square of a plan, its edge first. @param {Plan} plan @returns {Thing[]} */
+export function thingsOf(plan) {
+  const { venue, obstacle = [], event } = plan;
+  /** @type {Thing[]} */
+  const found = [];
+  if (hasSquare(plan)) {
+    const name = venue.name || _("the venue");
+    found.push({ id: "venue", table: venue, name, alone: { route: {}, venue } });
+  }
+  for (const [n, table] of obstacle.entries()) {
+    const name = obstacleName(table, n);
+    found.push({ id: `obstacle.${n}`, table, name, alone: { route: {}, obstacle: [table] } });
+  }
+  for (const [n, at] of (event?.entrances ?? []).entries()) {
+    const name = _("entrance {n}", { n: n + 1 });
+    const alone = { route: {}, event: { entrances: [at] } };
+    found.push({ id: `entrance.${n}`, table: {}, name, alone });
+  }
+  return found;
+}
+
+/** What an obstacle is called. @param {Record<string, any>} one @param {number} n its number, from 0 */
+export function obstacleName({ name }, n) {
+  return name || _("obstacle {n}", { n: n + 1 });
+}
+
+/** What the other things of a plan are called there: no two may be called alike. @param {Plan} plan @param {string} [but] the id of one that does not count */
+export function namesTaken(plan, but) {
+  const { venue, obstacle = [] } = plan;
+  /** @type {[string, string][]} */
+  const names = obstacle.map((/** @type {{ name?: string }} */ { name }, /** @type {number} */ n) => [
+    `obstacle.${n}`,
+    name || `obstacle ${n + 1}`,
+  ]);
+  if (hasSquare(plan)) names.push(["venue", venue.name || "venue"]);
+  return new Set(names.filter(([id]) => id !== but).map(([, name]) => name));
+}
+
+/** A plan with something more on its square. @param {Plan} plan @param {Sort} sort @param {Point[]} points its centre, or its corners @returns {{ plan: Plan, id: string }} */
+export function withThing(plan, sort, points) {
+  const copy = structuredClone(plan);
+  const made = SORTS[sort].made(points);
+  if (sort === "entrance") {
+    const entrances = [...(copy.event?.entrances ?? []), made];
+    copy.event = { ...copy.event, entrances };
+    return { plan: copy, id: `entrance.${entrances.length - 1}` };
+  }
+  const taken = namesTaken(plan);
+  const word = SORTS[sort].name();
+  let name = word;
+  for (let n = 2; taken.has(name); n++) name = `${word} ${n}`;
+  copy.obstacle = [...(copy.obstacle ?? []), { ...made, name }];
+  return { plan: copy, id: `obstacle.${copy.obstacle.length - 1}` };
+}
+
+/** A plan with a square about some ground, in whole metres. @param {Plan} plan @param {[number, number, number, number]} ground left, bottom, right, top, m */
+export function withSquare(plan, [left, bottom, right, top]) {
+  const copy = structuredClone(plan);
+  const middle = (/** @type {number} */ low, /** @type {number} */ high) =>
+    Number((0.5 * (low + high)).toFixed(1));
+  const taken = namesTaken(plan);
+  copy.venue = {
+    rectangle: [Math.ceil(right - left), Math.ceil(top - bottom)],
+    centre: [middle(left, right), middle(bottom, top)],
+    ...(taken.has(_("square")) ? {} : { name: _("square") }),
+  };
+  return copy;
+}
+
+/** A plan without a thing of its square. @param {Plan} plan @param {string} id */
+export function withoutThing(plan, id) {
+  const copy = structuredClone(plan);
+  const [table, n] = id.split(".");
+  if (table === "venue") {
+    delete copy.venue;
+    delete copy.limits.venue_margin;
+  } else if (table === "obstacle") {
+    copy.obstacle.splice(Number(n), 1);
+    if (!copy.obstacle.length) delete copy.obstacle;
+  } else {
+    copy.event.entrances.splice(Number(n), 1);
+    if (!copy.event.entrances.length) delete copy.event.entrances;
+    if (!Object.keys(copy.event).length) delete copy.event;
+  }
+  return copy;
+}
+
+/** A plan with another value at a place of its data, such as obstacle.0.size.1; null: without it. @param {Plan} plan @param {string} key @param {unknown} value @returns {Plan} */
+export function withAt(plan, key, value) {
+  const copy = structuredClone(plan);
+  const names = key.split(".");
+  const last = /** @type {string} */ (names.pop());
+  const table = names.reduce((/** @type {any} */ at, name) => (at[name] ??= {}), copy);
+  if (value === null) delete table[last];
+  else table[last] = value;
+  return copy;
+}
