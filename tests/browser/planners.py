@@ -17,6 +17,17 @@ def verdict(page: Page) -> Locator:
     return page.locator(".verdict")
 
 
+def sentence(page: Page) -> Locator:
+    """The verdict in a sentence, which screen readers tell and paper shows."""
+    return page.locator(".sentence")
+
+
+def details(page: Page) -> Locator:
+    """What is behind the verdict, opened."""
+    verdict(page).click()
+    return page.get_by_role("dialog")
+
+
 def number(page: Page, name: str) -> Locator:
     return page.get_by_role("textbox", name=name, exact=True)
 
@@ -29,14 +40,14 @@ def change(page: Page, name: str, value: str) -> None:
 
 def settle(page: Page, pattern: str) -> None:
     """Wait for a verdict that reads so."""
-    expect(verdict(page)).to_have_text(re.compile(pattern))
+    expect(sentence(page)).to_have_text(re.compile(pattern))
 
 
 def settled(page: Page) -> Page:
-    """The page, once it shows verdict, limit and dance of its plan."""
+    """The page, once it shows verdict and dance of its plan."""
     expect(page.locator("#planner")).to_have_attribute("aria-busy", "false")
     expect(page.locator("[data-stale]:visible")).to_have_count(0)
-    expect(page.locator(".verdict:is(.safe, .unsafe)")).to_have_count(1)
+    expect(page.locator(".verdict:is(.safe, .tight, .unsafe)")).to_have_count(1)
     return page
 
 
@@ -71,8 +82,7 @@ class Held:
         self.page, self.name = page, name
         # Else a question that is long on its way is given up for a newer one.
         page.evaluate(
-            "for (const one of ['verdicts', 'pitches', 'sketches', 'dances'])"
-            " benchdragon[one].patience = 1e9"
+            "for (const one of ['verdicts', 'sketches', 'dances']) benchdragon[one].patience = 1e9"
         )
         page.evaluate("(name) => { (globalThis.heldUp ??= {})[name] = []; }", name)
         on_its_way(

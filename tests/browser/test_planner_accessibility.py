@@ -13,7 +13,7 @@ PARTS = {
     "grips": "document.querySelector('.grips').classList.add('seen')",
     "lists": "document.querySelectorAll('details').forEach((one) => (one.open = true))",
     "evidence": "document.querySelectorAll('details').forEach((one) => (one.open = false));"
-    " document.querySelector('.verdict').click()",
+    " document.querySelector('.verdict').click(); document.querySelector('.evidence').open = true",
     "keys": "document.querySelector('dialog').close();"
     " document.querySelector('.tools button:last-child').click()",
     "link": "document.querySelector('dialog').close(); location.hash = '#plan=no'",

@@ -310,7 +310,7 @@ def _edge(
 
 
 def smallest_pitch(plan: Plan, *, margin: float | None = None) -> Answer:
-    """The smallest spiral pitch, m, with which the head comes to the disc and no benches touch.
+    """The smallest pitch, m, with which the head comes to the disc and no benches touch.
 
     See `limit`, of which this is the question "pitch".
     """

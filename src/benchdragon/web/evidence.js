@@ -1,4 +1,4 @@
-// The evidence of a verdict: each answer with its bracket, how it was established, and where.
+// The evidence of a verdict, for those who check: each answer with its bracket, how it was established, where.
 
 import { bracketed } from "./compute/answer.js";
 import { figures } from "./compute/number_format.js";
@@ -90,7 +90,7 @@ function row(name, answer, value, jump, place = answer ? whereText(answer) : "")
 }
 
 /** The row of a size that was sought: its moment is of the dance with that size, which the player does not show. @param {string} name @param {Answer} answer */
-function limitRow(name, answer) {
+export function limitRow(name, answer) {
   const where = whereText(answer);
   return row(
     name,
@@ -115,19 +115,12 @@ function obstacleRows({ shown: called, kind, margin, contact, distance }, go) {
 }
 
 /**
- * A dialog with the evidence.
+ * All numbers of a verdict, for those who check.
  * @param {Verdict} verdict
  * @param {Record<string, any>} limits those of its plan
- * @param {Answer | null} pitch
- * @param {((time: number) => void) | null} jump null where the player shows another dance
+ * @param {((time: number) => void) | null} go null where the player shows another dance
  */
-export function evidenceDialog(verdict, limits, pitch, jump) {
-  const go =
-    jump &&
-    ((/** @type {number} */ time) => {
-      dialog.close();
-      jump(time);
-    });
+export function evidence(verdict, limits, go) {
   const heads = [_("answer"), _("value"), _("bracket"), _("how established"), _("where and when")];
   const told = (/** @type {Answer | null} */ answer, up = false, limit = null) =>
     answer ? valueText(answer, up, typeof limit === "number" ? limit : null) : "";
@@ -140,17 +133,19 @@ export function evidenceDialog(verdict, limits, pitch, jump) {
     ...verdict.peaks.map(({ name, text, peak }) =>
       row(text[language()], peak, told(peak, true, limits[name]), go),
     ),
-    ...(pitch && pitch.plan_sha256 === verdict.plan_sha256
-      ? [limitRow(_("smallest pitch"), pitch)]
-      : []),
   ];
-  const dialog = make(
-    "dialog",
-    { class: "evidence", "aria-label": _("evidence"), onclose: () => dialog.remove() },
-    make("h2", {}, verdict.sentence[language()]),
-    ...verdict.findings.map(({ text }) => make("p", {}, text[language()])),
-    ...(verdict.not_looked_at.length ? [make("p", {}, _("not checked:"))] : []),
-    make("ul", {}, ...verdict.not_looked_at.map(({ text }) => make("li", {}, text[language()]))),
+  return make(
+    "details",
+    { class: "evidence" },
+    make("summary", {}, _("for those who check: all numbers")),
+    make("p", {}, verdict.sentence[language()]),
+    make(
+      "ul",
+      {},
+      ...[...verdict.findings, ...verdict.not_looked_at].map(({ text }) =>
+        make("li", {}, text[language()]),
+      ),
+    ),
     make(
       "div",
       { class: "scroll" },
@@ -174,7 +169,5 @@ export function evidenceDialog(verdict, limits, pitch, jump) {
         },
       ),
     ),
-    make("form", { method: "dialog" }, make("button", {}, _("close"))),
   );
-  return dialog;
 }

@@ -1,8 +1,8 @@
 // A plan as controls, its verdict as it changes, the player, long questions, files.
 
 import { addressed, obey, remember } from "./address.js";
+import { showDetails } from "./details.js";
 import { make } from "./elements.js";
-import { answerText, evidenceDialog } from "./evidence.js";
 import { Files } from "./files.js";
 import { helpRows, onFingerTaps } from "./fingers.js";
 import { Grips } from "./grips.js";
@@ -18,11 +18,10 @@ import { SquareForm } from "./square_form.js";
 import { Delayed, Standing, samePlan } from "./standing.js";
 import { Stories } from "./stories.js";
 import { Line } from "./telling.js";
-import { ToldAbove } from "./told_above.js";
 import { Tracks } from "./tracks.js";
+import { besideWord, stateOf, wordOf } from "./verdict_word.js";
 import { _, language } from "./words.js";
 
-/** @typedef {import("./messages").Answer} Answer */
 /** @typedef {import("./messages").Preset} Preset */
 /** @typedef {import("./messages").Verdict} Verdict */
 /** @typedef {import("./scene.js").Scene} Scene */
@@ -32,14 +31,7 @@ import { _, language } from "./words.js";
 const MOST_STEPS_BACK = 200;
 /** Once a plan has not changed for so long, ms, the picture is to follow. */
 const PAUSE = 60;
-/** Once it has not for so long, ms, its smallest pitch is asked for, which takes time from verdicts. */
-const HALT = 150;
 const QUESTIONS = /** @type {const} */ (["turn", "speed", "pace", "margins"]);
-
-/** A plan's smallest pitch says something: its spiral ends at a disc. @param {Plan} plan */
-function hasPitch(plan) {
-  return plan.route.kind === "turn" || (plan.route.kind === "spiral-in" && plan.disc.radius != null);
-}
 
 export class Planner {
   /** @param {Answers} answers @param {Preset[]} presets @param {Plan} plan */
@@ -57,8 +49,6 @@ export class Planner {
     this.unread = null;
     /** @type {{found: Verdict, plan: Plan} | null} */
     this.verdict = null;
-    /** @type {Answer | null} */
-    this.pitch = null;
     /** @type {Player | null} */
     this.player = null;
     /** The plan whose dance the player shows. @type {Plan | null} */
@@ -66,7 +56,6 @@ export class Planner {
     /** @type {HTMLDialogElement | null} */
     this.dialog = null;
     this.pause = new Delayed(PAUSE, () => this.#draws && this.sketches.renew(this.plan));
-    this.halt = new Delayed(HALT, () => this.pitches.renew(this.plan));
     this.rest = new Delayed(REST, () => this.#rested());
     this.jobs = new JobList(answers, (found) => this.change(found, true));
     this.files = new Files(this, answers);
@@ -77,11 +66,6 @@ export class Planner {
       (asked, signal) => answers.ask("verdict", asked, signal),
       (found, about) => this.#judged(found, about),
       (error, about) => this.#unjudged(error, about),
-    );
-    this.pitches = new Standing(
-      (asked, signal) => answers.ask("limit/pitch", asked, signal),
-      (found, about) => this.#limited(found, about),
-      (error, about) => this.#limited(null, about, error.message),
     );
     // A scene before it counts as answered, so that no older one can come in late.
     this.dances = new Standing(
@@ -107,10 +91,11 @@ export class Planner {
     /** What the notice is about. @type {Planner["unread"]} */
     this.noticed = null;
     this.lines = this.#lines();
-    this.above = new ToldAbove((height) => {
-      this.root.style.setProperty("--told", `${height}px`); // a phone's picture stays below it
+    this.above = make("header", { class: "verdicts" });
+    new ResizeObserver(() => {
+      this.root.style.setProperty("--told", `${this.above.offsetHeight}px`); // a phone's picture stays below it
       this.grips.follow();
-    });
+    }).observe(this.above);
     this.#build();
     addEventListener("keydown", (event) => this.#key(event));
     addEventListener("hashchange", () => this.#obey());
@@ -126,13 +111,12 @@ export class Planner {
     const verdict = make("button", {
       type: "button",
       class: "verdict",
-      "aria-live": "polite",
-      title: _("show the evidence"),
-      onclick: () => this.#evidence(),
+      "data-more": _("details"),
+      onclick: () => this.#details(),
     });
     return {
       verdict: new Line(verdict, _("computing ...")),
-      limit: new Line(make("output", { class: "limit" })),
+      sentence: new Line(make("p", { class: "sentence spoken", "aria-live": "polite" })),
       dance: new Line(make("output")),
       file: new Line(make("output", { class: "told", onclick: () => this.#putAway() })),
     };
@@ -166,12 +150,12 @@ export class Planner {
       this.sheets.control(() => this.plan),
       this.files.controls(this.lines.file.element),
     );
-    const { verdict, limit, dance } = this.lines;
-    const lines = [verdict, limit, dance].map(({ element }) => element);
-    this.above.element.replaceChildren(this.notice, ...lines);
+    const { verdict, sentence, dance } = this.lines;
+    this.above.replaceChildren(this.notice, verdict.element, sentence.element);
+    const old = make("span", {}, _("the picture is of an earlier plan"));
     this.root.replaceChildren(
-      this.above.element,
-      make("aside", { class: "old" }, make("span", {}, _("the picture is of an earlier plan"))),
+      this.above,
+      make("aside", { class: "old" }, old, dance.element),
       this.stage,
       this.grips.element,
       panel,
@@ -306,14 +290,13 @@ export class Planner {
   /** The address holds what is no plan: say so, leave it there, and tell nothing. @param {string} says */
   refuse(says) {
     this.unread = { says };
-    for (const one of [this.verdicts, this.pitches, this.sketches, this.dances]) one.drop();
+    for (const one of [this.verdicts, this.sketches, this.dances]) one.drop();
     this.tracks.show(this.plan);
-    for (const one of [this.pause, this.halt, this.rest]) one.drop();
+    for (const one of [this.pause, this.rest]) one.drop();
     this.dialog?.close();
     this.verdict = null;
     const text = _("No verdict: the plan in this link cannot be read.");
-    this.lines.verdict.tell(this.unread, text, "none");
-    this.#mark();
+    this.#tell(this.unread, _("no verdict"), text, "none");
   }
 
   /** What is said of a link that cannot be read. @param {string} says */
@@ -344,11 +327,8 @@ export class Planner {
     this.#mark();
     if (this.answers.has("verdict")) this.verdicts.renew(this.plan);
     // What takes longer than a verdict is given up at once, so that verdict and rough picture come soon.
-    this.pitches.drop();
     this.dances.drop();
     this.pause.renew();
-    if (this.#limitable) this.halt.renew();
-    else this.halt.drop();
     this.rest.renew();
   }
 
@@ -365,21 +345,14 @@ export class Planner {
     return this.answers.has("dance") && !this.grips.drag;
   }
 
-  /** Whether a smallest pitch is asked for. */
-  get #limitable() {
-    return this.answers.has("limit/pitch") && hasPitch(this.plan);
-  }
-
   /** Show all that was told, and mark what is about another plan than the page. */
   #mark() {
     const { subject, unread } = this;
-    const { verdict, limit, dance, file } = this.lines;
-    for (const line of [verdict, limit, dance, file]) line.show(subject);
+    const { verdict, sentence, dance } = this.lines;
+    for (const line of Object.values(this.lines)) line.show(subject);
     this.sheets.about(subject);
-    const limitless = unread !== null || !this.#limitable;
     verdict.element.hidden = unread === null && !this.answers.has("verdict");
-    limit.element.hidden = limitless || limit.repeats(verdict);
-    dance.element.hidden = dance.repeats(verdict);
+    dance.element.hidden = dance.repeats(sentence);
     this.root.ariaBusy = String(!unread && !dance.about(subject));
     this.root.dataset.picture = !this.pictured ? "none" : this.#pictures(subject) ? "this" : "old";
     this.jobs.show(subject);
@@ -387,7 +360,6 @@ export class Planner {
     if (unread !== this.noticed)
       this.notice.replaceChildren(...(unread ? this.#unreadWords(unread.says) : []));
     this.noticed = unread;
-    this.above.fit();
   }
 
   /** Whether the player shows the dance of this plan. @param {Plan} plan */
@@ -398,8 +370,13 @@ export class Planner {
   /** @param {Verdict} found @param {Plan} plan */
   #judged(found, plan) {
     this.verdict = { found, plan };
-    const state = found.decided ? (found.safe ? "safe" : "unsafe") : "open";
-    this.lines.verdict.tell(plan, found.sentence[language()], state);
+    this.#tell(plan, wordOf(found), found.sentence[language()], stateOf(found), "", besideWord(found));
+  }
+
+  /** Tell a verdict in a word, and in a sentence to who cannot see it. @param {object} plan @param {string} word @param {string} sentence @param {import("./telling.js").State} state @param {string} [why] @param {HTMLElement[]} [beside] */
+  #tell(plan, word, sentence, state, why, beside) {
+    this.lines.verdict.tell(plan, word, state, why, beside);
+    this.lines.sentence.tell(plan, sentence, state, why);
     this.#mark();
   }
 
@@ -407,27 +384,21 @@ export class Planner {
   #unjudged(error, plan) {
     this.verdict = null;
     const text = _("No verdict: {error}", { error: error.message });
-    this.lines.verdict.tell(plan, text, "none", error.message);
-    this.#mark();
+    this.#tell(plan, _("no verdict"), text, "none", error.message);
   }
 
-  /** @param {Answer | null} found @param {Plan} plan @param {string} [error] */
-  #limited(found, plan, error = "") {
-    this.pitch = found;
-    const text = found ? _("smallest pitch: {answer}", { answer: answerText(found, true) }) : error;
-    this.lines.limit.tell(plan, text, "", error);
-    this.#mark();
-  }
-
-  #evidence() {
-    if (!this.verdict || !samePlan(this.verdict.plan, this.subject)) return;
-    const { found, plan } = this.verdict;
+  /** Open what is behind the word: why, what mends it, all numbers. */
+  #details() {
+    const { sentence } = this.lines;
+    if (!sentence.about(this.subject)) return;
     const jump = (/** @type {number} */ time) => this.player?.jump(time);
-    const seen = this.#pictures(this.subject);
-    const dialog = evidenceDialog(found, plan.limits ?? {}, this.pitch, seen ? jump : null);
-    this.dialog = dialog;
-    this.root.append(dialog);
-    dialog.showModal();
+    this.dialog = showDetails(this.root, this.answers, {
+      plan: this.plan,
+      found: this.verdict?.found ?? null,
+      sentence: sentence.told?.text ?? "",
+      jump: this.#pictures(this.subject) ? jump : null,
+      take: (plan) => this.change(plan, true),
+    });
   }
 
   /** @param {Scene} scene @param {Plan} plan */

@@ -5,10 +5,19 @@ import { samePlan } from "./standing.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
-/** Whether a walk is safe, or that is open; "none": nothing is known of it; "": it is not about that.
- * @typedef {"safe" | "unsafe" | "open" | "none" | ""} State */
+/** Whether a walk is safe, too tight or touches ("unsafe"), or that is open; "none": nothing is known of it; "": it is
+ * not about that.
+ * @typedef {"safe" | "tight" | "unsafe" | "open" | "none" | ""} State */
 
-const STATE_SIGNS = { safe: "\u2713", unsafe: "\u2716", open: "?", none: "!", "": "" };
+/** @type {Record<State, string>} */
+export const STATE_SIGNS = {
+  safe: "\u2713",
+  tight: "\u25b2",
+  unsafe: "\u2716",
+  open: "?",
+  none: "!",
+  "": "",
+};
 
 export class Line {
   /** @param {HTMLElement} element @param {string} [waiting] what it says before anything is told */
@@ -16,7 +25,7 @@ export class Line {
     this.element = element;
     this.base = element.className;
     this.waiting = waiting;
-    /** @type {{plan: Plan, text: string, state: State, why: string} | null} */
+    /** @type {{plan: Plan, text: string, state: State, why: string, beside: HTMLElement[]} | null} */
     this.told = null;
   }
 
@@ -26,9 +35,10 @@ export class Line {
    * @param {string} text
    * @param {State} [state]
    * @param {string} [why] why there is no answer, if there is none
+   * @param {HTMLElement[]} [beside] what else stands there, as long as it is about the plan on the page
    */
-  tell(plan, text, state = "", why = "") {
-    this.told = { plan, text, state, why };
+  tell(plan, text, state = "", why = "", beside = []) {
+    this.told = { plan, text, state, why, beside };
   }
 
   /** Tell nothing any more. */
@@ -43,7 +53,7 @@ export class Line {
 
   /** Whether another line says already why there is no answer. @param {Line} other */
   repeats(other) {
-    return Boolean(this.told?.why) && this.told?.why === other.told?.why;
+    return this.told?.why === other.told?.why;
   }
 
   /** Show what is told, and whether it is about this plan. @param {Plan} plan */
@@ -57,10 +67,13 @@ export class Line {
     element.ariaBusy = String(old); // screen readers need not hear what is past
     element.className = `${this.base} ${state}`.trim();
     const sign = old && told?.state ? "\u2026" : STATE_SIGNS[state];
-    if (element.textContent === (sign ? `${sign} ${text}` : text)) return;
+    const beside = old ? [] : (told?.beside ?? []);
+    const words = [sign ? `${sign} ` : "", text, ...beside.map((one) => one.textContent)];
+    if (element.textContent === words.join("")) return;
     element.replaceChildren(
       ...(sign ? [make("span", { "aria-hidden": "true" }, `${sign} `)] : []),
       text,
+      ...beside,
     );
   }
 }
