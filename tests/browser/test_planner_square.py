@@ -6,12 +6,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from benchdragon.analysis.check import check
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.schema import checked, read_plan
+from benchdragon.solve.proposal import CORNERS
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
 from tests.browser.planners import address, change, settled, verdict
@@ -22,6 +24,7 @@ from tests.browser.test_planner_grips import grip, middle, steps
 Opened = Callable[..., Page]
 COIL = ["dragon.benches=30", "disc.radius=4", "route.start_turn=10", "limits.margin=0"]
 SQUARE = {"venue": {"rectangle": [30, 24], "name": "yard"}}
+SIZE = "length x width; r12 if it is round"
 # Names that things get, and that they have in the plan.
 WORDS = {"en": ("well", "stage", "tree"), "zh": ("水井", "戏台", "树")}
 
@@ -98,23 +101,51 @@ def test_a_plan_gets_a_square_about_its_dance_by_numbers_and_loses_it(opened: Op
     (room,) = [one.distance for one in check(plan).obstacles]
     assert 0.3 < room.value < 2.5
     expect(page.get_by_role("button", name="+ square")).to_be_hidden()
-    change(page, "length of the square", "30米5")
-    change(page, "width of the square", "2600cm")
+    centre = shown(page)["venue"]["centre"]
+    change(page, SIZE, "30")
+    expect(row(page, "venue").get_by_role("alert")).to_contain_text("with an x between (30x20)")
+    change(page, SIZE, "30米5乘2600cm")
+    expect(row(page, "venue").locator("summary")).to_contain_text("30.5 m by 26 m")
     assert shown(page)["venue"]["rectangle"] == [30.5, 26]
+    assert shown(page)["venue"]["centre"] == centre
     page.get_by_role("checkbox", name="set how far to stay from its edge").check()
     change(page, "how far to stay from its edge", "50cm")
     change(page, "name", "temple  yard ")
     assert shown(page)["limits"]["venue_margin"] == 0.5
     assert shown(page)["venue"]["name"] == "temple yard"
     judged(page)
-    assert steps(page) == 6
+    assert steps(page) == 5
     page.get_by_role("button", name="delete: temple yard").click()
     assert shown_plan(page).sha256 == before
     page.keyboard.press("Control+z")
     assert shown(page)["venue"]["name"] == "temple yard"
-    for _step in range(6):
+    for _step in range(5):
         page.keyboard.press("Control+z")
     assert shown_plan(page).sha256 == before
+
+
+def test_a_square_is_round_or_has_the_corners_that_are_tapped(opened: Opened) -> None:
+    page = opened(more=SQUARE | {"venue": {"rectangle": [30, 24], "centre": [1, -1], "angle": 10}})
+    row(page, "venue").locator("summary").click()
+    change(page, SIZE, "r14.5")
+    expect(row(page, "venue").locator("summary")).to_contain_text("radius 14.5 m")
+    expect(page.get_by_role("textbox", name=SIZE)).to_have_value("r14.5")
+    (edge,) = shown_plan(page).obstacles()
+    far = np.hypot(*(edge.outline - [1, -1]).T)
+    assert len(far) == CORNERS
+    assert far == pytest.approx(14.5, abs=0.001)
+    judged(page)
+    page.get_by_role("button", name="draw its edge").click()
+    corners = [(-13, -9), (13, -10), (12, 10), (-12, 9)]
+    for x, y in corners:
+        tap(page, x, y)
+    bar(page).get_by_role("button", name="done").click()
+    assert same(shown(page)["venue"], {"name": "", "boundary": [list(one) for one in corners]})
+    expect(row(page, "venue").locator("summary")).to_contain_text("4 corners")
+    judged(page)
+    change(page, SIZE, "20x18")
+    assert same(shown(page)["venue"], {"name": "", "rectangle": [20, 18], "centre": [0, 0]})
+    assert steps(page) == 3
 
 
 @pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
@@ -219,6 +250,8 @@ def test_placing_is_given_up(opened: Opened) -> None:
         tap(page, -9, 8)
     assert shown_plan(page).sha256 == before
     assert steps(page) == 0
+    tap(page, *page.evaluate("(({ x, y }) => [x[12], y[12]])(benchdragon.player.boxes)"))
+    assert page.evaluate("benchdragon.player.chosen") == 12
 
 
 @pytest.mark.parametrize("sort", ["stage", "shape"])

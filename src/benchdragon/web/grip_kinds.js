@@ -2,7 +2,7 @@
 // elsewhere. Lengths in metres, angles in degrees to the left.
 
 import { fieldOf } from "./plan_form.js";
-import { obstacleName } from "./things.js";
+import { meanOf, obstacleName } from "./things.js";
 import { _, decimals } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
@@ -366,12 +366,6 @@ function obstacleGrips(plan, arm) {
     const told = { centre: one.centre, size: one.size, angle: one.angle ?? 0 };
     return [...rectangleGrips(id, name, told, arm, (centre, size) => set({ centre, size })), place];
   });
-}
-
-/** The middle of points. @param {Point[]} points @returns {Point} */
-function meanOf(points) {
-  const sum = (/** @type {0 | 1} */ k) => points.reduce((all, point) => all + point[k], 0);
-  return [sum(0) / points.length, sum(1) / points.length];
 }
 
 /** The edge of a round obstacle. @param {string} id @param {string} name @param {Record<string, any>} one @param {(values: object) => Plan} set */

@@ -101,8 +101,8 @@ export class Placing {
 
   /** What to do now. @param {Sort} sort */
   #words(sort) {
-    if (sort !== "shape")
-      return _("Tap in the picture where the {name} is.", { name: SORTS[sort].name() });
+    const { name, corners } = SORTS[sort];
+    if (!corners) return _("Tap in the picture where the {name} is.", { name: name() });
     if (this.points.length < 3) return _("Tap its corners in the picture, one after another.");
     return _("Tap the next corner, or the first again to close it.");
   }
@@ -127,7 +127,7 @@ export class Placing {
   /** @param {Point} at */
   #tapped(at) {
     const { sort, points, host } = this;
-    if (sort !== "shape") return this.#placed([at]);
+    if (!sort || !SORTS[sort].corners) return this.#placed([at]);
     const reach = NEAR / (host.player?.camera.scale ?? 1);
     const [first, last] = [points[0], points[points.length - 1]];
     if (points.length > 2 && Math.hypot(at[0] - first[0], at[1] - first[1]) <= reach)
@@ -148,13 +148,13 @@ export class Placing {
 
   /** Place it in the middle of the picture. */
   #middle() {
-    const { player } = this.host;
-    if (!player) return;
-    const { x, y, scale } = player.camera;
+    const { sort, host } = this;
+    if (!host.player || !sort) return;
+    const { x, y, scale } = host.player.camera;
     const half = 0.5 * Math.max(Math.ceil(SIDE / scale), LEAST_SIDE);
     const corners = /** @type {Point[]} */ ([[-1, -1], [1, -1], [1, 1], [-1, 1]]); // prettier-ignore
     const shape = corners.map(([a, b]) => roundedPoint([x + a * half, y + b * half], false));
-    this.#placed(this.sort === "shape" ? shape : [roundedPoint([x, y], false)]);
+    this.#placed(SORTS[sort].corners ? shape : [roundedPoint([x, y], false)]);
   }
 
   /** @param {Point[]} points */

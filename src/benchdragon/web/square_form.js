@@ -15,6 +15,8 @@ import { _ } from "./words.js";
 /** @typedef {import("./things.js").Thing} Thing */
 /** @typedef {[number, number]} Point */
 
+/** What is put onto the square by a button each. @type {Sort[]} */
+const ADDED = ["well", "stage", "tree", "shape", "entrance"];
 /** Ground left free about the dance in a new square, m. */
 const ABOUT = 1.5;
 
@@ -41,12 +43,11 @@ export class SquareForm {
       { type: "button", onclick: () => this.#addSquare() },
       `+ ${_("square")}`,
     );
-    const sorts = /** @type {[Sort, typeof SORTS.well][]} */ (Object.entries(SORTS));
-    const buttons = sorts.map(([sort, { button }]) =>
+    const buttons = ADDED.map((sort) =>
       make(
         "button",
         { type: "button", "data-add": sort, onclick: () => placing.begin(sort) },
-        `+ ${button()}`,
+        `+ ${SORTS[sort].button()}`,
       ),
     );
     this.adding = make(
@@ -78,9 +79,7 @@ export class SquareForm {
     if (!things.some(({ id }) => id === this.chosen)) this.chosen = "";
     this.rows = new Map(
       things.map((thing) => {
-        const change = (/** @type {Plan} */ plan, /** @type {boolean} */ final) =>
-          this.host.change(plan, final);
-        const row = new ThingRow(thing, change, (open) => this.#toggled(thing.id, open));
+        const row = new ThingRow(thing, this.host, (open) => this.#toggled(thing.id, open));
         row.element.open = thing.id === this.chosen;
         return [thing.id, row];
       }),

@@ -1,16 +1,20 @@
 // One thing on the square in the panel: its name, its sizes as numbers, the margin about it, and away with it.
 
 import { make, wordButton } from "./elements.js";
+import { InputError } from "./compute/error_kinds.js";
+import { QUESTIONS } from "./made/answers.js";
 import { NumberControl } from "./number_control.js";
-import { MOST_LETTERS, namesTaken, withAt, withoutThing } from "./things.js";
+import { MOST_LETTERS, namesTaken, radiusOf, withAt, withoutThing, withSize } from "./things.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./number_control.js").Field} Field */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./things.js").Thing} Thing */
 
-/** A size larger than these, m, was mistyped: MOST_SQUARE of plans/answers.py, and less of what stands there. */
-const MOST = { square: 2000, side: 200, radius: 50 };
+/** A size larger than these, m, was mistyped. */
+const MOST = { side: 200, radius: 50 };
+/** How `benchdragon new` reads the size of a square. */
+const SQUARE = QUESTIONS.filter(({ kind }) => kind === "square")[0];
 
 /** @param {string} key @param {() => string} text @param {number} high @param {number} most @returns {Field} */
 function length(key, text, high, most) {
@@ -31,13 +35,7 @@ function margin(key, text) {
 function fieldsOf({ id, table: { kind, rectangle } }) {
   if (id === "venue") {
     const edge = margin("limits.venue_margin", () => _("how far to stay from its edge"));
-    if (!rectangle) return [edge];
-    return [
-      length("venue.rectangle.0", () => _("length of the square"), 100, MOST.square),
-      length("venue.rectangle.1", () => _("width of the square"), 100, MOST.square),
-      direction("venue.angle"),
-      edge,
-    ];
+    return rectangle ? [direction("venue.angle"), edge] : [edge];
   }
   if (!kind) return [];
   const sizes = {
@@ -56,18 +54,29 @@ function sizeText({ kind, radius, size, rectangle, points, boundary }) {
   const sides = rectangle ?? size;
   if (kind === "circle") return _("radius {value} m", { value: radius });
   if (sides) return _("{length} m by {width} m", { length: sides[0], width: sides[1] });
+  const round = radiusOf({ boundary });
+  if (round !== null) return _("radius {value} m", { value: round });
   const corners = points ?? boundary;
   return corners ? _("{count} corners", { count: corners.length }) : "";
 }
 
-/** What a thing is called, in a box. */
-class NameBox {
-  /** @param {string} id @param {(name: string) => void} changed */
-  constructor(id, changed) {
-    this.id = id;
+/** The size of a square, as it is typed. @param {Thing["table"]} venue */
+function typedSize(venue) {
+  const radius = radiusOf(venue);
+  return venue.rectangle ? venue.rectangle.join("x") : radius === null ? "" : `r${radius}`;
+}
+
+/** A text of a thing, in a box. */
+class TextBox {
+  /**
+   * @param {string} name
+   * @param {(text: string) => Plan} read a plan with what was typed; an InputError says why it cannot be
+   * @param {(plan: Plan, final: boolean) => void} changed
+   */
+  constructor(name, read, changed) {
+    this.read = read;
     this.changed = changed;
-    /** @type {Plan} */
-    this.plan = {};
+    this.shown = "";
     this.box = make("input", {
       type: "text",
       autocomplete: "off",
@@ -75,23 +84,21 @@ class NameBox {
       onchange: () => this.#typed(),
     });
     this.asked = make("p", { class: "asked", role: "alert", hidden: true });
-    const label = make(
-      "label",
-      { class: "called" },
-      make("span", { class: "name" }, _("name")),
-      this.box,
-    );
+    const label = make("label", { class: "called" }, make("span", { class: "name" }, name), this.box);
     this.element = make("div", { class: "field" }, label, this.asked);
   }
 
-  /** Take what was typed, in one line, unless something else is called so. */
+  /** Take what was typed, or ask back. */
   #typed() {
-    const name = this.box.value.replace(/[\p{C}\p{Z}]+/gu, " ").trim();
-    const taken = namesTaken(this.plan, this.id).has(name);
-    this.#ask(
-      taken ? _("Something else is called {name} already: choose another name.", { name }) : "",
-    );
-    if (!taken) this.changed(name);
+    try {
+      const plan = this.read(this.box.value);
+      this.#ask("");
+      this.changed(plan, true);
+      this.box.value = this.shown;
+    } catch (error) {
+      if (!(error instanceof InputError)) throw error;
+      this.#ask(error.message);
+    }
   }
 
   /** @param {string} question */
@@ -101,12 +108,10 @@ class NameBox {
     this.box.ariaInvalid = String(Boolean(question));
   }
 
-  /** @param {Plan} plan @param {Thing} thing */
-  show(plan, { table }) {
-    const other = JSON.stringify(plan) !== JSON.stringify(this.plan);
-    this.plan = plan;
-    if (!other) return; // what was typed is still asked about
-    this.box.value = table.name ?? "";
+  /** @param {string} text what the plan says */
+  show(text) {
+    if (text === this.shown) return; // what was typed is still asked about
+    this.shown = this.box.value = text;
     this.#ask("");
   }
 }
@@ -114,40 +119,69 @@ class NameBox {
 export class ThingRow {
   /**
    * @param {Thing} thing
-   * @param {(plan: Plan, final: boolean) => void} changed
+   * @param {import("./square_form.js").Host} host
    * @param {(open: boolean) => void} chosen
    */
-  constructor(thing, changed, chosen) {
+  constructor(thing, host, chosen) {
     const { id } = thing;
+    this.id = id;
     /** @type {Plan} */
     this.plan = {};
+    const changed = (/** @type {Plan} */ plan, /** @type {boolean} */ final) =>
+      host.change(plan, final);
     const put = (
       /** @type {string} */ key,
       /** @type {unknown} */ value,
       /** @type {boolean} */ final,
     ) => changed(withAt(this.plan, key, value), final);
-    this.called = new NameBox(id, (name) => put(`${id}.name`, name || null, true));
+    this.called = new TextBox(_("name"), (text) => this.#named(text), changed);
+    this.size = new TextBox(
+      _("length x width; r12 if it is round"),
+      (text) => this.#sized(text),
+      changed,
+    );
     this.controls = fieldsOf(thing).map((field) => new NumberControl(field, put));
     this.summary = make("summary");
     this.away = wordButton(_("delete"), thing.name, () => changed(withoutThing(this.plan, id), true));
-    const named = id.startsWith("entrance") ? [] : [this.called.element];
+    const edge = make("button", { type: "button", onclick: () => host.placing.begin("edge") });
+    edge.append(_("draw its edge"));
     this.element = make(
       "details",
       { "data-thing": id, ontoggle: () => chosen(this.element.open) },
       this.summary,
-      ...named,
+      ...(id.startsWith("entrance") ? [] : [this.called.element]),
+      ...(id === "venue" ? [this.size.element] : []),
       ...this.controls.map(({ element }) => element),
-      this.away,
+      make("div", { class: "row" }, ...(id === "venue" ? [edge] : []), this.away),
     );
   }
 
+  /** The plan with the thing called so, in one line, unless something else is. @param {string} text */
+  #named(text) {
+    const name = text.replace(/[\p{C}\p{Z}]+/gu, " ").trim();
+    if (namesTaken(this.plan, this.id).has(name))
+      throw new InputError(
+        _("Something else is called {name} already: choose another name.", { name }),
+      );
+    return withAt(this.plan, `${this.id}.name`, name || null);
+  }
+
+  /** The plan with a square of this size. @param {string} text */
+  #sized(text) {
+    if (!text.trim()) return this.plan;
+    return withSize(this.plan, SQUARE.answer(_(SQUARE.label), text));
+  }
+
   /** @param {Plan} plan @param {Thing} thing */
-  show(plan, thing) {
+  show(plan, { table, name }) {
     this.plan = plan;
-    const size = make("span", { class: "unit" }, sizeText(thing.table));
-    this.summary.replaceChildren(make("span", {}, thing.name), size);
-    this.away.title = this.away.ariaLabel = `${this.away.textContent}: ${thing.name}`;
-    this.called.show(plan, thing);
+    this.summary.replaceChildren(
+      make("span", {}, name),
+      make("span", { class: "unit" }, sizeText(table)),
+    );
+    this.away.title = this.away.ariaLabel = `${this.away.textContent}: ${name}`;
+    this.called.show(table.name ?? "");
+    this.size.show(typedSize(table));
     for (const control of this.controls) control.show(plan);
   }
 }

@@ -4,12 +4,17 @@ import { _ } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {[number, number]} Point */
-/** What can be put onto the square. @typedef {"well" | "stage" | "tree" | "shape" | "entrance"} Sort */
+/** What can be put onto the square; its edge takes the place of the one before. @typedef {"well" | "stage" | "tree" | "shape" | "entrance" | "edge"} Sort */
 
 /** Letters of a name: MOST_LETTERS of plans/square.py. */
 export const MOST_LETTERS = 80;
+/** Corners of a round square: CORNERS of solve/proposal.py. So many are round where all are as far from their
+ * middle, to so much, m. */
+const CORNERS = 90;
+const ROUND = 12;
+const ALIKE = 0.005;
 
-/** What is put onto the square: on its button, what it is called then, and the obstacle at corners or a centre. @type {Record<Sort, { button: () => string, name: () => string, made: (points: Point[]) => object }>} */
+/** What is put onto the square: on its button, what it is called then, and its table at a centre, or at `corners`. @type {Record<Sort, { button: () => string, name: () => string, corners?: boolean, made: (points: Point[]) => object }>} */
 export const SORTS = {
   well: {
     button: () => _("well"),
@@ -29,9 +34,16 @@ export const SORTS = {
   shape: {
     button: () => _("own shape"),
     name: () => _("obstacle"),
+    corners: true,
     made: (points) => ({ kind: "polygon", points }),
   },
   entrance: { button: () => _("entrance"), name: () => _("entrance"), made: ([at]) => at },
+  edge: {
+    button: () => _("draw its edge"),
+    name: () => _("square"),
+    corners: true,
+    made: (boundary) => ({ boundary }),
+  },
 };
 
 /** What stands on the square: its table, and a plan of it alone, by which it is drawn. @typedef {{ id: string, table: Record<string, any>, name: string, alone: Plan }} Thing */
@@ -88,6 +100,11 @@ export function withThing(plan, sort, points) {
     copy.event = { ...copy.event, entrances };
     return { plan: copy, id: `entrance.${entrances.length - 1}` };
   }
+  if (sort === "edge") {
+    const { rectangle: _rectangle, centre: _centre, angle: _angle, ...kept } = copy.venue;
+    copy.venue = { ...kept, ...made };
+    return { plan: copy, id: "venue" };
+  }
   const taken = namesTaken(plan);
   const word = SORTS[sort].name();
   let name = word;
@@ -108,6 +125,36 @@ export function withSquare(plan, [left, bottom, right, top]) {
     ...(taken.has(_("square")) ? {} : { name: _("square") }),
   };
   return copy;
+}
+
+/** The radius of a round square, m; null of others. @param {Record<string, any>} venue */
+export function radiusOf({ boundary }) {
+  if (!boundary || boundary.length < ROUND) return null;
+  const [x, y] = meanOf(boundary);
+  const far = boundary.map((/** @type {Point} */ [u, v]) => Math.hypot(u - x, v - y));
+  const [least, most] = [Math.min(...far), Math.max(...far)];
+  return most - least < ALIKE ? Number(most.toFixed(2)) : null;
+}
+
+/** A plan whose square has another size, about the same middle. @param {Plan} plan @param {number | Point} size length and width, or a radius, m @returns {Plan} */
+export function withSize(plan, size) {
+  const { boundary, ...venue } = plan.venue;
+  const centre = boundary
+    ? meanOf(boundary).map((at) => Number(at.toFixed(2)))
+    : (venue.centre ?? [0, 0]);
+  if (typeof size !== "number") return { ...plan, venue: { ...venue, rectangle: size, centre } };
+  const corners = Array.from({ length: CORNERS }, (_corner, n) => {
+    const angle = (2 * Math.PI * n) / CORNERS;
+    const [x, y] = [centre[0] + size * Math.cos(angle), centre[1] + size * Math.sin(angle)];
+    return [Number(x.toFixed(3)), Number(y.toFixed(3))];
+  });
+  return withThing(plan, "edge", /** @type {Point[]} */ (corners)).plan;
+}
+
+/** The middle of points. @param {Point[]} points @returns {Point} */
+export function meanOf(points) {
+  const sum = (/** @type {0 | 1} */ k) => points.reduce((all, point) => all + point[k], 0);
+  return [sum(0) / points.length, sum(1) / points.length];
 }
 
 /** A plan without a thing of its square. @param {Plan} plan @param {string} id */
