@@ -46,6 +46,7 @@ import { _, language, shortLength } from "./words.js";
  * @property {boolean} dressed whether benches are drawn as a dragon's, where colours tell nothing else
  * @property {boolean} north whether an arrow says that up is north
  * @property {[number, number][]} ruler two points on the ground, or none
+ * @property {{ paint(ctx: CanvasRenderingContext2D, camera: Camera): void } | null} below a photograph, or none
  */
 
 /** Colours of a theme, read from the style sheet. @typedef {Record<"ground" | "ink" | "quiet" | "faint" | "body" | "head" | "disc" | "obstacle" | "edge" | "mark" | "trail" | "wood" | "grain" | "cloth" | "gold" | "lantern" | "glow" | "rib" | "horn" | "outline", string>} Inks */
@@ -132,6 +133,7 @@ export class Painter {
     ctx.setTransform(density, 0, 0, density, 0, 0);
     ctx.fillStyle = this.inks.ground;
     ctx.fillRect(0, 0, camera.width, camera.height);
+    picture.below?.paint(ctx, camera);
     if (picture.ground) this.#ground(picture);
     else this.covered = null;
     picture.square.paint(ctx, camera, this.inks, this.dots);

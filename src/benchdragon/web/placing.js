@@ -1,14 +1,12 @@
-// Something is put onto the square by a tap in the picture: what is said meanwhile, and how it ends.
+// Places in the picture are asked for and tapped: what is said meanwhile, and how it ends.
 
 import { _crossing, doMeet } from "./compute/obstacle.js";
 import { make } from "./elements.js";
 import { roundedPoint } from "./grip_kinds.js";
-import { SORTS } from "./things.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./grips.js").Grips} Grips */
 /** @typedef {import("./player.js").Player} Player */
-/** @typedef {import("./things.js").Sort} Sort */
 /** @typedef {[number, number]} Point */
 
 /** The first corner is tapped again within so many CSS pixels. */
@@ -21,16 +19,24 @@ const LEAST_SIDE = 2;
 
 /** @typedef {{ player: Player | null, grips: Grips, root: HTMLElement }} Host */
 
+/**
+ * What places are asked for.
+ * @typedef {object} Wish
+ * @property {string} name
+ * @property {(taps: number) => string} says what to do after so many taps
+ * @property {number} taps how many places; Infinity: corners, until their outline is closed
+ * @property {boolean} [middle] whether the middle of the picture would do
+ * @property {(points: Point[]) => void} done
+ */
+
 export class Placing {
   /** @param {Host} host */
   constructor(host) {
     this.host = host;
-    /** What is being placed. @type {Sort | null} */
-    this.sort = null;
-    /** Its corners so far. @type {Point[]} */
+    /** @type {Wish | null} */
+    this.wish = null;
+    /** What was tapped so far. @type {Point[]} */
     this.points = [];
-    /** Called with what was placed. @type {(sort: Sort, points: Point[]) => void} */
-    this.onPlaced = () => {};
     this.bar = make("div", { class: "placing", role: "group", hidden: true });
     host.grips.element.append(this.bar);
     addEventListener("keydown", (event) => this.#key(event), true);
@@ -41,19 +47,19 @@ export class Placing {
   /** What taps in the picture do at other times. @type {Player["onTapped"] | null} */
   #tap = null;
 
-  /** Begin to place something. @param {Sort} sort */
-  begin(sort) {
+  /** Ask for places. @param {Wish} wish */
+  begin(wish) {
     const { player, root } = this.host;
     if (!player) return; // no picture, and no button then
     this.end();
-    [this.sort, this.points] = [sort, []];
+    [this.wish, this.points] = [wish, []];
     this.#from = document.activeElement;
     this.#tap = player.onTapped;
-    player.onTapped = (at) => this.#tapped(roundedPoint(at, false));
+    player.onTapped = (at) => this.#tapped(roundedPoint(at, !wish.middle));
     player.rule(false);
     for (const list of player.face.lists) list.open = false; // they lie over the picture
     root.classList.add("adding");
-    this.bar.ariaLabel = SORTS[sort].button();
+    this.bar.ariaLabel = wish.name;
     const said = make("p", { "aria-live": "polite" });
     this.bar.replaceChildren(
       said,
@@ -64,7 +70,8 @@ export class Placing {
     this.bar.hidden = false;
     this.#show();
     player.face.stage.scrollIntoView({ block: "nearest" });
-    this.bar.querySelector("button")?.focus({ preventScroll: true });
+    const button = wish.middle ? this.bar.children[1] : this.bar.lastElementChild;
+    /** @type {HTMLElement} */ (button).focus({ preventScroll: true });
   }
 
   /** @param {string} text @param {() => void} action */
@@ -72,11 +79,11 @@ export class Placing {
     return make("button", { type: "button", onclick: action }, text);
   }
 
-  /** Place nothing any more. */
+  /** Ask for nothing any more. */
   end() {
     const { player, grips, root } = this.host;
-    if (!this.sort) return;
-    this.sort = null;
+    if (!this.wish) return;
+    this.wish = null;
     if (player && this.#tap) player.onTapped = this.#tap;
     root.classList.remove("adding");
     this.bar.hidden = true;
@@ -90,21 +97,13 @@ export class Placing {
 
   /** Say what to do, and draw what was done. @param {string} [trouble] */
   #show(trouble = "") {
-    const { sort, points, bar } = this;
-    if (!sort) return;
+    const { wish, points, bar } = this;
+    if (!wish) return;
     const [said, middle, done] = bar.children;
-    said.textContent = trouble || this.#words(sort);
-    /** @type {HTMLElement} */ (middle).hidden = points.length > 0;
+    said.textContent = trouble || wish.says(points.length);
+    /** @type {HTMLElement} */ (middle).hidden = !wish.middle || points.length > 0;
     /** @type {HTMLElement} */ (done).hidden = points.length < 3;
     this.host.grips.renew();
-  }
-
-  /** What to do now. @param {Sort} sort */
-  #words(sort) {
-    const { name, corners } = SORTS[sort];
-    if (!corners) return _("Tap in the picture where the {name} is.", { name: name() });
-    if (this.points.length < 3) return _("Tap its corners in the picture, one after another.");
-    return _("Tap the next corner, or the first again to close it.");
   }
 
   /** What is drawn of it on the ground: a cross in the middle of the picture, and sides so far. @returns {Point[][]} */
@@ -126,8 +125,7 @@ export class Placing {
 
   /** @param {Point} at */
   #tapped(at) {
-    const { sort, points, host } = this;
-    if (!sort || !SORTS[sort].corners) return this.#placed([at]);
+    const { wish, points, host } = this;
     const reach = NEAR / (host.player?.camera.scale ?? 1);
     const [first, last] = [points[0], points[points.length - 1]];
     if (points.length > 2 && Math.hypot(at[0] - first[0], at[1] - first[1]) <= reach)
@@ -136,7 +134,8 @@ export class Placing {
     const meets = points.slice(0, -2).some((from, n) => doMeet(from, points[n + 1], last, at));
     if (meets) return this.#show(_("That side would cross another: tap elsewhere."));
     points.push(at);
-    this.#show();
+    if (points.length === wish?.taps) this.#placed(points);
+    else this.#show();
   }
 
   /** Close the outline. */
@@ -148,25 +147,25 @@ export class Placing {
 
   /** Place it in the middle of the picture. */
   #middle() {
-    const { sort, host } = this;
-    if (!host.player || !sort) return;
+    const { wish, host } = this;
+    if (!host.player || !wish) return;
     const { x, y, scale } = host.player.camera;
     const half = 0.5 * Math.max(Math.ceil(SIDE / scale), LEAST_SIDE);
     const corners = /** @type {Point[]} */ ([[-1, -1], [1, -1], [1, 1], [-1, 1]]); // prettier-ignore
     const shape = corners.map(([a, b]) => roundedPoint([x + a * half, y + b * half], false));
-    this.#placed(SORTS[sort].corners ? shape : [roundedPoint([x, y], false)]);
+    this.#placed(wish.taps === 1 ? [roundedPoint([x, y], false)] : shape);
   }
 
   /** @param {Point[]} points */
   #placed(points) {
-    const { sort } = this;
+    const { wish } = this;
     this.end();
-    if (sort) this.onPlaced(sort, points);
+    wish?.done(points);
   }
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    if (!this.sort || event.key !== "Escape") return;
+    if (!this.wish || event.key !== "Escape") return;
     event.stopPropagation();
     event.preventDefault();
     this.#giveUp();

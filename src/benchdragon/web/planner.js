@@ -8,6 +8,7 @@ import { helpRows, onFingerTaps } from "./fingers.js";
 import { Grips } from "./grips.js";
 import { JobList, questionText } from "./jobs.js";
 import { linkText, readLink } from "./link.js";
+import { Photo } from "./photo.js";
 import { Placing } from "./placing.js";
 import { planText, PlanForm } from "./plan_form.js";
 import { Player, REST } from "./player.js";
@@ -83,6 +84,7 @@ export class Planner {
     this.stage = make("main", { id: "player", class: "player" });
     this.grips = new Grips(this, this.stage);
     this.placing = new Placing(this);
+    this.photo = new Photo(this);
     this.sheets = new Sheets(this.root, answers);
     const busy = () => !!this.unread || this.root.ariaBusy === "true" || this.grips.drag !== null;
     this.tracks = new Tracks(answers, busy);

@@ -34,10 +34,7 @@ const PAIR_LARGER = 2;
 /** A dance that fills less of the canvas is drawn larger when another plan comes. */
 const LEAST_FILLED = 0.5;
 export class Player {
-  /**
-   * @param {HTMLElement} root
-   * @param {Scene} scene
-   */
+  /** @param {HTMLElement} root @param {Scene} scene */
   constructor(root, scene) {
     this.root = root;
     this.camera = new Camera();
@@ -61,6 +58,8 @@ export class Player {
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
     this.square = new Square(scene.sent);
+    /** A photograph below all. @type {import("./paint.js").Picture["below"]} */
+    this.below = null;
     /** The pair in the ring. @type {Pair | null} */
     this.ringed = null;
     this.face = new Face(this);
@@ -456,9 +455,9 @@ export class Player {
     }
     const beside = this.square.measure(this.boxes);
     const scale = scaleOf(this.kind, this.scene, this.stand, this.boxes);
-    const { scene, stand, boxes, square, camera, chosen, ruler, face } = this;
+    const { scene, stand, boxes, square, camera, chosen, ruler, face, below } = this;
     const ringed = meetingOf(this) ?? touchOf(this, beside) ?? this.ringed;
-    const drawn = { scene, stand, boxes, square, camera, chosen, ruler, ringed, scale };
+    const drawn = { scene, stand, boxes, square, camera, chosen, ruler, ringed, scale, below };
     face.painter.paint({ ...drawn, ...this.look, north: this.paper.on && scene.sent.north === true });
     this.#painted = this.time;
     face.axis.show(this.time, this.playing || face.story.runs);

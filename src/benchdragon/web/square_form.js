@@ -23,6 +23,7 @@ const ABOUT = 1.5;
 /**
  * The page whose plan is changed.
  * @typedef {{ plan: Plan, player: Player | null, grips: Grips, placing: Placing,
+ *   photo: import("./photo.js").Photo,
  *   change: (plan: Plan, final: boolean) => void }} Host
  */
 
@@ -36,8 +37,7 @@ export class SquareForm {
     this.rows = new Map();
     const { grips, placing } = host;
     placing.end();
-    placing.onPlaced = (sort, points) => this.#placed(sort, points);
-    grips.marks = (plan) => (placing.sort ? placing.lines : this.#outline(plan));
+    grips.marks = (plan) => (placing.wish ? placing.lines : this.#outline(plan));
     this.begin = make(
       "button",
       { type: "button", onclick: () => this.#addSquare() },
@@ -46,7 +46,7 @@ export class SquareForm {
     const buttons = ADDED.map((sort) =>
       make(
         "button",
-        { type: "button", "data-add": sort, onclick: () => placing.begin(sort) },
+        { type: "button", "data-add": sort, onclick: () => this.#ask(sort) },
         `+ ${SORTS[sort].button()}`,
       ),
     );
@@ -57,7 +57,14 @@ export class SquareForm {
       ...buttons,
     );
     this.list = make("div", { class: "things" });
-    this.element = make("fieldset", {}, make("legend", {}, _("The square")), this.adding, this.list);
+    this.element = make(
+      "fieldset",
+      {},
+      make("legend", {}, _("The square")),
+      this.adding,
+      this.list,
+      host.photo.controls(),
+    );
   }
 
   /** What the rows are made for: the ids and kinds of things. */
@@ -79,7 +86,12 @@ export class SquareForm {
     if (!things.some(({ id }) => id === this.chosen)) this.chosen = "";
     this.rows = new Map(
       things.map((thing) => {
-        const row = new ThingRow(thing, this.host, (open) => this.#toggled(thing.id, open));
+        const row = new ThingRow(
+          thing,
+          (plan, final) => this.host.change(plan, final),
+          () => this.#ask("edge"),
+          (open) => this.#toggled(thing.id, open),
+        );
         row.element.open = thing.id === this.chosen;
         return [thing.id, row];
       }),
@@ -110,6 +122,20 @@ export class SquareForm {
   #outline(plan) {
     const thing = thingsOf(plan).find(({ id }) => id === this.chosen);
     return thing ? sketchOf(thing.alone) : [];
+  }
+
+  /** Ask where something is to be put. @param {Sort} sort */
+  #ask(sort) {
+    const { button, name, corners } = SORTS[sort];
+    const says = (/** @type {number} */ taps) => {
+      if (!corners) return _("Tap in the picture where the {name} is.", { name: name() });
+      if (taps < 3) return _("Tap its corners in the picture, one after another.");
+      return _("Tap the next corner, or the first again to close it.");
+    };
+    const done = (/** @type {Point[]} */ points) => this.#placed(sort, points);
+    this.host.placing.begin({
+      name: button(), says, taps: corners ? Infinity : 1, middle: true, done,
+    }); // prettier-ignore
   }
 
   /** Something was put onto the square: choose it, and have it ready to be dragged. @param {Sort} sort @param {Point[]} points */

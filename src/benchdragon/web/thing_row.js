@@ -119,16 +119,15 @@ class TextBox {
 export class ThingRow {
   /**
    * @param {Thing} thing
-   * @param {import("./square_form.js").Host} host
+   * @param {(plan: Plan, final: boolean) => void} changed
+   * @param {() => void} drawn asks for another edge of the square
    * @param {(open: boolean) => void} chosen
    */
-  constructor(thing, host, chosen) {
+  constructor(thing, changed, drawn, chosen) {
     const { id } = thing;
     this.id = id;
     /** @type {Plan} */
     this.plan = {};
-    const changed = (/** @type {Plan} */ plan, /** @type {boolean} */ final) =>
-      host.change(plan, final);
     const put = (
       /** @type {string} */ key,
       /** @type {unknown} */ value,
@@ -143,7 +142,7 @@ export class ThingRow {
     this.controls = fieldsOf(thing).map((field) => new NumberControl(field, put));
     this.summary = make("summary");
     this.away = wordButton(_("delete"), thing.name, () => changed(withoutThing(this.plan, id), true));
-    const edge = make("button", { type: "button", onclick: () => host.placing.begin("edge") });
+    const edge = make("button", { type: "button", onclick: drawn });
     edge.append(_("draw its edge"));
     this.element = make(
       "details",
