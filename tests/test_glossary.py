@@ -35,7 +35,7 @@ OTHER_SENSES = {
     r"turns of the spiral|turns of both spirals": "once around a spiral: 圈",
     r"turns at the start|turns from the centre|\{turns\} turns": "once around a spiral: 圈",
     r"\bin this link\b|\bThe link says\b|\blinks lead\b|\bfor links in\b": "of a page, or of a folder",
-    r"\bcode of the link\b|\bThis link\b|\bno link leads\b": "of a page",
+    r"\bcode of the link\b|\bThis link\b|\bno link leads\b|\bpaste its link\b": "of a page",
     r"\bclosed by its bracket\b": "a sign of TOML",
     r"\btolerance must lie\b": "the name of an argument",
     r"\bbenches must be a list of Bench\b|\ba Line, Arc, Spiral, Clothoid or \w+": "classes",

@@ -7,6 +7,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from benchdragon.planner.page import planner_page
+from benchdragon.plans.schema import read_plan
 from tests.browser.pages import FLAGS, Device, Pages, browser_path, clean_pages
 from tests.browser.planners import Opened, settled
 from tests.browser.players import Scene
@@ -42,8 +43,16 @@ def pages(browser: Browser) -> Iterator[Pages]:
 
 @pytest.fixture(scope="package")
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The planner's file."""
+    """The planner's file, with the contest's coil to its disc in it."""
     path = tmp_path_factory.mktemp("planner") / "planner.html"
+    path.write_text(planner_page(read_plan("question-3"), "en"), "utf-8")
+    return path
+
+
+@pytest.fixture(scope="package")
+def bare_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The planner's file without a plan in it, which asks at first."""
+    path = tmp_path_factory.mktemp("bare") / "planner.html"
     path.write_text(planner_page(None, "en"), "utf-8")
     return path
 

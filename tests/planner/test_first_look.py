@@ -21,7 +21,7 @@ MOST_BYTES = 20_000  # of what is drawn of a built-in dance
 
 
 def shown(page: str) -> str:
-    (found,) = re.findall('<noscript class="look">(.*?)</noscript>', page, re.DOTALL)
+    (found,) = re.findall('<section class="look">(.*?)</section>', page, re.DOTALL)
     return unescape(found)
 
 

@@ -1,10 +1,12 @@
 """Answers to what villages are asked, as people type them."""
 
+from typing import Any
+
 import pytest
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import use_language
-from benchdragon.plans.answers import QUESTIONS, Question, number_in
+from benchdragon.plans.answers import QUESTIONS, Question, number_in, wished
 
 BY_NAME = {one.name: one for one in QUESTIONS}
 
@@ -105,3 +107,14 @@ def test_answers_are_shown_as_they_were_read() -> None:
 
 def test_the_head_is_usually_longer_than_the_benches_that_were_told() -> None:
     assert float(question("head_length").usual({"bench_length": 2.2})) > 2.2
+
+
+def test_usual_answers_are_wishes_and_no_measurements() -> None:
+    said: dict[str, Any] = {"benches": 9, "bench_length": 1.5, "square": 12.0}
+    for one in QUESTIONS:
+        said.setdefault(one.name, one.answer("it", one.usual(said)) if one.usually else None)
+    found = wished(said, {"sway", "benches"})
+    assert (found["rectangle"], found["radius"], found["head_length"]) == (None, 12.0, 2.0)
+    assert found["measured"] == ["sway"]
+    assert wished(said | {"square": (30.0, 20.0)}, set())["rectangle"] == (30.0, 20.0)
+    assert wished(said, set())["measured"] == []

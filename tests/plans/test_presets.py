@@ -37,8 +37,9 @@ def test_what_was_reported_of_a_village_is_told_apart_from_what_is_derived_and_a
     assert told["turn"] == ["reported"] * 3
 
 
-def test_the_first_preset_says_what_was_added_to_the_built_in_plan() -> None:
-    first = presets()[0]
+def test_a_village_is_first_and_the_next_says_what_was_added_to_the_built_in_plan() -> None:
+    village, first = presets()[:2]
+    assert village.title.zh == "浦江"
     assert first.plan.sha256 == read_plan("spiral-in", ["disc.radius=4.5"]).sha256
     assert first.title.en == first.plan.title("en") == "Coiling in to the disc"
     assert "with a turning disc of 4.5 m added" in first.source.en

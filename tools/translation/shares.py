@@ -59,7 +59,7 @@ TWINS = {
         "occasions", "cued", "ending", "joints_passed", "occasions_found", "tighten",
     ),
     "progress": ("stages", "part", "stages"),
-    "plans.answers": ("answers", "MOST_LENGTH", "MOST_WIDTH", "QUESTIONS", "number_in"),
+    "plans.answers": ("answers", "MOST_LENGTH", "MOST_WIDTH", "QUESTIONS", "number_in", "wished"),
     "plans.cues": ("cues", "Moment", "check_cue", "cue_name", "time_of_day"),
     "plans.digits": ("digits", "measured"),
     "plans.formations": ("formation_tables", "FormationTable", "StepTable"),

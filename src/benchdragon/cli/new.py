@@ -16,7 +16,7 @@ from benchdragon.cli.options import file_option, output_option, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _, language
-from benchdragon.plans.answers import QUESTIONS, Question, count_in
+from benchdragon.plans.answers import QUESTIONS, Question, count_in, wished
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 @output_option(N_("The plan file to write, for example village.dragon.toml."))
 @click.option("--benches", metavar="COUNT", help=N_("How many benches, head and tail included."))
 @click.option("--bench-length", metavar="LENGTH", help=N_("Length of a bench: 1.5m or 150cm."))
-@click.option("--bench-width", metavar="LENGTH", help=N_("Width of a bench."))
+@click.option("--bench-width", metavar="LENGTH", help=N_("Width of a bench. Default: 20cm."))
 @click.option(
     "--head-length",
     metavar="LENGTH",
@@ -128,14 +128,9 @@ def _wishes(said: Mapping[str, Any], kind: Any, roster: str, given: set[str]) ->
     """The wishes that the answers make; those that were given are no assumptions."""
     from benchdragon.solve.proposal import Wishes
 
-    square = said["square"]
-    round_ = isinstance(square, float)
-    return Wishes(
-        said["benches"], said["bench_length"], said["bench_width"], said["head_length"], said["inset"],
-        None if round_ else square, square if round_ else None, said["bearers"], said["carry"],
-        said["speed"], said["most_speed"], kind, roster, said["sway"], said["imprecision"],
-        frozenset(given & {"sway", "imprecision"}),
-    )  # fmt: skip
+    wishes = wished(said, given)
+    measured = frozenset(wishes.pop("measured"))
+    return Wishes(**wishes, measured=measured, kind=kind, roster=roster)
 
 
 def _asked_again(said: dict[str, Any], found: "TooSmall") -> set[str]:

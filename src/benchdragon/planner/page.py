@@ -18,7 +18,9 @@ from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import Plan
 from benchdragon.version import __version__
 
-STYLES = ("style.css", "explain.css", "planner.css", "grips.css", "print.css", "sheets.css")
+STYLES = (
+    "style.css", "explain.css", "planner.css", "asking.css", "grips.css", "print.css", "sheets.css",
+)  # fmt: skip
 PAGE, WORKER = "planner_start.js", "compute/worker.js"
 ENGINE = built.ENGINE / built.MODULE
 # Owners of other code in the file.

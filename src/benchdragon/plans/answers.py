@@ -3,6 +3,7 @@
 import math
 import re
 import unicodedata
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -239,7 +240,7 @@ QUESTIONS = (
         "--bench-width", N_("Width of a bench"),
         N_("How wide is a bench, in metres (0.15, or 15cm)?"),
         N_("how near the rounds of the coil can lie"), "length", "15cm", ("dragon.width",),
-        most=MOST_WIDTH,
+        "20cm", most=MOST_WIDTH,
     ),
     Question(
         "--head-length", N_("Length of the head's bench"),
@@ -291,3 +292,17 @@ QUESTIONS = (
         0.0, MOST_STRAY,
     ),
 )  # fmt: skip
+
+
+def wished(said: Mapping[str, Any], given: Collection[str]) -> dict[str, Any]:
+    """The answers by the names of what is wished for; those that were given are no assumptions."""
+    square = said["square"]
+    is_round = isinstance(square, float)
+    return {
+        "benches": said["benches"], "length": said["bench_length"], "width": said["bench_width"],
+        "head_length": said["head_length"], "inset": said["inset"],
+        "rectangle": None if is_round else square, "radius": square if is_round else None,
+        "bearers": said["bearers"], "carry": said["carry"], "speed": said["speed"],
+        "most_speed": said["most_speed"], "sway": said["sway"], "imprecision": said["imprecision"],
+        "measured": [name for name in ("sway", "imprecision") if name in given],
+    }  # fmt: skip

@@ -30,6 +30,8 @@ DISC_SOURCE = N_(
     "the contest's question 3: the plan spiral-in, with a turning disc of 4.5 m added, at whose edge "
     "the head stops"
 )
+# It walks on the page beside the questions, where there is no plan yet.
+WALKING = "pujiang"
 # Who reported each village's dragon.
 REPORTERS = {
     "xianju": N_("China News 2024"),
@@ -106,5 +108,6 @@ def _statuses(name: str) -> Mapping[str, Status]:
 
 @cache
 def presets() -> list[Preset]:
-    """All of them, the contest's coil to its disc first."""
-    return [_preset(name) for name in sorted(built_in_names(), key=lambda name: name != DISC_PLAN)]
+    """All of them: first the one that walks beside the questions, then the contest's coil to a disc."""
+    first = (WALKING, DISC_PLAN)
+    return [_preset(name) for name in (*first, *(n for n in built_in_names() if n not in first))]

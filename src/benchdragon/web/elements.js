@@ -1,5 +1,8 @@
 // Elements of the page, made in one line each.
 
+/** What a tap takes from leaving a box to its click, at most, ms: nothing may come under the finger before. */
+export const TAP = 350;
+
 /**
  * An element with attributes and children; `on…` attributes are listeners.
  * @template {keyof HTMLElementTagNameMap} Tag

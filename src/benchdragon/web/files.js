@@ -42,6 +42,21 @@ export class Files {
 
   /** The controls, in the language in use. @param {HTMLElement} told where it is said how it went */
   controls(told) {
+    const save = make("button", { type: "button", onclick: () => this.#save() });
+    save.append(_("save the plan file"));
+    return make(
+      "fieldset",
+      {},
+      make("legend", {}, _("Files")),
+      make("div", { class: "row" }, ...this.opener(), save),
+      this.#keeper(),
+      this.#commandsOf().element,
+      told,
+    );
+  }
+
+  /** A button that opens a plan file, and what it takes for that. */
+  opener() {
     const input = make("input", { type: "file", accept: ".toml", hidden: true });
     input.addEventListener("change", () => {
       const file = input.files?.[0];
@@ -50,17 +65,7 @@ export class Files {
     });
     const open = make("button", { type: "button", onclick: () => input.click() });
     open.append(_("open a plan file"));
-    const save = make("button", { type: "button", onclick: () => this.#save() });
-    save.append(_("save the plan file"));
-    return make(
-      "fieldset",
-      {},
-      make("legend", {}, _("Files")),
-      make("div", { class: "row" }, input, open, save),
-      this.#keeper(),
-      this.#commandsOf().element,
-      told,
-    );
+    return [input, open];
   }
 
   /** What can be made of the plan by commands. */

@@ -18,7 +18,7 @@ import { Span } from "./span.js";
 import { SquareForm } from "./square_form.js";
 import { Delayed, Standing, samePlan } from "./standing.js";
 import { Stories } from "./stories.js";
-import { Line } from "./telling.js";
+import { Line, unreadWords } from "./telling.js";
 import { Tracks } from "./tracks.js";
 import { besideWord, stateOf, wordOf } from "./verdict_word.js";
 import { _, language } from "./words.js";
@@ -35,9 +35,10 @@ const PAUSE = 60;
 const QUESTIONS = /** @type {const} */ (["turn", "speed", "pace", "margins"]);
 
 export class Planner {
-  /** @param {Answers} answers @param {Preset[]} presets @param {Plan} plan */
-  constructor(answers, presets, plan) {
+  /** @param {Answers} answers @param {Preset[]} presets @param {Plan} plan @param {import("./asking.js").Asking} asking */
+  constructor(answers, presets, plan, asking) {
     this.answers = answers;
+    this.asking = asking;
     this.presets = presets;
     /** @type {Plan[]} */
     this.past = [];
@@ -88,6 +89,7 @@ export class Planner {
     this.sheets = new Sheets(this.root, answers);
     const busy = () => !!this.unread || this.root.ariaBusy === "true" || this.grips.drag !== null;
     this.tracks = new Tracks(answers, busy);
+    asking.begin(this);
     onFingerTaps(this.stage, (fingers) => (fingers === 2 ? this.undo() : this.redo()));
     this.notice = make("div", { class: "unread", role: "alert", hidden: true });
     /** What the notice is about. @type {Planner["unread"]} */
@@ -140,7 +142,8 @@ export class Planner {
       _("reset"),
     );
     const share = make("button", { type: "button", onclick: () => this.#share() }, _("share"));
-    const steps = make("div", { class: "row" }, this.undoButton, this.redoButton, reset, share);
+    const [mine, undo, redo] = [this.asking.control(), this.undoButton, this.redoButton];
+    const steps = make("div", { class: "row" }, mine, undo, redo, reset, share);
     const panel = make(
       "section",
       { class: "panel", "aria-label": _("plan") },
@@ -155,9 +158,12 @@ export class Planner {
     const { verdict, sentence, dance } = this.lines;
     this.above.replaceChildren(this.notice, verdict.element, sentence.element);
     const old = make("span", {}, _("the picture is of an earlier plan"));
+    this.asking.build();
     this.root.replaceChildren(
+      this.asking.element,
       this.above,
       make("aside", { class: "old" }, old, dance.element),
+      this.asking.aside,
       this.stage,
       this.grips.element,
       panel,
@@ -210,6 +216,7 @@ export class Planner {
 
   /** Another plan. @param {Plan} plan @param {boolean} final whether it is a step of its own */
   change(plan, final) {
+    if (this.asking.first) this.first = this.settled = plan; // what walked there was nobody's plan
     if (final && JSON.stringify(plan) !== JSON.stringify(this.settled)) {
       this.past.push(this.settled);
       if (this.past.length > MOST_STEPS_BACK) this.past.shift();
@@ -241,6 +248,7 @@ export class Planner {
     this.plan = plan;
     this.unread = null;
     this.stories.show(plan);
+    this.asking.about(plan);
     if (this.awaited && this.awaited.plan !== plan) this.#await(false);
     this.#shown();
     this.#ask();
@@ -292,6 +300,7 @@ export class Planner {
   /** The address holds what is no plan: say so, leave it there, and tell nothing. @param {string} says */
   refuse(says) {
     this.unread = { says };
+    this.asking.about(this.plan);
     for (const one of [this.verdicts, this.sketches, this.dances]) one.drop();
     this.tracks.show(this.plan);
     for (const one of [this.pause, this.rest]) one.drop();
@@ -301,23 +310,11 @@ export class Planner {
     this.#tell(this.unread, _("no verdict"), text, "none");
   }
 
-  /** What is said of a link that cannot be read. @param {string} says */
-  #unreadWords(says) {
-    const on = make("button", { type: "button", onclick: () => this.show(this.plan) });
-    on.append(_("go on with the plan in the controls"));
-    return [
-      make("strong", {}, _("The plan in this link cannot be read.")),
-      ` ${_("What the controls show is another plan. The link says:")}`,
-      make("code", { tabindex: "0" }, says),
-      on,
-    ];
-  }
-
-  /** Put the plan into the address, and where the player stands. */
+  /** Put the plan into the address, and where the player stands, unless what is there is not to be lost. */
   async #remember() {
     const { plan } = this;
     const text = await linkText(plan, this.presets);
-    const there = this.unread !== null || this.#read !== this.#arrived; // what is not to be lost
+    const there = this.unread !== null || this.asking.first || this.#read !== this.#arrived;
     if (!there && plan === this.plan) remember(this.player, { plan: text, lang: language() });
   }
 
@@ -360,7 +357,9 @@ export class Planner {
     this.jobs.show(subject);
     this.notice.hidden = unread === null;
     if (unread !== this.noticed)
-      this.notice.replaceChildren(...(unread ? this.#unreadWords(unread.says) : []));
+      this.notice.replaceChildren(
+        ...(unread ? unreadWords(unread.says, () => this.show(this.plan)) : []),
+      );
     this.noticed = unread;
   }
 
@@ -430,9 +429,14 @@ export class Planner {
     this.pictured = plan;
     this.#mark();
     this.span?.dance(scene, plan);
-    if (this.player) return this.player.show(scene);
-    const player = new Player(this.stage, scene);
-    this.player = player;
+    if (this.player) this.player.show(scene);
+    else this.#play(scene);
+    this.asking.pictured(plan);
+  }
+
+  /** @param {Scene} scene */
+  #play(scene) {
+    const player = (this.player = new Player(this.stage, scene));
     player.more = helpRows;
     player.onDrawn = () => this.grips.follow();
     obey(player);

@@ -1,7 +1,8 @@
 // The planner's page: reads what the page holds, and starts what computes.
 
 import { addressed, chosenBefore, keptPlan } from "./address.js";
-import { held } from "./elements.js";
+import { Asking } from "./asking.js";
+import { TAP, held } from "./elements.js";
 import { readLink } from "./link.js";
 import { textPlan } from "./plan_form.js";
 import { Planner } from "./planner.js";
@@ -12,9 +13,6 @@ import { _, speak, useWords } from "./words.js";
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./standing.js").Answers} Answers */
 
-// What a tap takes from leaving a box to its click, at most, ms: nothing may come under the finger before.
-const TAP = 350;
-
 /** Bytes that were deflated, in base64. @param {string} packed @returns {Promise<ArrayBuffer>} */
 function inflated(packed) {
   const squeezed = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
@@ -24,18 +22,20 @@ function inflated(packed) {
 
 /**
  * The page on which a dance is planned: with the plan of the address, else with the one given, else with
- * the one that the browser keeps, else with the first preset.
+ * the one that the browser keeps; else it asks for benches and square, beside the first preset.
  * @param {Answers} answers
  * @param {Preset[]} presets
- * @param {Plan | null} plan
+ * @param {Plan | null} plan the one given or kept
+ * @param {Asking} asking
  */
-async function opened(answers, presets, plan) {
+async function opened(answers, presets, plan, asking) {
   const text = addressed().get("plan");
   const told = text ? await readLink(text, presets) : null;
-  const kept = textPlan(keptPlan() ?? "");
-  const planner = new Planner(answers, presets, told?.plan ?? plan ?? kept ?? presets[0].plan);
+  const first = told?.plan ?? plan ?? presets[0].plan;
+  const planner = new Planner(answers, presets, first, asking);
   if (told && !told.plan) planner.refuse(told.says);
   else planner.show(planner.plan);
+  if (!told && !plan) asking.open(true);
   Object.assign(globalThis, { benchdragon: planner }); // for the browser's console
 }
 
@@ -60,6 +60,10 @@ export async function start() {
     root.textContent = _("This browser is too old to show the dance: it takes one of 2023 or newer.");
     return;
   }
+  const asking = new Asking(root);
+  const plan = held("plan") ?? textPlan(keptPlan() ?? "");
+  if (!held("plan") || addressed().has("plan")) root.querySelector(".look")?.remove(); // of another plan
+  if (!plan && !addressed().has("plan")) asking.open(true);
   try {
     const engine = await WebAssembly.compile(await inflated(held("engine")));
     const script = new Blob([held("worker")], { type: "text/javascript" });
@@ -70,7 +74,7 @@ export async function start() {
     });
     await answers.start();
     markTyping(root);
-    await opened(answers, held("presets"), held("plan"));
+    await opened(answers, held("presets"), plan, asking);
   } catch (error) {
     if (!(error instanceof Error)) throw error;
     root.textContent = error.message;

@@ -30,7 +30,7 @@
 /**
  * Somebody apart, for questions that nobody waits for.
  * @typedef {object} Aside
- * @property {(asked: { question: string, plan: Plan }, signal?: AbortSignal,
+ * @property {(asked: { question: string, plan?: Plan, wishes?: Record<string, any> }, signal?: AbortSignal,
  *   told?: (share: number, text: string) => void) => Promise<any>} ask `told` hears how far it is
  * @property {() => void} close give up at once what is under way: it ends in an AbortError
  */

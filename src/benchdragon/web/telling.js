@@ -77,3 +77,15 @@ export class Line {
     );
   }
 }
+
+/** What is said of a link that cannot be read. @param {string} says @param {() => void} goOn */
+export function unreadWords(says, goOn) {
+  const on = make("button", { type: "button", onclick: goOn });
+  on.append(_("go on with the plan in the controls"));
+  return [
+    make("strong", {}, _("The plan in this link cannot be read.")),
+    ` ${_("What the controls show is another plan. The link says:")}`,
+    make("code", { tabindex: "0" }, says),
+    on,
+  ];
+}

@@ -14,7 +14,8 @@ import { _, language } from "./words.js";
 
 /** @typedef {import("./messages").Verdict} Verdict */
 /** What is asked of a Worker: see `Question` of compute/worker.js.
- * @typedef {{ question: string, plan?: Plan, verdict?: Verdict | null, text?: string }} Asked */
+ * @typedef {{ question: string, plan?: Plan, wishes?: Record<string, any>, verdict?: Verdict | null,
+ *   text?: string }} Asked */
 /** Who waits for an answer.
  * @typedef {{ plan: Plan | undefined, done: (answer: any) => void, failed: (error: Error) => void,
  *   told: (share: number, text: string) => void }} Waiting */

@@ -23,7 +23,8 @@ import { SKETCH, danceOf } from "./scene.js";
  * @typedef {object} Asked
  * @property {Engine} engine
  * @property {string} version of the program
- * @property {Plan} plan
+ * @property {Plan} plan there is none of questions about wishes
+ * @property {Record<string, any>} [wishes]
  * @property {Verdict | null} [verdict] on the plan, where a question takes what is known of it
  * @property {Progress} progress
  */

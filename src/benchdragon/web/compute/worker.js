@@ -8,12 +8,13 @@ import { QUESTIONS, openedPlan } from "./questions.js";
 import { heedAtTicks } from "./tick.js";
 
 /**
- * A question: about a plan, or "open" about the text of a plan file.
+ * A question: about a plan or wishes for one, or "open" about the text of a plan file.
  * @typedef {object} Question
  * @property {number} id
  * @property {string} question
  * @property {"en" | "zh"} language of all sentences
  * @property {Record<string, any>} [plan]
+ * @property {Record<string, any>} [wishes] for a plan, where there is none
  * @property {import("../messages").Verdict | null} [verdict] on that plan, where it is known
  * @property {string} [text]
  */
@@ -113,7 +114,7 @@ class Desk {
   }
 
   /** @param {Question} asked */
-  async #answer({ id, question, language, plan: data, verdict, text = "" }) {
+  async #answer({ id, question, language, plan: data, wishes, verdict, text = "" }) {
     speak(language);
     let hash = "";
     const progress = (/** @type {number} */ share, /** @type {string} */ told) => {
@@ -122,11 +123,11 @@ class Desk {
     };
     try {
       let answer;
-      if (data) {
-        const plan = checkedPlan(data);
-        hash = plan.sha256;
+      if (data || wishes) {
+        const plan = /** @type {import("./plan.js").Plan} */ (data && checkedPlan(data));
+        hash = plan?.sha256 ?? "";
         const { engine, version } = this;
-        answer = await QUESTIONS[question]({ engine, version, plan, verdict, progress });
+        answer = await QUESTIONS[question]({ engine, version, plan, wishes, verdict, progress });
       } else answer = openedPlan(text);
       this.port.postMessage({ id, hash, answer }, buffers(answer));
     } catch (error) {

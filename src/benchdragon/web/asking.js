@@ -1,0 +1,292 @@
+// The first screen: what this is, three questions, and the dance that is proposed for the answers.
+
+import { keepChoice } from "./address.js";
+import { AnswerBox } from "./answer_box.js";
+import { make } from "./elements.js";
+import { QUESTIONS, wished } from "./made/answers.js";
+import { valueOf } from "./number_control.js";
+import { openings } from "./openings.js";
+import { samePlan } from "./standing.js";
+import { _, language, speak } from "./words.js";
+
+/** @typedef {import("./plan_form.js").Plan} Plan */
+/** @typedef {import("./planner.js").Planner} Planner */
+/** @typedef {import("./standing.js").Aside} Aside */
+/** What was found for wishes: a plan, if there is one; what is said of that; how many benches fit.
+ * @typedef {{ plan: Plan | null, said: string[], benches: number }} Proposed */
+
+/** What everybody is asked; all else has usual answers. */
+const FIRST = ["benches", "bench_length", "square", "carry"];
+
+export class Asking {
+  /** @type {Planner | null} */
+  #planner = null;
+  /** Who looks for a dance. @type {Aside | null} */
+  #lane = null;
+  /** Whether the questions are on the page; and whether that is because it has no plan. */
+  #open = false;
+  #first = false;
+  /** What was proposed, and whether it is still to begin its walk. @type {Proposed | null} */
+  #proposed = null;
+  #begins = false;
+
+  /** @param {HTMLElement} root that of the page */
+  constructor(root) {
+    this.root = root;
+    this.boxes = QUESTIONS.map((question) => new AnswerBox(question, () => this.#usual()));
+    this.element = make("section", { class: "wishes", role: "main", hidden: true });
+    this.element.addEventListener("keydown", ({ key }) => key === "Escape" && this.#away());
+    this.rest = make("details", { class: "rest" });
+    this.go = make("div", { class: "go" });
+    this.told = make("div", { class: "unfit", role: "alert" });
+    this.button = make("button", { class: "main" });
+    this.bar = make("progress", { max: "1" });
+    this.far = make("span", { class: "far" });
+    this.cancel = make("button", { type: "button", onclick: () => this.#lane?.close() });
+    this.go.append(this.button, this.bar, this.far, this.cancel);
+    /** What was proposed, to be read again beside the dance. */
+    this.said = make("details");
+    this.aside = make("aside", { class: "proposed", hidden: true }, this.said);
+    this.build();
+  }
+
+  /** Whether the page has no plan but the one that it shows beside the questions. */
+  get first() {
+    return this.#first;
+  }
+
+  /** Be asked by a page that can answer. @param {Planner} planner */
+  begin(planner) {
+    this.#planner = planner;
+  }
+
+  /** All of it, in the language in use. */
+  build() {
+    for (const box of this.boxes) box.build();
+    const named = (/** @type {string} */ name) =>
+      /** @type {AnswerBox} */ (this.boxes.find(({ question }) => question.name === name)).element;
+    const others = this.boxes.filter(({ question }) => !FIRST.includes(question.name));
+    this.rest.replaceChildren(
+      make("summary", {}, _("All else is as usual: see and change it")),
+      ...others.map(({ element }) => element),
+    );
+    const planner = this.#planner;
+    const form = make(
+      "form",
+      {
+        hidden: planner !== null && !planner.answers.has("propose"),
+        onsubmit: (event) => this.#submitted(event),
+      },
+      ...FIRST.map(named),
+      this.rest,
+      this.go,
+      this.told,
+    );
+    this.element.ariaLabel = _("your benches and your square");
+    this.element.replaceChildren(
+      this.#head(),
+      form,
+      ...(planner && this.#open ? openings(planner) : []),
+    );
+    this.#usual();
+    this.#stand();
+    this.#tell();
+  }
+
+  #head() {
+    const other = language() === "zh" ? "en" : "zh";
+    const translate = make("button", {
+      type: "button",
+      lang: other,
+      onclick: () => this.#translate(other),
+    });
+    translate.append(other === "zh" ? "\u4e2d\u6587" : "English");
+    const close = make("button", { type: "button", hidden: this.#first, onclick: () => this.#away() });
+    close.append(_("close"));
+    const sentence = _(
+      "Say how many benches you have and how large the square is: this page searches for a dance that they can walk, shows it from above, and prints a sheet for each bench.",
+    );
+    return make(
+      "header",
+      {},
+      make("div", { class: "tools" }, translate, close),
+      make("h1", {}, _("Your bench dragon on your square")),
+      make("p", {}, sentence),
+    );
+  }
+
+  /** @param {"en" | "zh"} other */
+  #translate(other) {
+    if (this.#planner?.player) return this.#planner.player.translate();
+    speak(other);
+    keepChoice("lang", other);
+    this.build();
+  }
+
+  /** Ask: at first because the page has no plan, later for another dance than its own. @param {boolean} first */
+  open(first) {
+    this.#first = first;
+    this.#open = true;
+    const { plan } = this.#planner ?? {};
+    if (plan && !first)
+      for (const box of this.boxes) box.keep(valueOf(plan, box.question.keys[0] ?? ""));
+    this.build();
+    this.#place();
+    if (!first) this.boxes[0].focus();
+  }
+
+  /** Away from the questions, to the plan of the page. */
+  #away() {
+    if (this.#first) return;
+    this.#close();
+    this.opener?.focus();
+  }
+
+  #close() {
+    this.#lane?.close();
+    if (!this.#open) return;
+    this.#open = this.#first = false;
+    this.#place();
+  }
+
+  /** The button that opens it later, in the language in use. */
+  control() {
+    this.opener = make("button", { type: "button", onclick: () => this.open(false) }, _("my benches"));
+    return this.opener;
+  }
+
+  /** Have the questions beside the dance, at dusk, or the page about its plan. */
+  #place() {
+    this.root.classList.toggle("asking", this.#open);
+    this.element.hidden = !this.#open;
+    if (!this.element.isConnected) this.root.replaceChildren(this.element);
+    for (const one of this.root.children)
+      /** @type {HTMLElement} */ (one).inert = this.#open && one !== this.element;
+    const player = this.#planner?.player;
+    player?.face.painter.dress();
+    player?.put(player.time);
+  }
+
+  /** The page is about a plan from now on. @param {Plan} plan */
+  about(plan) {
+    this.#close();
+    this.aside.hidden = !this.#proposed?.plan || !samePlan(this.#proposed.plan, plan);
+  }
+
+  /** A picture of a plan's dance is on the page: those of this screen walk at once. @param {Plan} plan */
+  pictured(plan) {
+    const player = this.#planner?.player;
+    if (!player || !(this.#first || (this.#begins && plan === this.#proposed?.plan))) return;
+    if (this.#begins) player.put(player.scene.start);
+    this.#begins = false;
+    player.play(!player.still.matches);
+  }
+
+  /** Answer as usual what nobody answered: some of it follows from other answers. */
+  #usual() {
+    /** @type {Record<string, any>} */
+    const said = {};
+    for (const box of this.boxes) {
+      const { name, usually } = box.question;
+      const follows = usually.startsWith("+") && typeof said.bench_length !== "number";
+      if (usually && !follows) box.fill(box.question.usual(said));
+      said[name] = box.known;
+    }
+  }
+
+  /** The answers as wishes; null where one is asked back. */
+  #wishes() {
+    /** @type {Record<string, any>} */
+    const said = {};
+    for (const box of this.boxes)
+      if (box.text || !box.question.usually) said[box.question.name] = box.read(); // else it follows
+    const asked = this.boxes.filter(({ question }) => said[question.name] === undefined);
+    if (asked.length) {
+      this.rest.open ||= asked.some((box) => !box.asked.hidden && this.rest.contains(box.element));
+      asked[0].focus();
+      return null;
+    }
+    const given = this.boxes.filter(({ typed }) => typed).map(({ question }) => question.name);
+    const obstacles = (!this.#first && this.#planner?.plan.obstacle) || [];
+    return { ...Object.fromEntries(wished(said, given)), obstacles, boundary: null, kind: null };
+  }
+
+  /** @param {Event} event */
+  #submitted(event) {
+    event.preventDefault();
+    const wishes = this.#lane ? null : this.#wishes();
+    if (wishes) this.#propose(wishes);
+  }
+
+  /** Look for a dance. @param {Record<string, any>} wishes */
+  async #propose(wishes) {
+    const planner = /** @type {Planner} */ (this.#planner);
+    const lane = planner.answers.aside();
+    this.#lane = lane;
+    this.#tell();
+    this.#stand(0, _("working ..."));
+    try {
+      const told = (/** @type {number} */ share, /** @type {string} */ text) =>
+        this.#stand(share, text);
+      /** @type {Proposed} */
+      const found = await lane.ask({ question: "propose", wishes }, undefined, told);
+      this.#lane = null;
+      if (found.plan) this.#show(found, found.plan);
+      else this.#tell(found.said, found.benches);
+    } catch (error) {
+      if (!(error instanceof Error)) throw error;
+      if (error.name !== "AbortError") this.#tell([error.message]);
+    } finally {
+      lane.close();
+      this.#lane = null;
+      this.#stand();
+    }
+  }
+
+  /** Show what was proposed, walking. @param {Proposed} found @param {Plan} plan */
+  #show(found, plan) {
+    this.#proposed = found;
+    this.#begins = true;
+    this.said.replaceChildren(
+      make("summary", {}, _("What was proposed")),
+      ...found.said.map((text) => make("p", {}, text)),
+    );
+    this.said.open = true;
+    const planner = /** @type {Planner} */ (this.#planner);
+    planner.change(plan, true);
+    scrollTo(0, 0);
+    planner.stage.querySelector("canvas")?.focus({ preventScroll: true });
+  }
+
+  /** The button, or in its place how far it is. @param {number} [share] @param {string} [text] */
+  #stand(share = 0, text = "") {
+    const busy = this.#lane !== null;
+    const focused = this.go.contains(document.activeElement);
+    this.button.disabled = !this.#planner;
+    this.button.textContent = this.#planner ? _("Find our dance") : _("starting ...");
+    this.cancel.textContent = _("cancel");
+    this.far.textContent = text;
+    this.bar.ariaLabel = _("Find our dance");
+    this.bar.value = share;
+    this.button.hidden = busy;
+    for (const one of [this.bar, this.far, this.cancel]) one.hidden = !busy;
+    for (const { element } of this.boxes) element.disabled = busy;
+    if (focused) (busy ? this.cancel : this.button).focus();
+  }
+
+  /** Say why there is no dance, and offer as many benches as have one. @param {string[]} said @param {number} benches */
+  #tell(said = [], benches = 0) {
+    const offer = make("button", {
+      type: "button",
+      onclick: () => {
+        this.boxes[0].take(benches);
+        this.element.querySelector("form")?.requestSubmit();
+      },
+    });
+    offer.append(_("take {count} benches", { count: benches }));
+    this.told.replaceChildren(
+      ...said.map((text) => make("p", {}, text)),
+      ...(benches > 1 ? [offer] : []),
+    );
+  }
+}

@@ -1,0 +1,60 @@
+// Ways past the first screen, for those who have a plan already, or come to look.
+
+import { choice, make } from "./elements.js";
+import { PAPER_QUESTIONS } from "./question_tales.js";
+import { _, language } from "./words.js";
+
+/** @typedef {import("./plan_form.js").Plan} Plan */
+/** @typedef {import("./planner.js").Planner} Planner */
+
+/** The dance that each of the contest's questions begins with. */
+const CONTEST = ["spiral-in", "spiral-in", "question-3", "turn", "turn"];
+
+/** Those ways, in the language in use. @param {Planner} planner */
+export function openings(planner) {
+  const { presets } = planner;
+  const look = (/** @type {string} */ name) => {
+    const found = presets.find((preset) => preset.name === name);
+    if (found) planner.change(structuredClone(/** @type {Plan} */ (found.plan)), true);
+  };
+  /** @type {[string, string][]} */
+  const names = presets.map(({ name, title }) => [name, title[language()]]);
+  const contest = PAPER_QUESTIONS.map((question, n) => {
+    const onclick = () => {
+      look(CONTEST[n]);
+      planner.stories.open(question);
+    };
+    const name = question.name();
+    return make("button", { type: "button", title: name, "aria-label": name, onclick }, String(n + 1));
+  });
+  return [
+    make("details", {}, make("summary", {}, _("I have a plan already")), ...planFinders(planner)),
+    make(
+      "label",
+      { class: "row" },
+      _("Ready-made dances"),
+      choice(_("Ready-made dances"), [["", _("choose one")], ...names], "", look),
+    ),
+    make("p", { id: "contest" }, _("The contest's questions (CUMCM 2024, problem A)")),
+    make("div", { class: "row", role: "group", "aria-labelledby": "contest" }, ...contest),
+  ];
+}
+
+/** A file to choose, and a link to paste. @param {Planner} planner */
+function planFinders(planner) {
+  const asked = make("p", { class: "asked", role: "alert" });
+  const link = make("input", {
+    type: "text",
+    autocomplete: "off",
+    onchange: () => {
+      const [, plan] = /[#&]plan=([\w-]+)/.exec(link.value) ?? [];
+      asked.textContent = plan || !link.value ? "" : _("There is no plan in this link.");
+      if (plan) location.hash = `plan=${plan}`;
+    },
+  });
+  return [
+    make("div", { class: "row" }, ...planner.files.opener()),
+    make("label", { class: "row" }, _("or paste its link"), link),
+    asked,
+  ];
+}

@@ -1,0 +1,346 @@
+"""The planner without a plan: it asks for benches and square, and shows the dance that is proposed."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from benchdragon.plans.schema import read_plan
+from tests.browser.axe import needs_axe, violations
+from tests.browser.pages import Device, Language, Pages
+from tests.browser.planners import address, settled
+from tests.browser.players import until
+
+FIND = {"en": "Find our dance", "zh": "给我们排一场"}
+WISHES = {
+    "benches": 60, "length": 1.5, "width": 0.2, "head_length": 2, "inset": 0.15, "rectangle": [30, 20],
+    "radius": None, "bearers": 2, "carry": "beside", "speed": 0.8, "most_speed": 1.5, "sway": 0.05,
+    "imprecision": 0.1, "measured": [], "obstacles": [], "boundary": None, "kind": None,
+}  # fmt: skip
+# In place of who searches for a dance: it keeps what it is asked, and answers when it is told to.
+SEARCHER = """(able) => {
+  const { answers, asking } = benchdragon;
+  const has = answers.has.bind(answers);
+  answers.has = (question) => (question === "propose" ? able : has(question));
+  globalThis.search = { count: 0 };
+  answers.aside = () => ({
+    ask: ({ question, wishes }, _signal, told) => {
+      Object.assign(search, { question, wishes, told, count: search.count + 1 });
+      return new Promise((done, failed) => Object.assign(search, { done, failed }));
+    },
+    close: () => search.failed?.(new DOMException("", "AbortError")),
+  });
+  asking.build();
+}"""
+
+
+def screen(page: Page) -> Locator:
+    return page.locator(".wishes")
+
+
+def begin(
+    pages: Pages, file: Path, device: Device = "desktop", language: Language = "en", able: bool = True
+) -> Page:
+    """A page that has no plan, and that is answered by the test."""
+    page = pages.open(f"{file.as_uri()}#lang={language}", device, language)
+    until(page, "!!globalThis.benchdragon?.player")
+    page.evaluate(SEARCHER, able)
+    return page
+
+
+def box(page: Page, name: str) -> Locator:
+    return screen(page).get_by_role("textbox", name=name, exact=True)
+
+
+def answer(page: Page, **answers: str) -> None:
+    """Type answers into boxes, by the names of these."""
+    for name, text in answers.items():
+        box(page, NAMES[name]).fill(text)
+
+
+NAMES = {
+    "benches": "Benches", "each": "Length of a bench", "length": "length", "width": "width",
+    "radius": "from its middle to its edge", "head": "Length of the head's bench",
+    "wide": "Width of a bench",
+}  # fmt: skip
+SIXTY = {"benches": "60", "each": "1.5", "length": "30", "width": "20"}
+
+
+def press(page: Page, language: Language = "en") -> None:
+    screen(page).get_by_role("button", name=FIND[language]).click()
+
+
+def asked(page: Page) -> Any:
+    """The wishes for which a dance is searched."""
+    until(page, "search.count > 0")
+    assert page.evaluate("search.question") == "propose"
+    return json.loads(page.evaluate("JSON.stringify(search.wishes)"))
+
+
+def found(page: Page, plan: dict[str, Any] | None, *said: str, benches: int = 0) -> None:
+    page.evaluate("(found) => search.done(found)", {"plan": plan, "said": said, "benches": benches})
+
+
+@pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
+def test_who_comes_without_a_plan_is_asked_beside_a_dance_that_walks(
+    pages: Pages, bare_file: Path, device: Device, language: Language
+) -> None:
+    page = begin(pages, bare_file, device, language)
+    expect(screen(page).get_by_role("heading", level=1)).to_be_visible()
+    button = screen(page).get_by_role("button", name=FIND[language])
+    expect(button).to_be_enabled()
+    for hidden in (".verdict", ".panel", ".controls"):
+        expect(page.locator(hidden)).to_be_hidden()
+    expect(page.locator("canvas")).to_be_visible()
+    until(page, "benchdragon.player.time > benchdragon.player.scene.start + 0.1")
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    heights = screen(page).locator("button:visible, summary, select, .tick, .box input:visible")
+    assert heights.evaluate_all("(all) => Math.min(...all.map((one) => one.clientHeight))") >= 40
+    assert "plan=" not in page.url  # the dance that walks there is nobody's plan
+
+
+def test_answers_are_read_as_people_type_them_and_shown_as_they_were_understood(
+    pages: Pages, bare_file: Path
+) -> None:
+    page = begin(pages, bare_file)
+    answer(page, benches="六十条", each="一米五", length="30米", width="2000cm")
+    press(page)
+    assert asked(page) == WISHES
+    for name, text in {"benches": "60", "each": "1.5", "width": "20"}.items():
+        expect(box(page, NAMES[name])).to_have_value(text)
+
+
+def test_what_follows_from_other_answers_follows_and_what_was_measured_is_told(
+    pages: Pages, bare_file: Path
+) -> None:
+    page = begin(pages, bare_file)
+    screen(page).get_by_text("All else is as usual").click()
+    answer(page, each="2.2")
+    box(page, NAMES["each"]).press("Tab")
+    expect(box(page, NAMES["head"])).to_have_value("2.7")
+    answer(page, benches="9", head="3m")
+    box(page, "Sway").fill("3cm")
+    screen(page).get_by_role("radio", name="round").check()
+    answer(page, radius="r12")
+    screen(page).get_by_role("radio", name="under it").check()
+    press(page)
+    changed = {
+        "benches": 9, "length": 2.2, "head_length": 3, "rectangle": None, "radius": 12,
+        "carry": "under", "sway": 0.03, "measured": ["sway"],
+    }  # fmt: skip
+    assert asked(page) == WISHES | changed
+
+
+def test_what_cannot_be_read_is_asked_back_beside_its_box(pages: Pages, bare_file: Path) -> None:
+    page = begin(pages, bare_file)
+    screen(page).get_by_text("All else is as usual").click()
+    answer(page, benches="1000", each="150", length="30", wide="5 ft")
+    screen(page).get_by_text("All else is as usual").click()
+    press(page)
+    told = screen(page).locator(".asked:visible")
+    expect(told).to_have_count(4)
+    expect(told.nth(0)).to_have_text("Benches: expected 2 to 500, not '1000'")
+    expect(told.nth(1)).to_contain_text("write 150cm for centimetres")
+    expect(told.nth(2)).to_have_text("Not answered yet.")
+    expect(told.nth(3)).to_contain_text("expected a length from 1 cm to 2 m, such as 15cm, not '5 ft'")
+    expect(box(page, NAMES["benches"])).to_be_focused()
+    expect(box(page, NAMES["benches"])).to_have_attribute("aria-invalid", "true")
+    expect(box(page, NAMES["benches"])).to_have_accessible_description(
+        "Benches: expected 2 to 500, not '1000'"
+    )
+    assert page.evaluate("search.count") == 0
+    told.nth(1).get_by_role("button", name="150 cm").click()
+    expect(box(page, NAMES["each"])).to_have_value("1.5")
+    answer(page, benches="60", width="20", wide="")
+    press(page)
+    assert asked(page) == WISHES
+    expect(told).to_have_count(0)
+
+
+def test_a_wrong_answer_in_a_folded_question_unfolds_it(pages: Pages, bare_file: Path) -> None:
+    page = begin(pages, bare_file)
+    answer(page, **SIXTY)
+    more = screen(page).get_by_text("All else is as usual")
+    more.click()
+    answer(page, wide="wide")
+    more.click()
+    expect(box(page, NAMES["wide"])).to_be_hidden()
+    press(page)
+    expect(box(page, NAMES["wide"])).to_be_focused()
+
+
+@pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
+def test_the_dance_that_was_proposed_walks_and_what_was_said_can_be_read_again(
+    pages: Pages, bare_file: Path, device: Device, language: Language
+) -> None:
+    page = begin(pages, bare_file, device, language)
+    boxes = screen(page).locator(".box input:visible")
+    for n, text in enumerate(SIXTY.values()):
+        boxes.nth(n).fill(text)
+    press(page, language)
+    asked(page)
+    page.evaluate("search.told(0.4, 'discs of 4 m')")
+    expect(screen(page).get_by_role("progressbar")).to_have_attribute("value", "0.4")
+    expect(screen(page).get_by_text("discs of 4 m")).to_be_visible()
+    plan = read_plan("turn", ["dragon.benches=12"])
+    found(page, plan.data(), "12 benches fit.", "They come out again.")
+    expect(screen(page)).to_be_hidden()
+    expect(page.locator(".proposed p").first).to_be_in_viewport()
+    expect(page.locator(".proposed p")).to_have_text(["12 benches fit.", "They come out again."])
+    until(page, "benchdragon.player.scene.benches === 12 && benchdragon.player.playing")
+    start = page.evaluate("benchdragon.player.scene.start")
+    assert start <= page.evaluate("benchdragon.player.time") < start + 20
+    settled(page)
+    assert "plan=" in address(page)
+    expect(page.get_by_role("button", name={"en": "undo", "zh": "撤销"}[language])).to_be_disabled()
+    page.locator(".proposed summary").click()
+    expect(page.locator(".proposed p").first).to_be_hidden()
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    page.evaluate("benchdragon.change(structuredClone(benchdragon.presets[0].plan), true)")
+    expect(page.locator(".proposed summary")).to_be_hidden()  # it told of another plan
+    page.evaluate("benchdragon.undo()")
+    expect(page.locator(".proposed summary")).to_be_visible()
+
+
+def test_a_search_is_given_up_and_the_answers_stay(pages: Pages, bare_file: Path) -> None:
+    page = begin(pages, bare_file)
+    answer(page, **SIXTY)
+    press(page)
+    asked(page)
+    expect(box(page, NAMES["benches"])).to_be_disabled()
+    screen(page).get_by_role("button", name="cancel").click()
+    expect(screen(page).get_by_role("button", name=FIND["en"])).to_be_focused()
+    expect(screen(page).get_by_role("progressbar")).to_have_count(0)
+    expect(box(page, NAMES["benches"])).to_have_value("60")
+    expect(screen(page).locator(".unfit")).to_be_empty()
+
+
+def test_where_nothing_fits_it_says_so_and_offers_as_many_as_do(pages: Pages, bare_file: Path) -> None:
+    page = begin(pages, bare_file)
+    answer(page, **SIXTY)
+    press(page)
+    asked(page)
+    found(page, None, "60 benches do not fit on this square.", benches=41)
+    expect(screen(page).get_by_role("alert").filter(has_text="60 benches do not fit")).to_be_visible()
+    screen(page).get_by_role("button", name="take 41 benches").click()
+    until(page, "search.count === 2")
+    assert asked(page) == WISHES | {"benches": 41}
+    expect(screen(page).locator(".unfit")).to_be_empty()
+    found(page, None, "Nothing fits.", benches=0)
+    expect(screen(page).get_by_text("Nothing fits.")).to_be_visible()
+    expect(screen(page).get_by_role("button", name="take")).to_have_count(0)
+
+
+def test_a_page_that_cannot_search_asks_nothing(pages: Pages, bare_file: Path) -> None:
+    page = begin(pages, bare_file, able=False)
+    expect(screen(page).get_by_role("button", name=FIND["en"])).to_have_count(0)
+    expect(box(page, NAMES["benches"])).to_have_count(0)
+    expect(screen(page).get_by_role("combobox", name="Ready-made dances")).to_be_visible()
+
+
+def test_who_has_a_plan_is_not_asked_and_may_ask_for_another(
+    pages: Pages, file: Path, bare_file: Path
+) -> None:
+    page = settled(pages.open(f"{file.as_uri()}#lang=en"))
+    expect(screen(page)).to_be_hidden()
+    page.evaluate("void benchdragon.change(benchdragon.presets[1].plan, true)")
+    link = address(page)
+    for where in (f"{bare_file.as_uri()}#{link.partition('#')[2]}", bare_file.as_uri()):
+        page.goto("about:blank")
+        page.goto(where)
+        settled(page)
+        expect(screen(page)).to_be_hidden()
+        page.get_by_label("keep the plan in this browser").check()
+    page.evaluate(SEARCHER, True)
+    page.get_by_role("button", name="my benches").click()
+    expect(box(page, NAMES["benches"])).to_be_focused()
+    expect(box(page, NAMES["benches"])).to_have_value("223")  # as the plan of the page has it
+    page.keyboard.press("Escape")
+    expect(screen(page)).to_be_hidden()
+    expect(page.get_by_role("button", name="my benches")).to_be_focused()
+    assert page.evaluate("benchdragon.plan.dragon.benches") == 223
+
+
+def test_what_stands_on_the_square_is_told_to_who_searches(pages: Pages, file: Path) -> None:
+    page = settled(pages.open(f"{file.as_uri()}#lang=en"))
+    page.evaluate(SEARCHER, True)
+    well = {"kind": "circle", "name": "well", "centre": [6, 5], "radius": 0.6, "margin": 0}
+    page.evaluate("(well) => benchdragon.change({ ...benchdragon.plan, obstacle: [well] }, true)", well)
+    page.get_by_role("button", name="my benches").click()
+    answer(page, length="30", width="20")
+    press(page)
+    wishes = asked(page)
+    assert wishes["obstacles"] == [well]
+    assert (wishes["benches"], wishes["rectangle"]) == (223, [30, 20])
+
+
+def test_students_are_one_tap_away_from_the_contests_questions(pages: Pages, bare_file: Path) -> None:
+    page = begin(pages, bare_file)
+    screen(page).get_by_role("button", name="3: why the pitch cannot be smaller").click()
+    expect(screen(page)).to_be_hidden()
+    until(page, "benchdragon.plan.meta.title === 'Coiling in to the disc'")
+    assert page.evaluate("search.question") == "limit/pitch"
+
+
+def test_plans_are_opened_from_a_file_a_list_and_a_link(
+    pages: Pages, bare_file: Path, tmp_path: Path
+) -> None:
+    path = tmp_path / "own.dragon.toml"
+    path.write_text("schema = 1\n[route]\nkind = 'turn'\n[dragon]\nbenches = 7\n", "utf-8")
+    page = begin(pages, bare_file)
+    screen(page).get_by_text("I have a plan already").click()
+    screen(page).locator("input[type=file]").set_input_files(path)
+    expect(screen(page)).to_be_hidden()
+    assert page.evaluate("benchdragon.plan.dragon.benches") == 7
+    settled(page)
+    link = address(page)
+
+    page = begin(pages, bare_file)
+    screen(page).get_by_role("combobox", name="Ready-made dances").select_option("turn")
+    expect(screen(page)).to_be_hidden()
+    assert page.evaluate("benchdragon.plan.dragon.benches") == 223
+
+    page = begin(pages, bare_file)
+    screen(page).get_by_text("I have a plan already").click()
+    paste = screen(page).get_by_role("textbox", name="or paste its link")
+    paste.fill("https://example.org/")
+    paste.press("Enter")
+    expect(screen(page).get_by_text("There is no plan in this link.")).to_be_visible()
+    paste.fill(link)
+    paste.press("Enter")
+    expect(screen(page)).to_be_hidden()
+    until(page, "benchdragon.plan.dragon.benches === 7")
+
+
+def test_the_language_is_changed_and_the_answers_stay(pages: Pages, bare_file: Path) -> None:
+    page = begin(pages, bare_file)
+    answer(page, benches="60")
+    screen(page).get_by_role("button", name="中文").click()
+    expect(screen(page).get_by_role("button", name=FIND["zh"])).to_be_visible()
+    expect(screen(page).get_by_role("textbox").first).to_have_value("60")
+    expect(page.locator("canvas")).to_be_visible()
+    expect(page.locator(".panel")).to_be_hidden()
+
+
+def test_motion_waits_where_people_asked_for_less(pages: Pages, bare_file: Path) -> None:
+    page = pages.open("about:blank")
+    page.emulate_media(reduced_motion="reduce")
+    page.goto(f"{bare_file.as_uri()}#lang=en")
+    until(page, "!!globalThis.benchdragon?.player && benchdragon.root.ariaBusy === 'false'")
+    assert not page.evaluate("benchdragon.player.playing")
+
+
+@needs_axe
+@pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
+def test_axe_finds_nothing_wrong_where_it_asks(
+    pages: Pages, bare_file: Path, device: Device, language: Language
+) -> None:
+    page = begin(pages, bare_file, device, language)
+    page.evaluate("document.querySelectorAll('.wishes details').forEach((one) => (one.open = true))")
+    press(page, language)
+    expect(screen(page).locator(".asked:visible")).not_to_have_count(0)
+    for colours in ("light", "dark"):
+        page.emulate_media(color_scheme=colours)
+        assert violations(page) == [], colours
