@@ -48,3 +48,25 @@ def test_a_dance_is_planned_in_firefox(fox: Firefox, file: Path) -> None:
     fox.evaluate("benchdragon.player.play(true)")
     fox.until("benchdragon.player.time > benchdragon.player.scene.start")
     assert fox.faults == []
+
+
+def test_a_well_is_put_onto_a_square_in_firefox(fox: Firefox, file: Path) -> None:
+    fox.open(f"{file.as_uri()}#lang=en")
+    fox.until(SETTLED)
+
+    def press(where: str) -> None:
+        fox.evaluate(f"document.querySelector('{where}').click()")
+
+    press(".adders button")
+    fox.until(f"benchdragon.plan.venue.rectangle && {SETTLED}")
+    press('[data-add="well"]')
+    press(".placing button")
+    fox.until(f"benchdragon.plan.obstacle?.length === 1 && {SETTLED}")
+    plan = Plan.model_validate_json(fox.evaluate("JSON.stringify(benchdragon.plan)"))
+    assert [one.name for one in plan.obstacles()] == ["square", "well"]
+    fox.until(f'benchdragon.verdict.found.plan_sha256 === "{plan.sha256}"')
+    assert fox.evaluate("document.activeElement.dataset.grip") == "obstacle.0"
+    assert fox.evaluate("document.querySelector('.things [open] summary span').textContent") == "well"
+    press('.things [open] .row button[aria-label="delete: well"]')
+    fox.until(f"!benchdragon.plan.obstacle && {SETTLED}")
+    assert fox.faults == []

@@ -136,6 +136,10 @@ def test_a_square_is_round_or_has_the_corners_that_are_tapped(opened: Opened) ->
     assert len(far) == CORNERS
     assert far == pytest.approx(14.5, abs=0.001)
     judged(page)
+    grip(page, "venue").focus()
+    page.keyboard.press("ArrowUp")
+    (moved,) = shown_plan(page).obstacles()
+    assert moved.outline == pytest.approx(edge.outline + np.array([0, 0.1]), abs=0.001)
     page.get_by_role("button", name="draw its edge").click()
     corners = [(-13, -9), (13, -10), (12, 10), (-12, 9)]
     for x, y in corners:
@@ -146,7 +150,7 @@ def test_a_square_is_round_or_has_the_corners_that_are_tapped(opened: Opened) ->
     judged(page)
     change(page, SIZE, "20x18")
     assert same(shown(page)["venue"], {"name": "", "rectangle": [20, 18], "centre": [0, 0]})
-    assert steps(page) == 3
+    assert steps(page) == 4
 
 
 @pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
@@ -299,13 +303,18 @@ def test_the_list_names_sizes_shows_and_deletes(opened: Opened, tmp_path: Path) 
     change(page, "name", "yard")
     expect(row(page, "obstacle.0").get_by_role("alert").first).to_contain_text("called yard already")
     change(page, "name", "old well")
-    one = {"kind": "circle", "name": "old well", "centre": [-9, 8], "radius": 1.2, "margin": 0.3}
+    change(page, "to the right (x)", "-850cm")
+    change(page, "ahead (y)", "7.5")
+    one = {"kind": "circle", "name": "old well", "centre": [-8.5, 7.5], "radius": 1.2, "margin": 0.3}
     assert shown(page)["obstacle"][0] == one
     row(page, "obstacle.1").locator("summary").click()
     expect(row(page, "obstacle.0")).not_to_have_attribute("open", "")
     change(page, "length", "5")
     change(page, "direction", "30")
     assert shown(page)["obstacle"][1] == things[1] | {"size": [5, 2], "angle": 30}
+    row(page, "entrance.0").locator("summary").click()
+    change(page, "to the right (x)", "14.5")
+    assert shown(page)["event"]["entrances"] == [[14.5, 0]]
     judged(page)
     address(page, url)
     page.reload()
@@ -375,6 +384,21 @@ def test_a_photograph_lies_below_to_scale_and_stays_in_the_page(opened: Opened, 
     page.get_by_role("button", name="take it away").click()
     assert colours((-12.5, 0), (-1.2, 1.2)) == ["none", "none"]
     expect(page.get_by_role("button", name="take it away")).to_be_hidden()
+
+
+def test_odd_things_in_an_address_are_told_and_do_no_harm(opened: Opened) -> None:
+    page = opened()
+    for odd in (
+        {"obstacle": "well"},
+        {"obstacle": [None, {"kind": "circle", "centre": 3}]},
+        {"venue": {"boundary": [[0, 0], None] * 8}},
+        {"venue": {"rectangle": "30x20"}, "event": {"entrances": [[1, 2, 3]]}},
+    ):
+        page.evaluate("(odd) => benchdragon.change({ ...benchdragon.first, ...odd }, true)", odd)
+        expect(verdict(page)).to_have_class("verdict none")
+    page.get_by_role("button", name="undo").click()
+    page.evaluate("benchdragon.change(benchdragon.first, true)")
+    judged(page)
 
 
 @needs_axe

@@ -2,7 +2,7 @@
 // elsewhere. Lengths in metres, angles in degrees to the left.
 
 import { fieldOf } from "./plan_form.js";
-import { meanOf, obstacleName } from "./things.js";
+import { hasSquare, meanOf, obstacleName, obstaclesOf, pointsOf } from "./things.js";
 import { _, decimals } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
@@ -325,22 +325,32 @@ function rectangleGrips(id, name, { centre, size, angle }, arm, put) {
 /** Grips of the venue's edge. @param {Plan} plan @param {number} arm @returns {Grip[]} */
 function venueGrips(plan, arm) {
   const { venue } = plan;
-  const name = venue?.name || _("the venue");
+  if (!hasSquare(plan)) return [];
+  const name = venue.name || _("the venue");
   const set = (/** @type {object} */ values) =>
     changed(plan, (copy) => {
       Object.assign(copy.venue, values);
     });
-  if (venue?.rectangle) {
+  if (venue.rectangle) {
     const told = { centre: venue.centre ?? [0, 0], size: venue.rectangle, angle: venue.angle ?? 0 };
     return rectangleGrips("venue", name, told, arm, (centre, rectangle) => set({ centre, rectangle }));
   }
-  return outlineGrips("venue", name, venue?.boundary ?? [], true, arm, (boundary) => set({ boundary }));
+  const corners = /** @type {Point[]} */ (venue.boundary);
+  if (corners.length <= MOST_CORNERS)
+    return outlineGrips("venue", name, corners, true, arm, (boundary) => set({ boundary }));
+  // A round square is moved as it is, by a point of its edge.
+  const [[u, v]] = corners;
+  const moved = (/** @type {Point} */ [x, y]) => corners.map((at) => shifted(at, x - u, y - v));
+  return [
+    placeGrip("venue", _("place of {name}", { name }), corners[0], (to) =>
+      set({ boundary: moved(to) }),
+    ),
+  ];
 }
 
 /** Grips of what stands on the square. @param {Plan} plan @param {number} arm @returns {Grip[]} */
 function obstacleGrips(plan, arm) {
-  const all = /** @type {Record<string, any>[]} */ (plan.obstacle ?? []);
-  return all.flatMap((one, n) => {
+  return obstaclesOf(plan).flatMap((one, n) => {
     const id = `obstacle.${n}`;
     const name = obstacleName(one, n);
     const set = (/** @type {object} */ values) =>
@@ -386,8 +396,7 @@ function circleGrip(id, name, { centre, radius }, set) {
 
 /** Grips of where people come in. @param {Plan} plan @returns {Grip[]} */
 function entranceGrips(plan) {
-  const places = /** @type {Point[]} */ (plan.event?.entrances ?? []);
-  return places.map((place, n) =>
+  return pointsOf(plan.event?.entrances).map((place, n) =>
     placeGrip(`entrance.${n}`, _("entrance {n}", { n: n + 1 }), place, (to) =>
       changed(plan, (copy) => {
         copy.event.entrances[n] = to;

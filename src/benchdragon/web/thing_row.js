@@ -4,7 +4,15 @@ import { make, wordButton } from "./elements.js";
 import { InputError } from "./compute/error_kinds.js";
 import { QUESTIONS } from "./made/answers.js";
 import { NumberControl } from "./number_control.js";
-import { MOST_LETTERS, namesTaken, radiusOf, withAt, withoutThing, withSize } from "./things.js";
+import {
+  MOST_LETTERS,
+  namesTaken,
+  pointsOf,
+  radiusOf,
+  withAt,
+  withoutThing,
+  withSize,
+} from "./things.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./number_control.js").Field} Field */
@@ -12,13 +20,20 @@ import { _ } from "./words.js";
 /** @typedef {import("./things.js").Thing} Thing */
 
 /** A size larger than these, m, was mistyped. */
-const MOST = { side: 200, radius: 50 };
+const MOST = { side: 200, radius: 50, far: 1000 };
 /** How `benchdragon new` reads the size of a square. */
 const SQUARE = QUESTIONS.filter(({ kind }) => kind === "square")[0];
 
 /** @param {string} key @param {() => string} text @param {number} high @param {number} most @returns {Field} */
 function length(key, text, high, most) {
   return { key, text, unit: "m", low: 0.1, high, step: 0.1, most };
+}
+
+/** The two numbers of a place, as the plan counts them. @param {string} key @returns {Field[]} */
+function place(key) {
+  const texts = [() => _("to the right (x)"), () => _("ahead (y)")];
+  const more = { unit: "m", low: -50, high: 50, step: 0.1, most: MOST.far };
+  return texts.map((text, n) => ({ key: `${key}.${n}`, text, ...more }));
 }
 
 /** @param {string} key @returns {Field} */
@@ -37,13 +52,14 @@ function fieldsOf({ id, table: { kind, rectangle } }) {
     const edge = margin("limits.venue_margin", () => _("how far to stay from its edge"));
     return rectangle ? [direction("venue.angle"), edge] : [edge];
   }
-  if (!kind) return [];
+  if (!kind) return place(`event.${id.replace(".", "s.")}`);
   const sizes = {
-    circle: [length(`${id}.radius`, () => _("radius"), 5, MOST.radius)],
+    circle: [length(`${id}.radius`, () => _("radius"), 5, MOST.radius), ...place(`${id}.centre`)],
     rectangle: [
       length(`${id}.size.0`, () => _("length"), 20, MOST.side),
       length(`${id}.size.1`, () => _("width"), 20, MOST.side),
       direction(`${id}.angle`),
+      ...place(`${id}.centre`),
     ],
   }[/** @type {string} */ (kind)];
   return [...(sizes ?? []), margin(`${id}.margin`, () => _("how far to stay from it"))];
@@ -51,13 +67,12 @@ function fieldsOf({ id, table: { kind, rectangle } }) {
 
 /** How large a thing is, in words. @param {Thing["table"]} table */
 function sizeText({ kind, radius, size, rectangle, points, boundary }) {
-  const sides = rectangle ?? size;
-  if (kind === "circle") return _("radius {value} m", { value: radius });
-  if (sides) return _("{length} m by {width} m", { length: sides[0], width: sides[1] });
-  const round = radiusOf({ boundary });
-  if (round !== null) return _("radius {value} m", { value: round });
-  const corners = points ?? boundary;
-  return corners ? _("{count} corners", { count: corners.length }) : "";
+  const [length, width] = rectangle ?? size ?? [];
+  const round = kind === "circle" ? radius : radiusOf({ boundary });
+  if (length && width) return _("{length} m by {width} m", { length, width });
+  if (round) return _("radius {value} m", { value: round });
+  const corners = pointsOf(points ?? boundary);
+  return corners.length ? _("{count} corners", { count: corners.length }) : "";
 }
 
 /** The size of a square, as it is typed. @param {Thing["table"]} venue */

@@ -48,25 +48,45 @@ export const SORTS = {
 
 /** What stands on the square: its table, and a plan of it alone, by which it is drawn. @typedef {{ id: string, table: Record<string, any>, name: string, alone: Plan }} Thing */
 
+/** Whether a value is a point, or two sizes: what stands in an address may be anything. @param {any} value @returns {value is Point} */
+const isPoint = (value) => Array.isArray(value) && value.length === 2 && value.every(Number.isFinite);
+
+/** The points that a value is; none where it is something else. @param {any} value @returns {Point[]} */
+export function pointsOf(value) {
+  return Array.isArray(value) && value.every(isPoint) ? value : [];
+}
+
 /** Whether a plan says an edge of its square. @param {Plan} plan */
 export function hasSquare({ venue }) {
-  return Boolean(venue?.rectangle || venue?.boundary);
+  return isPoint(venue?.rectangle) || pointsOf(venue?.boundary).length > 0;
+}
+
+/** Whether a value is an obstacle that can be drawn. @param {any} one */
+function isObstacle(one) {
+  if (one?.kind === "circle") return isPoint(one.centre) && Number.isFinite(one.radius);
+  if (one?.kind === "rectangle") return isPoint(one.centre) && isPoint(one.size);
+  return pointsOf(one?.points).length > 0;
+}
+
+/** The obstacles of a plan; none where one is something else. @param {Plan} plan @returns {Record<string, any>[]} */
+export function obstaclesOf({ obstacle }) {
+  return Array.isArray(obstacle) && obstacle.every(isObstacle) ? obstacle : [];
 }
 
 /** All that stands on the square of a plan, its edge first. @param {Plan} plan @returns {Thing[]} */
 export function thingsOf(plan) {
-  const { venue, obstacle = [], event } = plan;
+  const { venue, event } = plan;
   /** @type {Thing[]} */
   const found = [];
   if (hasSquare(plan)) {
     const name = venue.name || _("the venue");
     found.push({ id: "venue", table: venue, name, alone: { route: {}, venue } });
   }
-  for (const [n, table] of obstacle.entries()) {
+  for (const [n, table] of obstaclesOf(plan).entries()) {
     const name = obstacleName(table, n);
     found.push({ id: `obstacle.${n}`, table, name, alone: { route: {}, obstacle: [table] } });
   }
-  for (const [n, at] of (event?.entrances ?? []).entries()) {
+  for (const [n, at] of pointsOf(event?.entrances).entries()) {
     const name = _("entrance {n}", { n: n + 1 });
     const alone = { route: {}, event: { entrances: [at] } };
     found.push({ id: `entrance.${n}`, table: {}, name, alone });
@@ -81,12 +101,9 @@ export function obstacleName({ name }, n) {
 
 /** What the other things of a plan are called there: no two may be called alike. @param {Plan} plan @param {string} [but] the id of one that does not count */
 export function namesTaken(plan, but) {
-  const { venue, obstacle = [] } = plan;
+  const { venue } = plan;
   /** @type {[string, string][]} */
-  const names = obstacle.map((/** @type {{ name?: string }} */ { name }, /** @type {number} */ n) => [
-    `obstacle.${n}`,
-    name || `obstacle ${n + 1}`,
-  ]);
+  const names = obstaclesOf(plan).map(({ name }, n) => [`obstacle.${n}`, name || `obstacle ${n + 1}`]);
   if (hasSquare(plan)) names.push(["venue", venue.name || "venue"]);
   return new Set(names.filter(([id]) => id !== but).map(([, name]) => name));
 }
@@ -129,9 +146,10 @@ export function withSquare(plan, [left, bottom, right, top]) {
 
 /** The radius of a round square, m; null of others. @param {Record<string, any>} venue */
 export function radiusOf({ boundary }) {
-  if (!boundary || boundary.length < ROUND) return null;
-  const [x, y] = meanOf(boundary);
-  const far = boundary.map((/** @type {Point} */ [u, v]) => Math.hypot(u - x, v - y));
+  const corners = pointsOf(boundary);
+  if (corners.length < ROUND) return null;
+  const [x, y] = meanOf(corners);
+  const far = corners.map(([u, v]) => Math.hypot(u - x, v - y));
   const [least, most] = [Math.min(...far), Math.max(...far)];
   return most - least < ALIKE ? Number(most.toFixed(2)) : null;
 }
