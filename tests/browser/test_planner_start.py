@@ -101,6 +101,19 @@ def test_who_comes_without_a_plan_is_asked_beside_a_dance_that_walks(
     assert "plan=" not in page.url  # the dance that walks there is nobody's plan
 
 
+def test_a_picture_and_the_questions_are_there_before_the_engine(pages: Pages, bare_file: Path) -> None:
+    page = pages.open("about:blank")
+    page.add_init_script("WebAssembly.compile = () => new Promise(() => {})")
+    page.goto(f"{bare_file.as_uri()}#lang=en")
+    expect(page.locator(".look svg")).to_be_in_viewport(ratio=1)
+    expect(page.locator(".look strong").first).to_be_hidden()  # its verdict is of nobody's plan
+    expect(screen(page).get_by_role("button", name="starting ...")).to_be_disabled()
+    answer(page, benches="60")
+    screen(page).get_by_role("button", name="中文").click()
+    expect(screen(page).get_by_role("button", name="正在启动")).to_be_disabled()
+    expect(screen(page).get_by_role("textbox").first).to_have_value("60")
+
+
 def test_answers_are_read_as_people_type_them_and_shown_as_they_were_understood(
     pages: Pages, bare_file: Path
 ) -> None:

@@ -33,6 +33,8 @@ export class Asking {
   /** @param {HTMLElement} root that of the page */
   constructor(root) {
     this.root = root;
+    /** A picture of the dance that walks beside the questions, until that does. */
+    this.look = root.querySelector(".look") ?? "";
     this.boxes = QUESTIONS.map((question) => new AnswerBox(question, () => this.#usual()));
     this.element = make("section", { class: "wishes", role: "main", hidden: true });
     this.element.addEventListener("keydown", ({ key }) => key === "Escape" && this.#away());
@@ -58,6 +60,7 @@ export class Asking {
   /** Be asked by a page that can answer. @param {Planner} planner */
   begin(planner) {
     this.#planner = planner;
+    if (this.#first) planner.stage.append(this.look);
   }
 
   /** All of it, in the language in use. */
@@ -109,7 +112,7 @@ export class Asking {
     return make(
       "header",
       {},
-      make("div", { class: "tools" }, translate, close),
+      make("div", { class: "corner" }, translate, close),
       make("h1", {}, _("Your bench dragon on your square")),
       make("p", {}, sentence),
     );
@@ -159,7 +162,7 @@ export class Asking {
   #place() {
     this.root.classList.toggle("asking", this.#open);
     this.element.hidden = !this.#open;
-    if (!this.element.isConnected) this.root.replaceChildren(this.element);
+    if (!this.element.isConnected) this.root.replaceChildren(this.element, this.look);
     for (const one of this.root.children)
       /** @type {HTMLElement} */ (one).inert = this.#open && one !== this.element;
     const player = this.#planner?.player;

@@ -62,8 +62,9 @@ export async function start() {
   }
   const asking = new Asking(root);
   const plan = held("plan") ?? textPlan(keptPlan() ?? "");
-  if (!held("plan") || addressed().has("plan")) root.querySelector(".look")?.remove(); // of another plan
-  if (!plan && !addressed().has("plan")) asking.open(true);
+  if (addressed().has("plan") || plan !== held("plan"))
+    root.querySelector(".look")?.remove(); // of another
+  else if (!plan) asking.open(true);
   try {
     const engine = await WebAssembly.compile(await inflated(held("engine")));
     const script = new Blob([held("worker")], { type: "text/javascript" });
