@@ -276,17 +276,48 @@ def test_who_has_a_plan_is_not_asked_and_may_ask_for_another(
     assert page.evaluate("benchdragon.plan.dragon.benches") == 223
 
 
-def test_what_stands_on_the_square_is_told_to_who_searches(pages: Pages, file: Path) -> None:
+@pytest.mark.parametrize(
+    ("venue", "typed", "told"),
+    [
+        ({}, True, {"rectangle": [30, 20], "boundary": None}),
+        ({"rectangle": [40, 30]}, False, {"rectangle": [40, 30], "boundary": None}),
+        (
+            {"rectangle": [40, 30], "centre": [5, 1], "angle": 90},
+            True,
+            {"rectangle": None, "boundary": [[-5, 16], [-5, -14], [15, -14], [15, 16]]},
+        ),
+        (
+            {"boundary": [[0, 0], [50, 0], [25, 40]]},
+            False,
+            {"rectangle": None, "boundary": [[0, 0], [50, 0], [25, 40]]},
+        ),
+    ],
+    ids=["typed", "kept", "moved", "drawn"],
+)
+def test_the_square_of_the_page_stays_in_place_with_what_stands_there(
+    pages: Pages, file: Path, venue: dict[str, Any], typed: bool, told: dict[str, Any]
+) -> None:
     page = settled(pages.open(f"{file.as_uri()}#lang=en"))
     page.evaluate(SEARCHER, True)
     well = {"kind": "circle", "name": "well", "centre": [6, 5], "radius": 0.6, "margin": 0}
-    page.evaluate("(well) => benchdragon.change({ ...benchdragon.plan, obstacle: [well] }, true)", well)
+    page.evaluate(
+        "(more) => benchdragon.change({ ...benchdragon.plan, ...more }, true)",
+        {"obstacle": [well], "venue": venue},
+    )
     page.get_by_role("button", name="my benches").click()
-    answer(page, length="30", width="20")
+    if typed:
+        answer(page, length="30", width="20")
     press(page)
     wishes = asked(page)
     assert wishes["obstacles"] == [well]
-    assert (wishes["benches"], wishes["rectangle"]) == (223, [30, 20])
+    assert (wishes["benches"], wishes["radius"]) == (223, None)
+    assert {"rectangle": wishes["rectangle"]} == {"rectangle": told["rectangle"]}
+    if told["boundary"]:
+        assert {tuple(map(round, corner)) for corner in wishes["boundary"]} == {
+            tuple(corner) for corner in told["boundary"]
+        }
+    else:
+        assert wishes["boundary"] is None
 
 
 def test_students_are_one_tap_away_from_the_contests_questions(pages: Pages, bare_file: Path) -> None:

@@ -21,6 +21,8 @@ export class AnswerBox {
     this.changed = changed;
     /** Whether somebody answered it, or the plan of the page: else it is answered as usual. */
     this.typed = this.kept = false;
+    /** The corners of a square that the plan of the page has, which may stay as it is. @type {unknown} */
+    this.corners = null;
     /** @type {HTMLInputElement[]} */
     this.boxes = [];
     this.id = `wish-${question.name}`;
@@ -81,7 +83,8 @@ export class AnswerBox {
   }
 
   #choices() {
-    if (this.question.kind === "square") return [_("with four corners"), _("round")];
+    const kept = this.corners ? [_("as it is on the page")] : [];
+    if (this.question.kind === "square") return [_("with four corners"), _("round"), ...kept];
     return this.question.kind === "carry" ? [_("beside it"), _("under it")] : [];
   }
 
@@ -105,7 +108,7 @@ export class AnswerBox {
         /** @type {HTMLInputElement} */ (radio).value === String(n);
     if (this.question.kind !== "square") return;
     this.boxes.forEach(({ parentElement: row }, at) =>
-      row?.toggleAttribute("hidden", at < 2 === n > 0),
+      row?.toggleAttribute("hidden", n !== (at < 2 ? 0 : 1)),
     );
   }
 
@@ -121,6 +124,7 @@ export class AnswerBox {
     const [first, second, radius] = this.boxes.map(({ value }) => value.trim());
     if (this.question.kind === "carry") return String(this.#chosen + 1);
     if (this.question.kind !== "square") return first;
+    if (this.#chosen === 2) return this.#text;
     if (this.#chosen) return radius && radius.replace(ROUND, "r");
     return first && second ? `${first}x${second}` : BOTH.test(first) ? first : "";
   }
@@ -132,9 +136,12 @@ export class AnswerBox {
 
   /** Answer it as a plan does, unless somebody did. @param {unknown} answer */
   keep(answer) {
+    this.corners = Array.isArray(answer) && Array.isArray(answer[0]) ? answer : null;
+    if (!this.corners && this.#chosen === 2) this.#chosen = 0;
     if (this.typed || !(typeof answer === "number" || Array.isArray(answer))) return;
     this.kept = true;
-    this.#show(answer);
+    if (this.corners) this.#chosen = 2;
+    else this.#show(answer);
   }
 
   /** Answer it so. @param {unknown} answer */
@@ -146,7 +153,7 @@ export class AnswerBox {
   /** @param {any} answer a text, a number, or length and width */
   #show(answer) {
     const { kind } = this.question;
-    if (kind === "carry") return;
+    if (kind === "carry" || answer === this.corners) return;
     const round = kind === "square" && !Array.isArray(answer);
     (round ? ["", "", answer] : [answer].flat()).forEach(
       (one, n) => (this.boxes[n].value = String(one)),
@@ -157,6 +164,7 @@ export class AnswerBox {
   /** The answer, or why there is none. @returns {any} */
   get known() {
     const { question, text } = this;
+    if (question.kind === "square" && this.#chosen === 2) return this.corners;
     try {
       return text ? question.answer(_(question.label), text) : new InputError(_("Not answered yet."));
     } catch (error) {

@@ -3,6 +3,7 @@
 import { keepChoice } from "./address.js";
 import { AnswerBox } from "./answer_box.js";
 import { make } from "./elements.js";
+import { Frame } from "./grip_kinds.js";
 import { QUESTIONS, wished } from "./made/answers.js";
 import { valueOf } from "./number_control.js";
 import { openings } from "./openings.js";
@@ -17,6 +18,18 @@ import { _, language, speak } from "./words.js";
 
 /** What everybody is asked; all else has usual answers. */
 const FIRST = ["benches", "bench_length", "square", "carry"];
+
+/** Where a square lies: a plan's own stays in place, for what stands there. @param {any} sides or its corners @param {any} venue */
+function placed(sides, venue) {
+  const moved = venue?.rectangle && (venue.centre || venue.angle);
+  if (!sides || !(moved || Array.isArray(sides[0]))) return {};
+  const frame = new Frame(venue.centre ?? [0, 0], venue.angle ?? 0);
+  const [a, b] = [0.5 * sides[0], 0.5 * sides[1]];
+  /** @type {[number, number][]} */
+  const corners = [[a, b], [-a, b], [-a, -b], [a, -b]]; // prettier-ignore
+  const own = Array.isArray(sides[0]) ? sides : corners.map((corner) => frame.ground(corner));
+  return { rectangle: null, boundary: own };
+}
 
 export class Asking {
   /** @type {Planner | null} */
@@ -132,7 +145,13 @@ export class Asking {
     this.#open = true;
     const { plan } = this.#planner ?? {};
     if (plan && !first)
-      for (const box of this.boxes) box.keep(valueOf(plan, box.question.keys[0] ?? ""));
+      for (const box of this.boxes) {
+        /** @type {string[]} */
+        const keys = box.question.keys;
+        box.keep(
+          keys.map((key) => valueOf(plan, key)).find((value) => value !== undefined && value !== null),
+        );
+      }
     this.build();
     this.#place();
     if (!first) this.boxes[0].focus();
@@ -210,8 +229,10 @@ export class Asking {
       return null;
     }
     const given = this.boxes.filter(({ typed }) => typed).map(({ question }) => question.name);
-    const obstacles = (!this.#first && this.#planner?.plan.obstacle) || [];
-    return { ...Object.fromEntries(wished(said, given)), obstacles, boundary: null, kind: null };
+    const plan = this.#first ? null : this.#planner?.plan;
+    const wishes = Object.fromEntries(wished(said, given));
+    const square = { boundary: null, ...placed(wishes.rectangle, plan?.venue) };
+    return { ...wishes, ...square, obstacles: plan?.obstacle ?? [], kind: null };
   }
 
   /** @param {Event} event */

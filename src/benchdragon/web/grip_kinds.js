@@ -70,7 +70,7 @@ const metresText = (metres) => `${decimals(metres, 3).replace(/0$/, "")} m`;
 const pointText = ([x, y]) => `x ${metresText(x)}, y ${metresText(y)}`;
 
 /** How a frame lies on the ground: its origin, and its direction, rad. */
-class Frame {
+export class Frame {
   /** @param {Point} origin @param {number} degrees */
   constructor(origin, degrees) {
     this.origin = origin;
