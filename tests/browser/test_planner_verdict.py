@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -130,6 +131,20 @@ def test_benches_that_touch_are_parted_by_the_least_pitch_and_one_step_undoes_it
     page.get_by_role("button", name="undo").click()
     expect(number(page, PITCH)).to_have_value("0.44")
     settle(page, "Not safe")
+
+
+def test_of_findings_about_one_thing_the_gravest_is_told_once(opened: Opened) -> None:
+    page = opened()
+    kinds = ("obstacle_margin", "obstacle", "sway", "people")
+    tell(page, finding("margin", decided=False), *map(finding, kinds))
+    texts = details(page).locator(".findings li p")
+    expect(texts).to_have_text(
+        [
+            re.compile("a long"),  # what is undecided stays as it is told
+            "bench 123 touches  at 12.3 s",
+            "benches 123 and 145 have no room to sway at 12.3 s",
+        ]
+    )
 
 
 def test_people_get_room_by_the_least_pitch(opened: Opened) -> None:

@@ -2,7 +2,7 @@
 
 import { make } from "./elements.js";
 import { evidence, limitRow } from "./evidence.js";
-import { mendable, orNothing, remedies } from "./remedies.js";
+import { distinct, mendable, orNothing, remedies } from "./remedies.js";
 import { Refusal } from "./standing.js";
 import { STATE_SIGNS } from "./telling.js";
 import { markText, nearestText, notChecked, stateOf, wordOf } from "./verdict_word.js";
@@ -41,10 +41,9 @@ const PLAIN = {
 };
 const ROOM = ["sway", "imprecision", "people"];
 
-/** Two decimals at most; what is too much is rounded up. @param {number | null} size @param {boolean} [up] */
+/** Two decimals; what is too much is rounded up. @param {number | null} size @param {boolean} [up] */
 function few(size, up = false) {
-  const hundreds = 100 * (size ?? 0);
-  return String((up ? Math.ceil(hundreds - 1e-9) : Math.round(hundreds)) / 100);
+  return decimals(up ? Math.ceil(100 * (size ?? 0) - 1e-9) / 100 : (size ?? 0), 2);
 }
 
 /** A finding as people read it. @param {Finding} finding @param {Verdict} verdict */
@@ -131,7 +130,7 @@ function pitchText({ route }, { upper }) {
 function explained(told, leave, ask) {
   const { found, plan, jump, take } = told;
   const go = jump && ((/** @type {number} */ time) => leave(() => jump(time)));
-  const items = found.findings.map((one) => item(one, found, go));
+  const items = distinct(found.findings).map((one) => item(one, found, go));
   const pitch = make("li", { hidden: true });
   const numbers = evidence(found, plan.limits ?? {}, go);
   const open = notChecked(found).map((text) => make("li", {}, text));
@@ -164,7 +163,9 @@ export function showDetails(root, answers, told) {
     dialog.close();
     go();
   };
-  const ask = orNothing((question, plan) => aside.ask({ question, plan }));
+  const ask = orNothing(async (question, plan) =>
+    answers.has(question) ? aside.ask({ question, plan }) : null,
+  );
   const { found } = told;
   const { head, body, look } = found
     ? explained({ ...told, found }, leave, ask)
@@ -172,9 +173,9 @@ export function showDetails(root, answers, told) {
   const dialog = make(
     "dialog",
     { class: "details", "aria-label": _("details"), onclose: () => (aside.close(), dialog.remove()) },
+    make("form", { method: "dialog" }, make("button", {}, _("close"))), // where nothing moves it
     make("h2", { class: found ? stateOf(found) : "none" }, head),
     ...body,
-    make("form", { method: "dialog" }, make("button", {}, _("close"))),
   );
   root.append(dialog);
   dialog.showModal();

@@ -3,7 +3,7 @@
 import { valueOf } from "./number_control.js";
 import { withValue } from "./plan_form.js";
 import { PageFault, Refusal } from "./standing.js";
-import { badness } from "./verdict_word.js";
+import { TOUCHES, badness } from "./verdict_word.js";
 import { _, decimals } from "./words.js";
 
 /** @typedef {import("./messages").Answer} Answer */
@@ -24,11 +24,16 @@ import { _, decimals } from "./words.js";
  */
 
 /** A pitch is raised by so many centimetres at most. */
-const MOST_RAISED = 512;
+const MOST_RAISED = 128;
 /** Speeds in so many steps for a metre a second. */
 const SPEEDS = 20;
 /** Room under a bench for shoulders, m, as proposals assume it. */
 const SHOULDERS = 0.5;
+
+/** The way to the place with the most room is cut into so many parts. */
+const PARTS = 16;
+/** Where a dance is moved, from the right on to the left about. */
+const ARROWS = "\u2192\u2197\u2191\u2196\u2190\u2199\u2193\u2198";
 
 const [BENCHES, ROOM] = ["benches", "room"];
 /** Kinds of findings that are one thing which is wrong. @type {Record<string, string>} */
@@ -37,6 +42,18 @@ const ABOUT = { contact: BENCHES, margin: BENCHES, sway: ROOM, imprecision: ROOM
 /** What a finding is about. @param {Finding} finding */
 function aboutOf({ kind, obstacle }) {
   return `${ABOUT[kind] ?? kind.replace("_margin", "")} ${obstacle ?? ""}`;
+}
+
+/** Of findings about one thing one: the gravest that is decided. @param {Finding[]} findings */
+export function distinct(findings) {
+  /** @type {Map<string, Finding>} */
+  const kept = new Map();
+  for (const one of findings) {
+    const other = kept.get(aboutOf(one));
+    if (!other || (one.decided && (!other.decided || TOUCHES.includes(one.kind))))
+      kept.set(aboutOf(one), one);
+  }
+  return [...kept.values()];
 }
 
 /** Who answers, or says null where there is no answer to that. @param {Ask} ask @returns {Ask} */
@@ -86,18 +103,19 @@ async function wider(wrong) {
   };
   const sought = Math.ceil(100 * (smallest?.upper ?? 0) - 1e-9) - whole;
   const known = ABOUT[finding.kind] === BENCHES && sought > 0 ? await at(sought) : null;
-  return known ?? least(at);
+  return known ?? least(at, MOST_RAISED);
 }
 
 /**
  * What is found with the fewest steps: twice as many each time, then between the last two.
  * @template Found
  * @param {(steps: number) => Promise<Found | null>} at
+ * @param {number} most
  */
-async function least(at) {
+async function least(at, most) {
   let [bad, good] = [0, 1];
   let found = await at(good);
-  while (!found && good < MOST_RAISED) {
+  while (!found && good < most) {
     [bad, good] = [good, 2 * good];
     found = await at(good);
   }
@@ -141,13 +159,52 @@ async function under(wrong) {
   return found && { plan: changed, found, text };
 }
 
+/** How far a dance is moved and turned, in words. @param {number[]} from place and angle @param {number[]} to */
+function moveText(from, to) {
+  const [x, y, turned] = to.map((one, n) => one - from[n]);
+  const ahead = Math.round((4 * Math.atan2(y, x)) / Math.PI);
+  const words = { way: decimals(Math.hypot(x, y), 2), arrow: ARROWS[(ahead + 8) % 8] };
+  if (Math.abs(turned) < 0.05) return _("move the dragon {way} m {arrow}", words);
+  const angle = `${decimals(Math.abs(turned), 1)}\u00b0 ${turned > 0 ? "\u21ba" : "\u21bb"}`;
+  return _("move the dragon {way} m {arrow}, swing it round {angle}", { ...words, angle });
+}
+
+/** Move the dance towards where it has the most room, no farther than it takes. @param {Wrong} wrong @returns {Promise<Remedy | null>} */
+async function moved(wrong) {
+  const { plan, before, finding } = wrong;
+  if (!finding.obstacle || !before.obstacles.some(({ kind }) => kind === "venue")) return null;
+  const best = (await wrong.ask("place", plan))?.plan.route;
+  if (!best) return null;
+  const from = [...(plan.route.at ?? [0, 0]), plan.route.turned ?? 0];
+  const round = ((((best.turned - from[2]) % 360) + 540) % 360) - 180;
+  const whole = [best.at[0] - from[0], best.at[1] - from[1], round];
+  /** @param {number} parts of the whole way */
+  const at = async (parts) => {
+    const to = from.map((one, n) => Number((one + (whole[n] * parts) / PARTS).toFixed(3)));
+    const changed = structuredClone(plan);
+    Object.assign(changed.route, { at: to.slice(0, 2), turned: to[2] });
+    const found = await mended(wrong, changed);
+    return found && { plan: changed, found, text: moveText(from, to) };
+  };
+  const most = await at(PARTS);
+  const asGood = async (/** @type {number} */ parts) => {
+    const one = await at(parts);
+    return one && most && badness(one.found) <= badness(most.found) ? one : null;
+  };
+  return most && least(asGood, PARTS);
+}
+
 /** Ways to mend a kind of finding. @type {Record<string, ((wrong: Wrong) => Promise<Remedy | null>)[]>} */
 const WAYS = {
   contact: [wider],
   margin: [wider],
-  sway: [wider],
-  imprecision: [wider],
-  people: [wider, under],
+  sway: [wider, moved],
+  imprecision: [wider, moved],
+  people: [wider, moved, under],
+  obstacle: [moved],
+  obstacle_margin: [moved],
+  venue: [moved],
+  venue_margin: [moved],
   speed: [slower],
   most_speed: [slower],
   acceleration: [slower],

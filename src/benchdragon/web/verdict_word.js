@@ -7,7 +7,7 @@ import { N_, _, decimals, language } from "./words.js";
 /** @typedef {import("./telling.js").State} State */
 
 /** What touches, of all kinds of findings; and what is only too fast. */
-const TOUCHES = ["contact", "obstacle"];
+export const TOUCHES = ["contact", "obstacle"];
 const FAST = /speed|acceleration|turning_rate/;
 /** States that have a verdict, the best first. @type {State[]} */
 const STATES = ["safe", "open", "tight", "unsafe"];
