@@ -69,7 +69,7 @@ def test_a_wrong_plan_is_told_in_one_sentence_and_loses_nothing(opened: Opened) 
     expect(page.locator("canvas")).to_be_visible()
     expect(page.get_by_text("the picture is of an earlier plan")).to_be_visible()
     assert page.get_by_text("expected more than").filter(visible=True).count() == 1
-    page.locator("h1").click()
+    page.locator(".player h1").click()
     page.keyboard.press("Control+z")
     settle(page, "Safe")
 
@@ -116,7 +116,7 @@ def test_another_dance_is_in_sight(opened: Opened) -> None:
     """The dragon of Nanchang is twice as wide as the contest's."""
     page = opened()
     page.get_by_label("begin with").select_option("nanchang")
-    expect(page.locator("h1")).to_have_text("Nanchang")
+    expect(page.locator(".player h1")).to_have_text("Nanchang")
     far = page.evaluate(
         """() => { const { boxes, camera } = benchdragon.player;
           return Array.from(boxes.x, (x, n) => camera.toScreen(x, boxes.y[n]))
@@ -276,7 +276,7 @@ def test_a_wrong_file_says_so_in_sight(opened: Opened, tmp_path: Path, device: D
     page = opened(device)
     wrong = tmp_path / "list.toml"
     wrong.write_text("a,b\n1,2\n", "utf-8")
-    page.locator("input[type=file]").set_input_files(wrong)
+    page.locator(".panel input[accept='.toml']").set_input_files(wrong)
     told = page.locator(".told.none")
     expect(told).to_be_in_viewport(ratio=1)
     expect(told).to_contain_text("line 1")
