@@ -13,7 +13,7 @@ import pytest
 
 from benchdragon.analysis.check import check
 from benchdragon.cli.main import run
-from benchdragon.cli.new import _told
+from benchdragon.explain.proposal import proposal_lines
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.proposal import Proposal, Wishes, propose
 
@@ -131,11 +131,11 @@ def test_how_many_benches_come_out_again_is_told_where_all_of_them_do_not(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    line = SHORT_LINE.replace(" --kind spiral-in", "")
+    line = SHORT_LINE.replace(" --kind spiral-in", "").replace("13x13", "12.5x12.5")
     assert run([*line.split(), "--quiet", "--lang", "en"]) == 0
     told = re.search(r"With (\d+) benches it comes out again", capsys.readouterr().out)
     assert told is not None
-    wished = Wishes(24, 1.5, 0.15, rectangle=(13.0, 13.0), carry="under")
+    wished = Wishes(24, 1.5, 0.15, rectangle=(12.5, 12.5), carry="under")
     kinds = []
     for count in (int(told[1]), int(told[1]) + 1):
         found = propose(replace(wished, benches=count))
@@ -161,7 +161,6 @@ def test_what_does_not_fit_is_asked_again_alone_and_the_other_answers_stay(tmp_p
         menu = shown[shown.index("Which one do you change?") :]
         assert re.search(r"\d  The square: 12 m by 12 m", menu)
         assert re.search(r"\d  Benches: 24", menu)
-        assert "add --carry" not in shown
         text = (folder / "v.dragon.toml").read_text("utf-8")
         assert f"they walk {carried}" in text
         benches = read_plan(str(folder / "v.dragon.toml")).value("dragon.benches")
@@ -174,9 +173,9 @@ def test_a_refusal_names_walking_under_the_benches_where_that_fits(
     monkeypatch.chdir(tmp_path)
     beside = SHORT_LINE.replace("--carry under ", "").replace("13x13", "12x12")
     assert run([*beside.split(), "--quiet", "--lang", "en"]) == 4
-    assert "--carry under" in capsys.readouterr().err
+    assert "if their bearers walk under them" in capsys.readouterr().err
     assert run([*beside.replace("12x12", "4x4").split(), "--quiet", "--lang", "en"]) == 4
-    assert "--carry under" not in capsys.readouterr().err
+    assert "walk under them" not in capsys.readouterr().err
 
 
 def test_a_radius_may_be_told_as_the_question_shows_it_and_names_are_quoted(
@@ -218,8 +217,31 @@ def test_what_was_written_into_a_plan_by_hand_is_named_when_it_is_proposed_anew(
 )
 def test_a_dance_that_begins_at_its_turn_is_not_said_to_go_in(start: float, told: str) -> None:
     plan = read_plan("turn", ["dragon.benches=10", f"walk.start={start}", "walk.end=30"])
-    lines = list(_told(Proposal(plan, check(plan), slower=False), Wishes(10, 2.2, 0.3), 0))
+    lines = proposal_lines(Proposal(plan, check(plan), slower=False), Wishes(10, 2.2, 0.3), 0)
     assert [line for line in lines if told in line] == [
         line for line in lines if "The head walks" in line
     ]
     assert any(told in line for line in lines)
+
+
+def test_a_dance_is_proposed_beside_what_stands_on_the_square_of_a_plan(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    line = "new -o v.dragon.toml --benches 9 --bench-length 1.5m --bench-width 15cm --square 17x16"
+    words = [*line.split(), "--carry", "under", "--quiet", "--lang", "en"]
+    assert run(words) == 0
+    plan = tmp_path / "v.dragon.toml"
+    first = read_plan(str(plan))
+    x, y = first.route.at or (0.0, 0.0)
+    well = f'[[obstacle]]\nkind = "circle"\nname = "well"\ncentre = [{x}, {y}]\nradius = 0.6\n'
+    plan.write_text(plan.read_text("utf-8") + well, "utf-8")
+    assert not check(read_plan(str(plan))).safe
+    assert run([*words, "--force", "--beside", "v.dragon.toml"]) == 0
+    told = capsys.readouterr()
+    assert "All 9 benches fit." in told.out
+    assert "not in the new plan" not in told.err
+    again = read_plan(str(plan))
+    assert [one.name for one in again.obstacles()] == ["venue", "well"]
+    assert check(again).safe
+    assert run([*words, "--force", "--beside", "none.dragon.toml"]) == 3

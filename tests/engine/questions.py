@@ -43,6 +43,7 @@ from benchdragon.plans.schema import checked, read_plan
 from benchdragon.player.following import following
 from benchdragon.player.scene import Span, plain_dance
 from benchdragon.solve.head_speed import slowed
+from benchdragon.solve.square import Square
 from benchdragon.solve.tolerance import CASES, Draw, Tolerance, needed_pitch, touches
 from benchdragon.surveys.clothoids import g1_clothoids
 from benchdragon.surveys.fitting import fitted
@@ -86,6 +87,9 @@ def questions() -> None:
     well = '[{kind="circle", centre=[8, 3], radius=0.5}, {kind="line", points=[[0, 2], [1, 2]]}]'
     check(read_plan("spiral-in", ["dragon.benches=12", "venue.rectangle=[30, 30]", f"obstacle={well}"]))
     assert swept_area(few.build(), 0.0, 20.0, error=0.1).widest.width.value > 0.3
+    square = Square(turn.with_values({"venue.rectangle": [40, 30], "route.at": [0, 0]}))
+    assert square.room([0.0, 0.0, 0.0]) > 0.0
+    assert square.extent(30.0)[1] < square.circle()[2] + 1.0
     slowed(turn)
     least_clearance(turn.build(), -20.0, 20.0)
     with pytest.MonkeyPatch.context() as patch:

@@ -4,7 +4,7 @@ import { pathToFileURL } from "node:url";
 
 const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const [{ Engine }, { withArenaAsync }, { briefed }, { checkedPlan }] = await Promise.all(
+const [{ Engine }, { withArenaAsync }, { briefed }, { checked }] = await Promise.all(
   ["engine", "compute/arena", "compute/briefing", "compute/plan"].map(load),
 );
 const [{ Sayings, markLine }, { called }, { speak, useWords }] = await Promise.all(
@@ -25,7 +25,7 @@ useWords(words);
 const answers = [];
 for (const { plan: data, span } of plans) {
   try {
-    const plan = checkedPlan(data);
+    const plan = checked(data);
     const told = await withArenaAsync(engine, (arena) =>
       briefed(plan, plan.build(arena), span, () => {}),
     );

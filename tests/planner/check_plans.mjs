@@ -9,7 +9,7 @@ const { Engine } = await load("engine");
 const { withArenaAsync } = await load("compute/arena");
 const { check } = await load("compute/check");
 const { BenchDragonError } = await load("compute/errors");
-const { checkedPlan } = await load("compute/plan");
+const { checked } = await load("compute/plan");
 const { verdictOf } = await load("made/records");
 const { useWords } = await load("words");
 
@@ -28,7 +28,7 @@ function progress() {
 /** The verdict on a plan in plain data, or why there is none. */
 async function judged(data) {
   try {
-    const plan = checkedPlan(data);
+    const plan = checked(data);
     return await withArenaAsync(engine, async (arena) => {
       const walk = plan.build(arena);
       const report = await check(plan, walk, plan.span(walk), { progress });

@@ -4,7 +4,7 @@ import { pathToFileURL } from "node:url";
 
 const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const [{ Engine }, { checkedPlan }, { danceOf, SKETCH }, { Scene, unpackedScene }, { Table }] =
+const [{ Engine }, { checked }, { danceOf, SKETCH }, { Scene, unpackedScene }, { Table }] =
   await Promise.all(["engine", "compute/plan", "compute/scene", "scene", "following"].map(load));
 const [{ withArenaAsync }, { check }, { judgedDance }, { verdictOf }] = await Promise.all(
   ["compute/arena", "compute/check", "compute/questions", "made/records"].map(load),
@@ -25,7 +25,7 @@ async function danced({ plan: data, shown = SKETCH, rounds = 1, at, judge }) {
   let least = Infinity;
   for (let round = 0; ; round++) {
     const begun = performance.now();
-    const plan = checkedPlan(data);
+    const plan = checked(data);
     const dance = await danceOf(engine, plan, shown);
     const { sent, nodes, framed, tables } = judge ? await judged(plan, dance) : dance;
     least = Math.min(least, performance.now() - begun);

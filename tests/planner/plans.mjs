@@ -5,7 +5,7 @@ import { pathToFileURL } from "node:url";
 
 const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const [{ Engine }, { withArena, within, doubles }, { checkedPlan }] = await Promise.all([
+const [{ Engine }, { withArena, within, doubles }, { checked }] = await Promise.all([
   load("engine"),
   load("compute/arena"),
   load("compute/plan"),
@@ -57,7 +57,7 @@ function walked(arena, plan) {
 
 const answers = JSON.parse(readFileSync(questions, "utf-8")).map((data) =>
   tried(() => {
-    const plan = checkedPlan(data);
+    const plan = checked(data);
     const said = { sha256: plan.sha256, data: plan.data(), written: plan.own() };
     return { ...said, walk: tried(() => withArena(engine, (arena) => walked(arena, plan))) };
   }),

@@ -8,8 +8,8 @@ const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const { Engine } = await load("engine");
 const { withArenaAsync } = await load("compute/arena");
-const { useWords } = await load("words");
-const { checkedPlan } = await load("compute/plan");
+const { speak, useWords } = await load("words");
+const { checked } = await load("compute/plan");
 const { BenchDragonError } = await load("compute/errors");
 const size = await load("made/size");
 const head = await load("made/head_speed");
@@ -21,8 +21,15 @@ const { MOST_HELD } = await load("compute/worker");
 const { QUESTIONS } = await load("compute/questions");
 const { left, question } = await load("compute/budget");
 let engine = await Engine.load(readFileSync(file));
-const { asked, words, rounds = 1, cancel = false } = JSON.parse(readFileSync(questions, "utf-8"));
+const {
+  asked,
+  words,
+  language,
+  rounds = 1,
+  cancel = false,
+} = JSON.parse(readFileSync(questions, "utf-8"));
 useWords(words ?? {});
+speak(language ?? "en");
 
 class Cancelled extends Error {}
 
@@ -38,7 +45,8 @@ const ASKED = {
   pace: paced,
   turn: turned,
   margins: drawn,
-  page: (plan, { question: name }) => QUESTIONS[name]({ engine, version: "1", plan, progress }),
+  page: (plan, { question: name, wishes }) =>
+    QUESTIONS[name]({ engine, version: "1", plan, wishes, progress }),
 };
 
 /** A pace, and the plan walked at it. */
@@ -68,7 +76,7 @@ async function drawn(plan, { by = ALL, draws, seed = 1 }) {
 /** An answer, or why there is none. */
 async function answered({ data, name, options }) {
   try {
-    return await ASKED[name](checkedPlan(data), options ?? {});
+    return await ASKED[name](checked(data), options ?? {});
   } catch (error) {
     if (!(error instanceof BenchDragonError || error instanceof Cancelled)) throw error;
     return { error: error.message, kind: error.constructor.name };

@@ -7,10 +7,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from benchdragon.analysis.check import check
 from benchdragon.errors import InputError
+from benchdragon.explain.proposal import proposal_lines, refusal_lines
+from benchdragon.i18n import spoken_in
+from benchdragon.inlining import chinese
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
+from benchdragon.solve.proposal import TooSmall, Wishes, benches_out_again, propose
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, RISKS, Deviations, tolerance
 from benchdragon.solve.turn import best_turn
@@ -198,3 +203,60 @@ def test_memory_is_given_back() -> None:
     (said,) = asked("solve_plans.mjs", {"asked": [question], "rounds": 6})
     assert said["bytes"][-1] == said["bytes"][1]
     assert said["held"] == 0
+
+
+YARD: dict[str, Any] = {"benches": 9, "length": 1.5, "width": 0.15, "rectangle": [16, 15]}
+WELL = {"kind": "circle", "name": "well", "centre": [5, 5], "radius": 0.6, "margin": 0.2}
+HOUSE = [[-9, -8], [9, -8], [9, 8], [0, 8], [0, 10], [-9, 10]]
+WISHED: dict[str, dict[str, Any]] = {
+    "out again, beside a well": {"obstacles": [WELL], "carry": "under"},
+    "coiling in": {"kind": "spiral-in", "sway": 0.02, "measured": ["sway"]},
+    "within corners": {"rectangle": None, "boundary": HOUSE, "head_length": 2.4, "most_speed": 0.9},
+    "round, and too small": {"rectangle": None, "radius": 4.5, "bearers": 1},
+}
+
+
+@pytest.mark.parametrize(("name", "language"), zip(WISHED, ["en", "zh", "zh", "en"], strict=True))
+def test_the_page_proposes_what_python_does(name: str, language: str) -> None:
+    wishes = YARD | WISHED[name]
+    said = told("propose", wishes, language)
+    listed = {key: _tuples(value) for key, value in wishes.items()}
+    asked_for = Wishes(**listed | {"measured": frozenset(wishes.get("measured", ()))})
+    with spoken_in(language):
+        found = propose(asked_for)
+        if isinstance(found, TooSmall):
+            assert (said["plan"], said["benches"]) == (None, found.benches)
+            assert said["said"] == refusal_lines(asked_for, found)
+            return
+        out = asked_for.kind or found.plan.route.kind == "turn"
+        again = 0 if out else benches_out_again(asked_for)
+        assert said["said"] == proposal_lines(found, asked_for, again)
+    ours, theirs = found.plan, checked(said["plan"], "page")
+    assert ours.route.at is not None
+    assert theirs.route.at == pytest.approx(ours.route.at, abs=2e-3)
+    same = {"route.at": list(ours.route.at), "route.turned": ours.route.turned}
+    assert theirs.with_values(same).data() == ours.data()
+
+
+def test_the_page_places_a_dance_where_it_is_found_to_be_safe() -> None:
+    whole = checked(plain(SQUARE), "plan").with_values({"route.at": [6.0, 5.0], "route.turned": 10.0})
+    assert not check(whole).safe
+    said = told("place", None, "en", whole)
+    there = checked(said["plan"], "page")
+    report = check(there)
+    assert report.safe
+    kept = min(one.distance.value - one.obstacle.margin for one in report.obstacles)
+    assert said["room"] == pytest.approx(kept, abs=0.03)
+
+
+def told(question: str, wishes: Any, language: str, whole: Plan | None = None) -> Any:
+    """What the page answers to a question in a language."""
+    options = {"question": question, "wishes": wishes}
+    asking = {"data": (whole or read_plan("spiral-in")).data(), "name": "page", "options": options}
+    words = chinese("compute/worker.js")
+    (said,) = asked("solve_plans.mjs", {"asked": [asking], "words": words, "language": language})
+    return said["found"]
+
+
+def _tuples(value: Any) -> Any:
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value

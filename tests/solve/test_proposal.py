@@ -56,7 +56,7 @@ def test_few_benches_for_which_every_pitch_serves_get_a_turn() -> None:
 
 def test_a_square_that_is_not_said_or_said_twice_is_refused() -> None:
     for wishes in (replace(SMALL, rectangle=None), replace(SMALL, radius=9.0)):
-        with pytest.raises(InputError, match="either its rectangle or its radius"):
+        with pytest.raises(InputError, match="its rectangle, its radius or its corners"):
             propose(wishes)
 
 
@@ -100,3 +100,30 @@ def test_a_longer_dance_is_proposed_where_it_fits() -> None:
         assert isinstance(found, Proposal)
         ways.append(course_of(found.plan).way)
     assert ways[0] < ways[1]
+
+
+YARD = Wishes(48, 1.8, 0.15, head_length=2.3, rectangle=(35.0, 25.0), obstacles=(
+    {"kind": "circle", "name": "pole", "centre": [0, 9], "radius": 0.3, "margin": 0.5},
+    {"kind": "rectangle", "name": "stage", "size": [8, 4], "centre": [-13, 8], "margin": 1},
+))  # fmt: skip
+
+
+def test_all_households_of_a_yard_with_a_stage_and_a_pole_dance_in_and_out_again() -> None:
+    found = propose(YARD)
+    assert isinstance(found, Proposal)
+    assert found.plan.route.kind == "turn"
+    assert [one.name for one in found.plan.obstacles()] == ["venue", "pole", "stage"]
+    assert check(found.plan).safe
+    assert not found.less_ahead
+    # On a smaller yard they all do if there is less room before the head.
+    tight = propose(replace(YARD, rectangle=(31.0, 22.0)))
+    assert isinstance(tight, Proposal)
+    assert (tight.plan.route.kind, tight.less_ahead) == ("turn", True)
+
+
+def test_a_dance_is_proposed_within_any_corners() -> None:
+    corners = ((-9.0, -8.0), (9.0, -8.0), (9.0, 8.0), (0.0, 8.0), (0.0, 10.0), (-9.0, 10.0))
+    found = propose(replace(SMALL, benches=9, rectangle=None, boundary=corners))
+    assert isinstance(found, Proposal)
+    assert check(found.plan).safe
+    assert found.plan.venue.boundary == list(corners)

@@ -2,6 +2,7 @@
 
 import json
 import math
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -24,10 +25,11 @@ from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.progress import silent
 from benchdragon.solve import place
-from benchdragon.solve.place import best_place, enough_room
+from benchdragon.solve.place import Exact, best_place, enough_room
 from benchdragon.solve.size import feasible_sizes, limit
 from benchdragon.solve.size_family import PlanFamily, question
 from benchdragon.solve.size_question import SizeQuestion
+from benchdragon.solve.square import Square
 from benchdragon.solve.turn import _exact_figures, best_turn
 from tests.solve.asked_in_python import in_python
 
@@ -234,14 +236,14 @@ def test_no_place_that_is_tried_has_more_room_than_the_best() -> None:
 
 
 def test_the_place_is_looked_at_by_exact_distances_last(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What the dance covers is drawn so coarsely here that its drawing leads to a poorer place."""
-    monkeypatch.setattr(place, "ROUGH", 0.6)
+    """The boxes of the global search lie so far apart here that they lead to a poorer place."""
+    monkeypatch.setattr(place, "Square", partial(Square, step=2.5))
     plan = read_plan("spiral-in", SQUARE)
-    square = place.Square(plan.with_values({"route.at": [0.0, 0.0], "route.turned": 0.0}))
-    by_drawing = square.roughly(silent)
+    square = Square(plan.with_values({"route.at": [0.0, 0.0], "route.turned": 0.0}), step=2.5)
+    by_boxes = Exact(square).crowding(square.roomiest(silent))
     found = best_place(plan).room.value
     assert isinstance(found, float)
-    assert found > 2e-3 - square.exact_crowding(by_drawing)
+    assert found > 2e-3 - by_boxes
 
 
 def test_a_dance_that_fits_nowhere_is_told_so(capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,7 +2,8 @@
 
 import shlex
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,7 +21,7 @@ from benchdragon.plans.answers import QUESTIONS, Question, count_in, wished
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
-    from benchdragon.solve.proposal import Proposal, TooSmall, Wishes
+    from benchdragon.solve.proposal import TooSmall, Wishes
 
 
 @verb
@@ -62,6 +63,11 @@ if TYPE_CHECKING:
     help=N_("The dance: in, round and out again, or in alone. Default: the first of them that fits."),
 )
 @file_option("--roster", N_("A list of names in the folder of the plan."))
+@click.option(
+    "--beside",
+    metavar="PLAN",
+    help=N_("A plan whose wells, stages and the like stand on the square, maybe the one written anew."),
+)
 @take("force", "shared")
 def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
     """Propose a plan for your benches and your square.
@@ -77,24 +83,27 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
     refuse_existing([output], force)
     before = kept_by_hand(output)
     roster = _roster(output, options["roster"])
+    standing = _standing(options["beside"])
     said, given = _answers(options)
+    from benchdragon.explain.proposal import proposal_lines, refusal_lines
     from benchdragon.solve.proposal import TooSmall, benches_out_again, propose
 
     while True:
-        wishes = _wishes(said, options["kind"], roster, given)
+        wishes = replace(_wishes(said, options["kind"], roster, given), obstacles=standing)
         with shown_progress(quiet) as progress:
             found = propose(wishes, progress=progress)
             out = isinstance(found, TooSmall) or wishes.kind or found.plan.route.kind == "turn"
             again = 0 if out else benches_out_again(wishes, progress=progress)
         if not isinstance(found, TooSmall):
             break
-        click.echo(_refusal(wishes, found), err=True)
+        click.echo(("" if language() == "zh" else " ").join(refusal_lines(wishes, found)), err=True)
         if not sys.stdin.isatty():
             return NO_SOLUTION
         given |= _asked_again(said, found)
     write_whole(output, _text(found.plan, wishes, given))
-    for line in _told(found, wishes, again):
-        click.echo(line)
+    click.echo(_("Proposed:"))
+    for line in proposal_lines(found, wishes, again):
+        click.echo(f"  {line}")
     print_report(found.report)
     print_files([output])
     warn_of_lost(before, output)
@@ -131,6 +140,13 @@ def _wishes(said: Mapping[str, Any], kind: Any, roster: str, given: set[str]) ->
     wishes = wished(said, given)
     measured = frozenset(wishes.pop("measured"))
     return Wishes(**wishes, measured=measured, kind=kind, roster=roster)
+
+
+def _standing(plan: str | None) -> tuple[dict[str, Any], ...]:
+    """The obstacles on the square of a plan: their tables."""
+    from benchdragon.plans.schema import read_plan
+
+    return () if plan is None else tuple(read_plan(plan).data().get("obstacle", ()))
 
 
 def _asked_again(said: dict[str, Any], found: "TooSmall") -> set[str]:
@@ -209,83 +225,6 @@ def _roster(output: Path, path: Path | None) -> str:
     if path.resolve().parent != output.resolve().parent:
         raise InputError(_("--roster: put {name} into the folder of the plan first").format(name=path))
     return path.name
-
-
-def _refusal(wishes: "Wishes", found: "TooSmall") -> str:
-    """Why there is no plan."""
-    length, width = (f"{side:g}" for side in found.rectangle)
-    text = _(
-        "{benches} benches do not fit on this square: the dance that takes the least room of those "
-        "tried needs {length} m by {width} m, room for people and margins included."
-    )
-    if wishes.radius is not None:
-        text = _(
-            "{benches} benches do not fit on this square: the dance that takes the least room of those "
-            "tried needs a radius of {radius} m, room for people and margins included."
-        )
-    sentences = [
-        text.format(benches=wishes.benches, length=length, width=width, radius=f"{found.radius:g}")
-    ]
-    if found.under:
-        text = _(
-            "All of them fit if their bearers walk under them, not beside them: add --carry under."
-        )
-        if sys.stdin.isatty():
-            text = _("All of them fit if their bearers walk under them, not beside them.")
-        sentences.append(text)
-    if found.benches:
-        sentences.append(_("A dragon of {count} such benches fits.").format(count=found.benches))
-    return ("" if language() == "zh" else " ").join(sentences)
-
-
-def _told(found: "Proposal", wishes: "Wishes", again: int) -> Iterator[str]:
-    """Describe the proposal before its check, and how many benches could come out again."""
-    from benchdragon.solve.course import course_of
-
-    course = course_of(found.plan)
-    yield _("Proposed:")
-    if course.rounds >= 1.0:
-        text = _("  The dragon begins coiled: it stands in {rounds} rounds before it sets out.")
-        yield text.format(rounds=f"{course.rounds:.1f}")
-    else:
-        yield _("  The dragon begins uncoiled: it stands in less than one round.")
-    text = _("  The head walks {way} m in {time}, in towards the middle; it does not come out again.")
-    if course.out:
-        text = _("  The head walks {way} m in {time}: in, round, and out again.")
-    if course.inside:
-        text = _(
-            "  The head walks {way} m in {time}: it stands inside at first, turns, and comes out. The "
-            "dance ends when the tail has turned; then all walk on out."
-        )
-    yield text.format(way=f"{course.way:.0f}", time=_duration(course.seconds))
-    if found.slower:
-        text = _("  The head walks at {speed} m/s, or benches behind it would be too fast.")
-        yield text.format(speed=f"{found.plan.walk.speed:g}")
-    longer = _longer(wishes)
-    if course.short:
-        text = _("WARNING: {time} is hardly a dance. It gets longer with {ways}.")
-        yield text.format(time=_duration(course.seconds), ways=longer)
-    elif not course.out:
-        yield _("  Room to come out again, or for longer: {ways}.").format(ways=longer)
-    if again:
-        yield _("  With {count} benches it comes out again: no more of them have the room.").format(
-            count=again
-        )
-
-
-def _duration(seconds: float) -> str:
-    """A time that people take, to a second."""
-    minutes, rest = divmod(round(seconds), 60)
-    text = _("{minutes} min {seconds} s") if minutes else _("{seconds} s")
-    return text.format(minutes=minutes, seconds=rest)
-
-
-def _longer(wishes: "Wishes") -> str:
-    """What makes room for a longer dance."""
-    ways = [_("fewer benches"), _("a larger square")]
-    if wishes.carry == "beside":
-        ways.insert(1, _("bearers under their benches (--carry under)"))
-    return _(", or ").join(ways)
 
 
 # What of a proposed plan was computed for it; what was neither computed nor said is assumed.

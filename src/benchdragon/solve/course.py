@@ -1,10 +1,10 @@
 """A proposed dance in the few figures that people ask for first."""
 
+import itertools
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
+from benchdragon.analysis.not_looked_at import places
 from benchdragon.plans.schema import Plan
 
 # A shorter dance, s, is reported as too short.
@@ -43,10 +43,13 @@ def course_of(plan: Plan) -> Course:
     """
     walk = plan.build()
     start, end = plan.span(walk)
-    motion = walk.motion([start, end])
+    begun, ended = places(walk, start, end)
     x, y = plan.route.at or (0.0, 0.0)
-    angles = np.unwrap(np.arctan2(motion.y[0] - y, motion.x[0] - x))
-    rounds = float(abs(angles[-1] - angles[0])) / (2.0 * math.pi)
-    way = float(motion.s[1, 0] - motion.s[0, 0])
+    points = [walk.route.point(s).tolist() for s in begun]
+    angles = [math.atan2(v - y, u - x) for u, v in points]
+    turns = [
+        math.remainder(after - before, 2.0 * math.pi) for before, after in itertools.pairwise(angles)
+    ]
     out = plan.route.kind == "turn"
-    return Course(rounds, way, end - start, out, out and start >= 0.0)
+    rounds = abs(sum(turns)) / (2.0 * math.pi)
+    return Course(rounds, ended[0] - begun[0], end - start, out, out and start >= 0.0)

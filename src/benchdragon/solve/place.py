@@ -1,52 +1,39 @@
 """Where on the square a dance fits best: farthest from the venue's edge and from every obstacle.
 
-What the dance and its people cover is drawn once, as a region of the plane; moving the dance moves
-the region. A global search uses distances of the region, a local one the exact least distances
-(analysis/obstacles.py), which the answer gives. The result is checked as any plan is.
+A global search uses the room of boxes along the benches' ways (square.py), a local one the exact least
+distances (analysis/obstacles.py), which the answer gives. The result is checked as any plan is.
 """
 
 import math
 import time as clock
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
-
-import numpy as np
-import shapely
-from shapely.geometry.base import BaseGeometry
 
 from benchdragon import budget
 from benchdragon.analysis.check import Report, check, sentence
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.room import with_all_room
-from benchdragon.analysis.swept import enclosing, swept_area
+from benchdragon.analysis.swept import enclosing
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import _, both
-from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.turn_question import spread
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.model.outline import shape_of
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, part, silent
+from benchdragon.solve.square import Pose, Square, descended
 
-# Error of the ground that the dance covers, m.
+# A pose that lacks no more room than this, m, is examined by exact distances; the ground from which the
+# size of a square is computed has this error.
 ROUGH = 0.05
-# The result is rounded to so many decimals of a metre and of a degree: benches cannot be placed more
-# accurately.
-DIGITS = 3
 # Widths of brackets of the answer's distances, m: the first that can be reached.
 TOLERANCES = (1e-12, 1e-8, 1e-5)
 # Share of the time that the global search takes.
 SEARCHED = 0.6
-# Sample places on the square, the best of them that are refined, and the least distance of those, as a
-# share of the ranges.
-STREWN, STARTS, APART = 600, 4, 0.1
-# Edges of a descent's first simplex: as shares of the ranges, then m, m and degrees; trials of each.
-SIMPLEX, FINE, LOCAL = 0.02, (0.04, 0.04, 0.2), 200
+# First steps of the exact descent, m, m and degrees, and its trials.
+FINE, LOCAL = (0.04, 0.04, 0.2), 200
 
 
 @dataclass(frozen=True)
@@ -106,27 +93,12 @@ def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
     if not any(obstacle.kind == "venue" for obstacle in plan.obstacles()):
         raise InputError(_("the plan has no venue to be placed in: add [venue]"))
     square = Square(plan.with_values({"route.at": [0.0, 0.0], "route.turned": 0.0}))
-    rough = square.roughly(part(progress, 0.0, SEARCHED, _("trying positions")))
+    best = square.roomiest(part(progress, 0.0, SEARCHED, _("trying positions")))
     progress(SEARCHED, _("exact figures"))
-    best = rough
-    if square.crowding(rough) < ROUGH:
-        fine = downhill(square.exact_crowding, rough, np.array(FINE))
-        best = min(rough, fine, key=square.exact_crowding)
-    return square.placed(best, clock.perf_counter() - began)
-
-
-def downhill(score: Callable[[FloatArray], float], x: FloatArray, edges: FloatArray) -> FloatArray:
-    """A low point downhill from x by Nelder and Mead's simplex, whose edges are so long at first."""
-    from scipy.optimize import minimize  # slow to import
-
-    result = minimize(
-        score, x, method="Nelder-Mead",
-        options={
-            "initial_simplex": np.vstack([x, x + np.diag(edges)]), "maxfev": LOCAL, "xatol": 1e-5,
-            "fatol": 1e-6,
-        },
-    )  # fmt: skip
-    return np.asarray(result.x)
+    if square.room(best) > -ROUGH:
+        exact = Exact(square)
+        best = descended(exact, best, FINE, LOCAL)[1]
+    return _placed(square, best, clock.perf_counter() - began)
 
 
 @dataclass(frozen=True)
@@ -198,118 +170,44 @@ def _has_place(plan: Plan) -> bool:
         return False
 
 
-class Square:
-    """Where a dance may be placed, and how much room it has there.
+class Exact:
+    """The room of a dance at poses on its square by exact least distances."""
 
-    A place is where the middle of what the dance covers lies, m, and how far it is turned, degrees.
+    def __init__(self, square: Square) -> None:
+        self._square = square
 
-    Args:
-        plan: with the dance at its origin.
-    """
-
-    def __init__(self, plan: Plan) -> None:
-        self.plan = plan
-        self.walk, self.obstacles = with_all_room(plan)
-        self.span = plan.span(self.walk)
-        self.evaluations = 0
-
-    @cached_property
-    def region(self) -> BaseGeometry:
-        """What the dance and its people cover at its origin, and up to ROUGH more."""
-        region = swept_area(self.walk, *self.span, error=ROUGH).polygon
-        shapely.prepare(region)
-        return region
-
-    @cached_property
-    def middle(self) -> tuple[float, float]:
-        """The middle of what the dance covers, m."""
-        low_x, low_y, high_x, high_y = self.region.bounds
-        return 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
-
-    def roughly(self, progress: Progress) -> FloatArray:
-        """The place with the most room, by descent from the best sample places on the square."""
-        outline = self.obstacles[0].outline
-        low, size = np.append(outline.min(axis=0), 0.0), np.append(np.ptp(outline, axis=0), 360.0)
-        powers = spread(len(low)) ** -np.arange(1.0, len(low) + 1.0)
-        shares = (0.5 + np.arange(STREWN)[:, np.newaxis] * powers) % 1.0
-        crowded = np.empty(STREWN)
-        for n, place in enumerate(low + size * shares):
-            crowded[n] = self.crowding(place)
-            progress(0.5 * (n + 1) / STREWN, "")
-        starts: list[FloatArray] = []
-        for share in shares[np.argsort(crowded, kind="stable")]:
-            if len(starts) < STARTS and all(np.abs(share - other).max() > APART for other in starts):
-                starts.append(share)
-        ends = []
-        for share in starts:
-            ends.append(downhill(self.crowding, low + size * share, SIMPLEX * size))
-            progress(0.5 + 0.5 * len(ends) / STARTS, "")
-        return downhill(self.crowding, min(ends, key=self.crowding), SIMPLEX * size)
-
-    def pose(self, place: FloatArray) -> tuple[tuple[float, float], float]:
-        """A place as a plan gives it: route.at, m, and route.turned, degrees, rounded."""
-        x, y, turned = place.tolist()
-        c, s = math.cos(math.radians(turned)), math.sin(math.radians(turned))
-        a, b = self.middle
-        # + 0.0 makes -0.0 a 0.0
-        at = round(x - c * a + s * b, DIGITS) + 0.0, round(y - s * a - c * b, DIGITS) + 0.0
-        return at, round(turned % 360.0, DIGITS) % 360.0
-
-    def at(self, place: FloatArray) -> Plan:
-        """The plan with its dance at a place."""
-        at, turned = self.pose(place)
-        return self.plan.with_values({"route.at": list(at), "route.turned": turned})
-
-    def crowding(self, place: FloatArray) -> float:
-        """The objective: minus the least room seen, m; positive where there is none."""
-        self.evaluations += 1
-        at, turned = self.pose(place)
-        moved = self.plan.route.model_copy(update={"at": at, "turned": turned})
-        return -min(_room(self.region, moved.unplaced(obstacle)) for obstacle in self.obstacles)
-
-    def exact_crowding(self, place: FloatArray) -> float:
-        """The same by exact least distances, wherever the dance lies clear of all."""
-        seen = self.crowding(place)
-        if seen >= ROUGH:
-            return seen
-        found = self._answers(*with_all_room(self.at(place)), (1e-6,))
+    def crowding(self, pose: Pose) -> float:
+        """Minus the room, m: exact wherever the dance lies clear of all."""
+        seen = self._square.room(pose)
+        if seen <= -ROUGH:
+            return -seen
+        plan = self._square.at(pose)
+        found = _answers(plan, *with_all_room(plan), (1e-6,))
         return -min(answers.distance.lower - answers.obstacle.margin for answers in found)
 
-    def _answers(
-        self, walk: Walk, obstacles: Sequence[Obstacle], tolerances: Sequence[float]
-    ) -> tuple[ObstacleAnswers, ...]:
-        return tuple(
-            obstacle_answers(walk, obstacle, *self.span, tolerances=tolerances)
-            for obstacle in obstacles
-        )
 
-    def placed(self, place: FloatArray, seconds: float) -> PlacedDance:
-        """The exact answers at a place."""
-        plan, (at, turned) = self.at(place), self.pose(place)
-        found = self._answers(*with_all_room(plan), TOLERANCES)
-        tightest = min(found, key=lambda answers: answers.distance.value - answers.obstacle.margin)
-        margin, near = tightest.obstacle.margin, tightest.distance
-        rooms = (near.value - margin, near.lower - margin, near.upper - margin)
-        room = replace(
-            near, value=rooms[0], lower=rooms[1], upper=rooms[2],
-            status="found" if rooms[1] >= 0.0 and near.lower > 0.0 else "infeasible",
-            assumptions=(*near.assumptions, _("best that was found; better positions may exist")),
-            evaluations=self.evaluations, seconds=seconds,
-        )  # fmt: skip
-        alone = self._answers(plan.build(), plan.obstacles(), TOLERANCES)
-        report = None if room.status == "infeasible" else check(plan)
-        return PlacedDance(plan, at, turned, room, alone, report)
+def _answers(
+    plan: Plan, walk: Walk, obstacles: Sequence[Obstacle], tolerances: Sequence[float]
+) -> tuple[ObstacleAnswers, ...]:
+    return tuple(
+        obstacle_answers(walk, obstacle, *plan.span(walk), tolerances=tolerances)
+        for obstacle in obstacles
+    )
 
 
-def _room(region: BaseGeometry, obstacle: Obstacle) -> float:
-    """How much more than its margin a region keeps from an obstacle, m; negative where it meets it."""
-    shape = shape_of(obstacle)
-    if obstacle.kind == "venue":
-        if shapely.contains_properly(shape, region):
-            return float(shapely.distance(shapely.boundary(shape), region)) - obstacle.margin
-        return -math.sqrt(float(region.difference(shape).area)) - obstacle.margin
-    apart = float(shapely.distance(region, shape)) - obstacle.radius
-    if apart > 0.0:
-        return apart - obstacle.margin
-    deep = region.intersection(shape.buffer(max(obstacle.radius, ROUGH)))
-    return -math.sqrt(float(deep.area)) - obstacle.margin
+def _placed(square: Square, pose: Pose, seconds: float) -> PlacedDance:
+    """The exact answers at a pose."""
+    plan, (x, y, turned) = square.at(pose), square.placed(pose)
+    found = _answers(plan, *with_all_room(plan), TOLERANCES)
+    tightest = min(found, key=lambda answers: answers.distance.value - answers.obstacle.margin)
+    margin, near = tightest.obstacle.margin, tightest.distance
+    rooms = (near.value - margin, near.lower - margin, near.upper - margin)
+    room = replace(
+        near, value=rooms[0], lower=rooms[1], upper=rooms[2],
+        status="found" if rooms[1] >= 0.0 and near.lower > 0.0 else "infeasible",
+        assumptions=(*near.assumptions, _("best that was found; better positions may exist")),
+        evaluations=square.evaluations, seconds=seconds,
+    )  # fmt: skip
+    alone = _answers(plan, plan.build(), plan.obstacles(), TOLERANCES)
+    report = None if room.status == "infeasible" else check(plan)
+    return PlacedDance(plan, (x, y), turned, room, alone, report)

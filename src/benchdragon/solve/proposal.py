@@ -6,27 +6,24 @@ that bearers have room (`room.with_people`).
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
 from typing import Any, Literal
 
-import numpy as np
-import shapely
-
 from benchdragon import budget
-from benchdragon.analysis.check import Report, check
+from benchdragon.analysis.check import Report
+from benchdragon.analysis.check import checked as judged
 from benchdragon.analysis.room import with_people
-from benchdragon.analysis.swept import swept_area
 from benchdragon.errors import InputError, UnsureError, WalkError, as_number, of_kind
 from benchdragon.i18n import N_, _, both
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.base_curve import Point
 from benchdragon.plans.answers import MOST_BEARERS, MOST_BENCHES
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.size import limit
+from benchdragon.solve.size import found_limit
+from benchdragon.solve.square import Square
 
 Carry = Literal["beside", "under"]
 Kind = Literal["turn", "spiral-in"]
@@ -34,9 +31,10 @@ KINDS: tuple[Kind, ...] = ("turn", "spiral-in")
 NAME = "benchdragon new"
 
 # Assumed of people, m: shoulders' breadth, which is the room beside a bench or under it; the length of
-# a bench that a bearer needs; room before the head; and, unless measured, how far benches sway and
-# bearers stray.
-SHOULDERS, ELBOWS, AHEAD, SWAY, IMPRECISION = 0.5, 0.5, 0.5, 0.05, 0.1
+# a bench that a bearer needs; and, unless measured, how far benches sway and bearers stray.
+SHOULDERS, ELBOWS, SWAY, IMPRECISION = 0.5, 0.5, 0.05, 0.1
+# Room before the head, m: the first with which all benches fit.
+AHEAD = (0.5, 0.3)
 # Asked for beyond that, m: between benches, and from the edge of the square.
 MARGIN, VENUE_MARGIN = 0.05, 0.5
 # Sizes are proposed in decimetres, speeds in steps of 5 cm/s: finer ones cannot be laid out.
@@ -51,8 +49,11 @@ ENOUGH = 60
 ROUNDS: dict[Kind, tuple[float, ...]] = {
     "turn": (2.0, 1.0, 0.5, 0.0), "spiral-in": (6.0, 4.0, 3.0, 2.0, 1.0, 0.5),
 }  # fmt: skip
-# Error of the ground, m; corners of a round square; angles of the dance, degrees.
-DRAWN, CORNERS, ANGLES = 0.02, 90, 180
+# Of pairs of pitch and disc those that take the least room, so many, are tried on the square.
+MOST_SIZES = 3
+# What corners between the boxes of a square may be farther out, m; corners of a round square; angles at
+# which a dance is measured, degrees.
+SPARE, CORNERS, ANGLES = 0.025, 90, 180
 # Sizes of a bench, in the order of `Dragon.sizes`.
 SIZES = ("length", "width", "front_inset", "rear_inset")
 TITLE = N_("A bench dragon on our square")
@@ -69,7 +70,8 @@ class Wishes:
         head_length: of the head's bench.
         inset: from a bench's ends to its holes.
         rectangle: length and width of the square; or
-        radius: of a round one.
+        radius: of a round one; or
+        boundary: the corners of its edge, in order.
         bearers: people who carry one bench.
         carry: whether they walk beside it or under it.
         speed: of the head, at most.
@@ -79,6 +81,7 @@ class Wishes:
         sway: how far benches sway to a side.
         imprecision: how far bearers stray from their line.
         measured: which of these two were measured; the others are assumed.
+        obstacles: on the square, tables as in a plan.
     """
 
     benches: int
@@ -97,6 +100,8 @@ class Wishes:
     sway: float = SWAY
     imprecision: float = IMPRECISION
     measured: frozenset[str] = frozenset()
+    obstacles: tuple[Mapping[str, Any], ...] = ()
+    boundary: tuple[Point, ...] | None = None
 
     def __post_init__(self) -> None:
         """Refuse what is no number."""
@@ -121,14 +126,34 @@ class Wishes:
             return SHOULDERS
         return max(0.0, _up(0.5 * (SHOULDERS - self.width), 0.01))
 
+    @property
+    def venue(self) -> dict[str, Any]:
+        """The edge of the square, as a plan has it."""
+        if self.rectangle is not None:
+            return {"rectangle": list(self.rectangle)}
+        if self.boundary is not None:
+            return {"boundary": [list(corner) for corner in self.boundary]}
+        return {"boundary": _round(self.radius or 0.0)}
+
 
 @dataclass(frozen=True)
 class Proposal:
-    """A dance that can be walked: its plan and the check of it; `slower` if slower than was wished."""
+    """A dance that can be walked.
+
+    Attributes:
+        plan: of the dance.
+        report: the check of it.
+        slower: whether it is slower than was wished.
+    """
 
     plan: Plan
     report: Report
     slower: bool
+
+    @property
+    def less_ahead(self) -> bool:
+        """Whether there is less room before the head than usual, so that all benches fit."""
+        return self.plan.people.ahead < AHEAD[0]
 
 
 @dataclass(frozen=True)
@@ -137,8 +162,9 @@ class TooSmall:
 
     Attributes:
         kind: of the dance that takes the least room of those tried.
-        rectangle: on which that dance fits, its margins included, m; rounded up.
-        radius: of a round square on which it fits, m; rounded up.
+        rectangle: on which that dance fits if nothing else stands there, its margins included, m;
+            rounded up.
+        radius: of such a round square, m; rounded up.
         benches: so many, of the same sizes, fit on the square; 0 where none were found to.
         under: whether all of them fit if bearers walk under their benches, not beside them.
     """
@@ -152,43 +178,52 @@ class TooSmall:
 
 @dataclass(frozen=True)
 class _Dance:
-    """A dance with its room: the corners of what it covers, about its origin, (n, 2), m."""
+    """A dance at the roomiest pose that was found: its plan there, and how much more room it has, m."""
 
+    square: Square
     plan: Plan
-    ground: FloatArray
+    room: float
+
+    @property
+    def radius(self) -> float:
+        """Of the smallest circle about it, m."""
+        return self.square.circle()[2]
 
 
 @budget.question()
 def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSmall:
     """A dance of the benches on the square that passes `check`, or how much too small the square is.
 
+    All benches are kept: the kind of the dance, its pitch and disc, the room before the head, how far
+    it is walked, its place and direction are tried, beside all obstacles on the square.
+
     Raises:
         InputError: if `wishes` is not a Wishes, for a square that is missing or given twice, and for
             sizes that no dance can have.
         UnsureError: if what fits the square does not pass the check.
-        PlanError: for sizes of which no dragon can be built.
+        PlanError: for sizes of which no dragon can be built, and for obstacles that cannot be.
     """
     of_kind("wishes", wishes, Wishes)
     _refuse(wishes)
     tried = _tried(wishes, ROUNDS, progress)
     if tried.found is not None:
         return tried.found
-    if not tried.smallest:
+    if not tried.least:
         raise InputError(
             _(
                 "no dance of these benches was found among the pitches and turning discs that were "
-                "tried: try another --kind, or shorter or narrower benches"
+                "tried: try shorter or narrower benches"
             )
         )
     if tried.fits:
         raise UnsureError(
             _(
                 "a dance was found that fits the square, but it does not pass the check: try "
-                "narrower benches, or another --kind"
+                "narrower benches"
             )
         )
     progress(0.9, _("how large a square it takes"))
-    smallest = min(tried.smallest, key=lambda dance: _radius(dance.ground))
+    smallest = min(tried.least, key=lambda dance: dance.radius)
     return _too_small(wishes, smallest, _fits_under(wishes))
 
 
@@ -200,44 +235,52 @@ def benches_out_again(wishes: Wishes, *, progress: Progress = silent) -> int:
     of_kind("wishes", wishes, Wishes)
     _refuse(wishes)
     progress(0.0, _("how many benches come out again"))
-    sized = _sized(wishes, "turn")
-    return 0 if sized is None else _fitting(wishes, sized)
+    return _fitting(wishes, "turn")
 
 
 @dataclass(frozen=True)
 class _Tried:
-    """The result of trying the kinds of dance: one that passes the check, or that with the least room.
+    """The result of trying all dances.
 
-    `fits` says whether any dance fits the square.
+    Attributes:
+        found: one that passes the check, if any.
+        least: those with the fewest rounds walked.
+        fits: whether any of these fits the square.
     """
 
     found: Proposal | None
-    smallest: list[_Dance]
+    least: list[_Dance]
     fits: bool
 
 
 def _tried(wishes: Wishes, walked: Mapping[Kind, Sequence[float]], progress: Progress) -> _Tried:
-    """Try each kind with so many rounds walked, the most first that fit."""
+    """Try each kind and its sizes with so many rounds walked, the most first that fit."""
     kinds = KINDS if wishes.kind is None else (wishes.kind,)
-    smallest: list[_Dance] = []
+    sorts = [(kind, ahead) for kind in kinds for ahead in AHEAD]
+    least: list[_Dance] = []
     fits = False
-    for n, kind in enumerate(kinds):
-        progress(n / len(kinds), _("pitch and disc"))
-        sized = _sized(wishes, kind)
-        if sized is None:
-            continue
-        progress((n + 0.5) / len(kinds), _("place on the square"))
-        least = list(_dances(wishes, sized, walked[kind][-1:]))
-        smallest += least
-        if least and _placed(wishes, least[0]) is None:  # with more rounds it does not fit either
-            continue
-        more = (rounds for rounds in walked[kind][:-1] if not _too_wide(wishes, sized, rounds))
-        for dance in chain(_dances(wishes, sized, more), least):
-            placed = _placed(wishes, dance)
-            fits = fits or placed is not None
-            if placed is not None and (found := _walked(wishes, placed)) is not None:
-                return _Tried(found, smallest, fits)
-    return _Tried(None, smallest, fits)
+    for n, (kind, ahead) in enumerate(sorts):
+        progress(n / len(sorts), _("pitch and disc"))
+        for sized in _sized(wishes, kind, ahead):
+            progress((n + 0.5) / len(sorts), _("place on the square"))
+            first = _placed(wishes, sized, walked[kind][-1])
+            if first is None:
+                continue
+            least.append(first)
+            if first.room < 0.0:  # with more rounds it does not fit either
+                continue
+            fits = True
+            for rounds in walked[kind]:
+                last = rounds == walked[kind][-1]
+                if not last and _too_wide(wishes, sized, rounds):
+                    continue
+                dance = first if last else _placed(wishes, sized, rounds)
+                if dance is None or dance.room < 0.0:
+                    continue
+                found = _walked(wishes, dance.plan)
+                if found is not None:
+                    return _Tried(found, least, fits)
+    return _Tried(None, least, fits)
 
 
 def _too_wide(wishes: Wishes, sized: Plan, rounds: float) -> bool:
@@ -249,7 +292,11 @@ def _too_wide(wishes: Wishes, sized: Plan, rounds: float) -> bool:
     inner = disc + rounds * pitch
     link = wishes.length - 2.0 * wishes.inset
     outer = math.sqrt(inner * inner + wishes.benches * link * pitch / math.pi)
-    narrow = 2.0 * (wishes.radius or 0.0) if wishes.rectangle is None else min(wishes.rectangle)
+    narrow = 2.0 * (wishes.radius or 0.0)
+    if wishes.rectangle is not None:
+        narrow = min(wishes.rectangle)
+    elif wishes.boundary is not None:
+        narrow = min(max(sides) - min(sides) for sides in zip(*wishes.boundary, strict=True))
     return outer > inner + pitch and 2.0 * (outer - pitch) > narrow
 
 
@@ -268,8 +315,8 @@ def _fits_under(wishes: Wishes) -> bool:
 
 def _refuse(wishes: Wishes) -> None:
     """Refuse impossible wishes before anything is computed."""
-    if (wishes.rectangle is None) == (wishes.radius is None):
-        raise InputError(_("say how large the square is: either its rectangle or its radius"))
+    if [wishes.rectangle, wishes.radius, wishes.boundary].count(None) != 2:
+        raise InputError(_("say how large the square is: its rectangle, its radius or its corners"))
     if not 2 <= wishes.benches <= MOST_BENCHES:
         text = _("a dance is proposed for 2 to {most} benches, not {count}")
         raise InputError(text.format(most=MOST_BENCHES, count=wishes.benches))
@@ -282,16 +329,16 @@ def _refuse(wishes: Wishes) -> None:
         raise InputError(text.format(length=f"{wishes.length:g}", count=behind))
 
 
-def _data(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> dict[str, Any]:
-    """The plan of a dance on no square yet, as parsed TOML."""
+def _data(wishes: Wishes, kind: Kind, pitch: float, disc: float, ahead: float) -> dict[str, Any]:
+    """The plan of a dance about the middle of its square, as parsed TOML."""
     title = both(lambda: _(TITLE))
     people: dict[str, Any] = {
-        "beside": wishes.beside, "ahead": AHEAD, "sway": wishes.sway,
+        "beside": wishes.beside, "ahead": ahead, "sway": wishes.sway,
         "imprecision": wishes.imprecision, "most_speed": wishes.most_speed,
     }  # fmt: skip
     sources = {name: _("measured by the troupe") for name in sorted(wishes.measured)}
     people |= {"source": sources} if sources else {}
-    return {
+    data = {
         "schema": 1,
         "meta": {"title": title.en, "title_zh": title.zh},
         "dragon": {
@@ -302,9 +349,11 @@ def _data(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> dict[str, An
         "route": {"kind": kind, "pitch": pitch},
         "disc": {"radius": disc},
         "walk": {"speed": wishes.speed},
-        "limits": {"speed": wishes.most_speed, "margin": MARGIN},
+        "limits": {"speed": wishes.most_speed, "margin": MARGIN, "venue_margin": VENUE_MARGIN},
+        "venue": wishes.venue,
         "people": people | ({"roster": wishes.roster} if wishes.roster else {}),
     }  # fmt: skip
+    return data | ({"obstacle": [dict(one) for one in wishes.obstacles]} if wishes.obstacles else {})
 
 
 def _begun(plan: Plan, rounds: float) -> Plan:
@@ -318,35 +367,36 @@ def _begun(plan: Plan, rounds: float) -> Plan:
     return plan.with_value("walk.end", _up(end, 1.0))
 
 
-def _sized(wishes: Wishes, kind: Kind) -> Plan | None:
-    """The dance with the sizes that take the least room; None if none was found."""
+def _sized(wishes: Wishes, kind: Kind, ahead: float) -> list[Plan]:
+    """The dance with each of the sizes that take the least room."""
     few = replace(wishes, benches=min(wishes.benches, ENOUGH), roster="")
     link = max(wishes.length, wishes.head_length) - 2.0 * wishes.inset
     wide = wishes.width + 2.0 * wishes.beside
     dragon = wishes.benches * (wishes.length - 2.0 * wishes.inset) / math.pi
     first = (wide + wishes.between) * (2.0 if kind == "turn" else 1.0)
-    least, best = math.inf, None
+    found: list[tuple[float, float, float]] = []
     for share in DISCS:
         disc = _up(share * max(link, wide), SIZE_STEP)
-        if disc * disc + dragon * first > least:  # no pitch is smaller than the first
+        best = sorted(found)[:MOST_SIZES]
+        # No pitch is smaller than the first.
+        if len(best) == MOST_SIZES and disc * disc + dragon * first > best[-1][0]:
             break
-        pitch = max(_pitch(few, kind, 1.25 * first, disc), _up(first, SIZE_STEP))
-        room = disc * disc + dragon * pitch
-        if pitch <= WIDE * first and room < least:
-            least, best = room, (pitch, disc)
-    if best is None:
-        return None
-    pitch, disc = best
-    return checked(_data(wishes, kind, pitch, disc), NAME)
+        pitch = max(_pitch(few, kind, 1.25 * first, disc, ahead), _up(first, SIZE_STEP))
+        if pitch <= WIDE * first:
+            found.append((disc * disc + dragon * pitch, pitch, disc))
+    return [
+        checked(_data(wishes, kind, pitch, disc, ahead), NAME)
+        for _room, pitch, disc in sorted(found)[:MOST_SIZES]
+    ]
 
 
-def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> Plan:
-    """A plan of benches with their room, for searches of sizes."""
-    data = _data(wishes, kind, pitch, disc)
-    plan = checked(data, NAME)
+def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float, ahead: float) -> Plan:
+    """A plan of benches with their room and no square, for searches of sizes."""
+    plan = checked(_data(wishes, kind, pitch, disc, ahead), NAME).without_square()
+    data = plan.data()
     # Building reports errors in the village's benches.
-    head, body, *_others = with_people(plan.dragon.build(), plan.people).sizes.T.tolist()
-    sizes = [dict(zip(SIZES, bench, strict=True)) for bench in (head, body)]
+    wide = with_people(plan.dragon.build(), plan.people).sizes.tolist()
+    sizes = [{name: row[n] for name, row in zip(SIZES, wide, strict=True)} for n in range(2)]
     data["dragon"] = {"bench": [sizes[0], sizes[1] | {"count": wishes.benches - 1}]}
     data["limits"]["margin"] = wishes.between
     if kind == "spiral-in":
@@ -355,10 +405,11 @@ def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> Plan:
     return checked(data, NAME)
 
 
-def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float) -> float:
+def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float, ahead: float) -> float:
     """The smallest pitch beside a disc, rounded up, m; inf if none, 0 if every pitch serves."""
     try:
-        found = limit(_trial(wishes, kind, first, disc), "pitch", tolerance=0.1 * SIZE_STEP)
+        trial = _trial(wishes, kind, first, disc, ahead)
+        found = found_limit(trial, "pitch", tolerance=0.1 * SIZE_STEP)
     except (PlanError, WalkError, UnsureError):
         return math.inf
     if found.status == "unlimited":
@@ -366,17 +417,30 @@ def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float) -> float:
     return _up(found.upper, SIZE_STEP) if found.status == "found" else math.inf
 
 
-def _dances(wishes: Wishes, sized: Plan, rounds_walked: Iterable[float]) -> Iterator[_Dance]:
-    """The dance begun early, then later, each with the ground that it covers with its people."""
-    for rounds in rounds_walked:
-        try:
-            plan = _begun(_steady(wishes, sized, rounds), rounds)
-            walk = plan.build()
-            wide = replace(walk, dragon=with_people(walk.dragon, plan.people))
-            region = swept_area(wide, *plan.span(walk), error=DRAWN).polygon
-        except (WalkError, UnsureError, PlanError):
-            continue
-        yield _Dance(plan, shapely.get_coordinates(region.convex_hull))
+def _placed(wishes: Wishes, sized: Plan, rounds: float) -> _Dance | None:
+    """The dance begun so many rounds out at its roomiest pose; None if it cannot walk."""
+    try:
+        square = Square(_begun(_steady(wishes, sized, rounds), rounds))
+        if wishes.rectangle is not None and not _may_fit(square, wishes.rectangle):
+            return _Dance(square, square.plan, -math.inf)
+        pose = square.roomiest(silent)
+    except (WalkError, UnsureError, PlanError):
+        return None
+    return _Dance(square, square.at(pose), square.room(pose) - SPARE)
+
+
+def _may_fit(square: Square, rectangle: tuple[float, float]) -> bool:
+    """Whether the dance is as small as a rectangle at some angle, its margin to the edge included."""
+    sides = [side - 2.0 * square.venue.margin for side in rectangle]
+    return any(
+        high_x - low_x <= max(sides) and high_y - low_y <= min(sides)
+        for low_x, high_x, low_y, high_y in _extents(square)
+    )
+
+
+def _extents(square: Square) -> list[list[float]]:
+    """Between which x and y the dance lies, m, at angles all the way round."""
+    return [square.extent(float(angle)) for angle in range(ANGLES)]
 
 
 def _steady(wishes: Wishes, sized: Plan, rounds: float) -> Plan:
@@ -387,96 +451,59 @@ def _steady(wishes: Wishes, sized: Plan, rounds: float) -> Plan:
     return sized.with_value("walk.speed", steps if steps > 0.0 else _down(most, 1e-3))
 
 
-def _kept(wishes: Wishes) -> float:
-    """How far benches with their bearers keep from the edge of the square, m."""
-    return VENUE_MARGIN + wishes.stray
-
-
-def _placed(wishes: Wishes, dance: _Dance) -> Plan | None:
-    """The dance in the middle of the square, turned to have the most room; None if it does not fit."""
-    if wishes.rectangle is None:
-        middle, turned = _circle(dance.ground)[0], 0.0
-        room = float(wishes.radius or 0.0) * math.cos(math.pi / CORNERS) - _radius(dance.ground)
-        venue: dict[str, Any] = {"boundary": _corners(wishes)}
-    else:
-        length, width = wishes.rectangle
-        boxes = [_box(dance.ground, math.radians(angle)) for angle in range(ANGLES)]
-        rooms = [0.5 * min(length - high[0] + low[0], width - high[1] + low[1]) for low, high in boxes]
-        turned = float(np.argmax(rooms))
-        room, (low, high) = max(rooms), boxes[int(turned)]
-        middle = 0.5 * (low + high)
-        venue = {"rectangle": list(wishes.rectangle)}
-    if room < _kept(wishes) + 0.01:  # rounding of the place
-        return None
-    at = [round(-x, 2) + 0.0 for x in middle.tolist()]
-    data = dance.plan.data()
-    data["venue"] = venue
-    data["route"] |= {"at": at, "turned": turned}
-    data["limits"]["venue_margin"] = VENUE_MARGIN
-    return checked(data, NAME)
-
-
 def _walked(wishes: Wishes, plan: Plan) -> Proposal | None:
     """The proposal, if the plan passes the check, room for people included; None if not."""
-    report = check(plan)
+    walk = plan.build()
+    report = judged(plan, walk, plan.span(walk))
     return Proposal(plan, report, plan.walk.speed < wishes.speed) if report.safe else None
 
 
 def _too_small(wishes: Wishes, dance: _Dance, under: bool) -> TooSmall:
     """How much room a dance takes, and how many benches would fit."""
-    boxes = [_box(dance.ground, math.radians(angle)) for angle in range(ANGLES)]
-    low, high = min(boxes, key=lambda box: float(np.prod(box[1] - box[0])))
-    kept = 2.0 * (_kept(wishes) + 0.01)
-    sides = sorted((_up(float(side) + kept, SIZE_STEP) for side in high - low), reverse=True)
-    radius = (_radius(dance.ground) + 0.5 * kept) / math.cos(math.pi / CORNERS)
+    extents = _extents(dance.square)
+    sides = [sorted((x[1] - x[0], x[3] - x[2]), reverse=True) for x in extents]
+    kept = 2.0 * (VENUE_MARGIN + wishes.stray + SPARE + 0.01)  # rounding of the place
+    long, short = min(sides, key=lambda pair: (pair[0] + kept) * (pair[1] + kept))
+    radius = (dance.radius + 0.5 * kept) / math.cos(math.pi / CORNERS)
     kind: Kind = "turn" if dance.plan.route.kind == "turn" else "spiral-in"
-    fitting = _fitting(wishes, dance.plan)
-    return TooSmall(kind, (sides[0], sides[1]), _up(radius, SIZE_STEP), fitting, under)
+    rectangle = _up(long + kept, SIZE_STEP), _up(short + kept, SIZE_STEP)
+    return TooSmall(kind, rectangle, _up(radius, SIZE_STEP), _fitting(wishes, kind), under)
 
 
-def _fitting(wishes: Wishes, plan: Plan) -> int:
-    """How many benches of the same dance fit on the square; 0 if none were found to."""
+def _fitting(wishes: Wishes, kind: Kind) -> int:
+    """How many benches of a kind of dance fit on the square, by halving; 0 if none were found to."""
+    sizes = _sized(wishes, kind, AHEAD[-1])
     fits, not_fit = 1, wishes.benches
     while not_fit - fits > 1:
         middle = (fits + not_fit) // 2
-        fits, not_fit = (middle, not_fit) if _on_square(wishes, plan, middle) else (fits, middle)
-    placed = _on_square(wishes, plan, fits) if fits > 1 else []
-    return fits if any(_walked(wishes, one) is not None for one in placed) else 0
+        if _fewer(wishes, kind, sizes, middle) is None:
+            not_fit = middle
+        else:
+            fits = middle
+    found = _fewer(wishes, kind, sizes, fits) if fits > 1 else None
+    return 0 if found is None or _walked(wishes, found) is None else fits
 
 
-def _on_square(wishes: Wishes, plan: Plan, benches: int) -> list[Plan]:
-    """The same dance of fewer benches, each way in which it fits on the square."""
-    kind: Kind = "turn" if plan.route.kind == "turn" else "spiral-in"
-    sizes = plan.value("route.pitch"), plan.value("disc.radius")
+def _fewer(wishes: Wishes, kind: Kind, sizes: Sequence[Plan], benches: int) -> Plan | None:
+    """The dance of fewer benches on the square, in the first of these sizes with which it fits."""
     fewer = replace(wishes, benches=benches)
-    dances = _dances(fewer, checked(_data(fewer, kind, *sizes), NAME), ROUNDS[kind][-1:])
-    return [placed for dance in dances if (placed := _placed(fewer, dance)) is not None]
+    for one in sizes:
+        pitch, disc = one.value("route.pitch"), one.value("disc.radius")
+        sized = checked(_data(fewer, kind, pitch, disc, one.people.ahead), NAME)
+        dance = _placed(fewer, sized, ROUNDS[kind][-1])
+        if dance is not None and dance.room >= 0.0:
+            return dance.plan
+    return None
 
 
-def _box(ground: FloatArray, turned: float) -> tuple[FloatArray, FloatArray]:
-    """The lowest and the highest x and y of a ground that is turned, m."""
-    c, s = math.cos(turned), math.sin(turned)
-    corners = ground @ np.array([[c, s], [-s, c]])
-    return corners.min(axis=0), corners.max(axis=0)
-
-
-def _circle(ground: FloatArray) -> tuple[FloatArray, float]:
-    """Centre and radius of the smallest circle about a ground, m."""
-    shape = shapely.Polygon(ground)
-    centre = shapely.get_coordinates(shapely.minimum_bounding_circle(shape).centroid)[0]
-    return centre, float(np.linalg.norm(ground - centre, axis=1).max())
-
-
-def _radius(ground: FloatArray) -> float:
-    """Radius of the smallest circle about a ground, m."""
-    return _circle(ground)[1]
-
-
-def _corners(wishes: Wishes) -> list[list[float]]:
+def _round(radius: float) -> list[list[float]]:
     """The corners of a round square, to a millimetre, m."""
-    angles = 2.0 * math.pi * np.arange(CORNERS) / CORNERS
-    corners = float(wishes.radius or 0.0) * np.column_stack([np.cos(angles), np.sin(angles)])
-    return [[float(x) for x in corner] for corner in np.round(corners, 3) + 0.0]
+    angles = [2.0 * math.pi * n / CORNERS for n in range(CORNERS)]
+    # + 0.0 makes -0.0 a 0.0
+    return [
+        [round(radius * math.cos(angle), 3) + 0.0, round(radius * math.sin(angle), 3) + 0.0]
+        for angle in angles
+    ]
 
 
 def _up(value: float, step: float) -> float:

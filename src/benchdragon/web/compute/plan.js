@@ -18,7 +18,7 @@ import { checkedTables, filledTable, plain, withoutDefaults } from "./plan_check
  *   span: (walk: import("./walk.js").Walk) => [number, number], [name: string]: any }} Made
  */
 
-/** A plan that was checked: `checkedPlan` makes it. Its tables stand in it by their names. */
+/** A plan that was checked: `checked` makes it. Its tables stand in it by their names. */
 export class Plan extends /** @type {new () => Made} */ (/** @type {any} */ (MadePlan)) {
   /** @type {[Arena, import("./dragon.js").Dragon] | null} */
   #built = null;
@@ -51,7 +51,7 @@ export class Plan extends /** @type {new () => Made} */ (/** @type {any} */ (Mad
 
   /** @param {Tables} data */
   _changed(data) {
-    return checkedPlan(data, this._source.name);
+    return checked(data, this._source.name);
   }
 
   /** The dragon, in the arena in which the plan is built. */
@@ -89,7 +89,7 @@ export class Plan extends /** @type {new () => Made} */ (/** @type {any} */ (Mad
  * @param {string} [source]
  * @returns {Plan}
  */
-export function checkedPlan(data, source = "plan") {
+export function checked(data, source = "plan") {
   const tables = plain(withBase(data, null, source));
   const { route } = tables;
   if (typeof route === "object" && route !== null && "part" in route && !("kind" in route))

@@ -10,7 +10,8 @@ import { check } from "./check.js";
 import { PLANS_TOML } from "./constants.js";
 import { PlanError } from "./errors.js";
 import { headSpeed, limited, margins, pace, shape, turn } from "./long_questions.js";
-import { checkedPlan } from "./plan.js";
+import { checked } from "./plan.js";
+import { placed, proposed } from "./proposals.js";
 import { SKETCH, danceOf } from "./scene.js";
 
 /** @typedef {import("./plan.js").Plan} Plan */
@@ -46,6 +47,8 @@ export const QUESTIONS = {
   "job/pace": pace,
   "job/margins": margins,
   sheets: briefing,
+  propose: proposed,
+  place: placed,
 };
 
 /** Whether the walk is safe. @param {Asked} asked */
@@ -84,7 +87,7 @@ export function judgedDance({ sent, ...lists }, verdict, obstacles) {
 
 /** The plan in the text of a plan file, with every key. @param {string} text */
 export function openedPlan(text) {
-  return checkedPlan(parsed(text)).data();
+  return checked(parsed(text)).data();
 }
 
 /** The tables in the text of a plan file. @param {string} text */

@@ -3,7 +3,7 @@
 import { Engine, NoMemory } from "../engine.js";
 import { _, speak, useWords } from "../words.js";
 import { BenchDragonError } from "./errors.js";
-import { checkedPlan } from "./plan.js";
+import { checked } from "./plan.js";
 import { QUESTIONS, openedPlan } from "./questions.js";
 import { heedAtTicks } from "./tick.js";
 
@@ -96,7 +96,7 @@ class Desk {
       if (this.waiting.length) throw new CancelledError();
     };
     try {
-      await QUESTIONS.verdict({ engine, version, plan: checkedPlan(SMALL), progress });
+      await QUESTIONS.verdict({ engine, version, plan: checked(SMALL), progress });
     } catch (error) {
       if (!(error instanceof CancelledError)) throw error;
     }
@@ -124,7 +124,7 @@ class Desk {
     try {
       let answer;
       if (data || wishes) {
-        const plan = /** @type {import("./plan.js").Plan} */ (data && checkedPlan(data));
+        const plan = /** @type {import("./plan.js").Plan} */ (data && checked(data));
         hash = plan?.sha256 ?? "";
         const { engine, version } = this;
         answer = await QUESTIONS[question]({ engine, version, plan, wishes, verdict, progress });

@@ -81,6 +81,15 @@ const _proved = () => null;
 export function shownName(level) {
   return _(py.at(TEXTS, level.name));
 }
+export function withAllRoom(plan) {
+  let more, people, walk;
+  [walk, people] = py.list([plan.build(), plan.people]);
+  if ((py.truth(people.beside) || py.truth(people.ahead))) {
+    walk = py.replaced(walk, { dragon: withPeople(walk.dragon, people) });
+  }
+  more = py.add(people.sway, people.imprecision);
+  return [walk, py.tuple(py.list(plan.obstacles()).map((one) => py.replaced(one, { margin: py.add(one.margin, more) })))];
+}
 function _asked(people, name) {
   let said;
   said = py.list(py.at(ASKED, name)).map((key) => [key, people[key], people.source[key]]);

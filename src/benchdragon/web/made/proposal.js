@@ -1,0 +1,399 @@
+// @ts-nocheck
+// Made from solve/proposal.py by tools/make_twins.py; to make it again: make generate
+
+import { withPeople } from "../compute/dragon.js";
+import { InputError, PlanError, UnsureError } from "../compute/error_kinds.js";
+import { checked } from "../compute/plan.js";
+import { py } from "../compute/python.js";
+import { N_, _, both } from "../words.js";
+import { checked as judged } from "./check.js";
+import { WalkError } from "./errors.js";
+import { greatestHeadSpeed } from "./head_speed.js";
+import { foundLimit } from "./size.js";
+import { Square } from "./square_room.js";
+import { silent } from "./stages.js";
+
+const asNumber = (_name, value) => value;
+const MOST_BENCHES = 500;
+const MOST_BEARERS = 8;
+const KINDS = ["turn", "spiral-in"];
+const NAME = "benchdragon new";
+const SHOULDERS = 0.5;
+const ELBOWS = 0.5;
+const SWAY = 0.05;
+const IMPRECISION = 0.1;
+const AHEAD = [0.5, 0.3];
+const MARGIN = 0.05;
+const VENUE_MARGIN = 0.5;
+const SIZE_STEP = 0.1;
+const SPEED_STEP = 0.05;
+const DISCS = [2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 10.0];
+const WIDE = 2.0;
+const ENOUGH = 60;
+const ROUNDS = py.dict([["turn", [2.0, 1.0, 0.5, 0.0]], ["spiral-in", [6.0, 4.0, 3.0, 2.0, 1.0, 0.5]]]);
+const MOST_SIZES = 3;
+const SPARE = 0.025;
+const CORNERS = 90;
+const ANGLES = 180;
+const SIZES = ["length", "width", "front_inset", "rear_inset"];
+const TITLE = N_("A bench dragon on our square");
+export class Wishes {
+  constructor(benches, length, width, headLength = 2.0, inset = 0.15, rectangle = /** @type {any} */ (null), radius = /** @type {any} */ (null), bearers = 2, carry = "beside", speed = 0.8, mostSpeed = 1.5, kind = /** @type {any} */ (null), roster = "", sway = SWAY, imprecision = IMPRECISION, measured = py.frozenset(), obstacles = [], boundary = /** @type {any} */ (null)) {
+    this.benches = benches;
+    this.length = length;
+    this.width = width;
+    this.head_length = headLength;
+    this.inset = inset;
+    this.rectangle = rectangle;
+    this.radius = radius;
+    this.bearers = bearers;
+    this.carry = carry;
+    this.speed = speed;
+    this.most_speed = mostSpeed;
+    this.kind = kind;
+    this.roster = roster;
+    this.sway = sway;
+    this.imprecision = imprecision;
+    this.measured = measured;
+    this.obstacles = obstacles;
+    this.boundary = boundary;
+    this.__post_init__();
+  }
+  __post_init__() {
+    let name, names;
+    names = ["benches", "length", "width", "head_length", "inset", "bearers", "speed"];
+    for (name of py.iter([...py.iter(names), "sway", "imprecision"])) {
+      asNumber(name, this[name]);
+    }
+  }
+  get stray() {
+    return py.add(this.sway, this.imprecision);
+  }
+  get between() {
+    return py.add(MARGIN, (2.0 * this.stray));
+  }
+  get beside() {
+    if ((this.carry === "beside")) {
+      return SHOULDERS;
+    }
+    return py.max(0.0, _up((0.5 * py.sub(SHOULDERS, this.width)), 0.01));
+  }
+  get venue() {
+    if ((this.rectangle != null)) {
+      return py.dict([["rectangle", py.list(this.rectangle)]]);
+    }
+    if ((this.boundary != null)) {
+      return py.dict([["boundary", py.list(this.boundary).map((corner) => py.list(corner))]]);
+    }
+    return py.dict([["boundary", _round(py.or(this.radius, () => 0.0))]]);
+  }
+}
+class Proposal {
+  constructor(plan, report, slower) {
+    this.plan = plan;
+    this.report = report;
+    this.slower = slower;
+  }
+  get less_ahead() {
+    return (this.plan.people.ahead < py.at(AHEAD, 0));
+  }
+}
+export class TooSmall {
+  constructor(kind, rectangle, radius, benches, under = false) {
+    this.kind = kind;
+    this.rectangle = rectangle;
+    this.radius = radius;
+    this.benches = benches;
+    this.under = under;
+  }
+}
+class _Dance {
+  constructor(square, plan, room) {
+    this.square = square;
+    this.plan = plan;
+    this.room = room;
+  }
+  get radius() {
+    return py.at(this.square.circle(), 2);
+  }
+}
+export async function propose(wishes, progress = silent) {
+  return py.scoped(async () => {
+    let smallest, tried;
+    _refuse(wishes);
+    tried = (await _tried(wishes, ROUNDS, progress));
+    if ((tried.found != null)) {
+      return tried.found;
+    }
+    if (!py.truth(tried.least)) {
+      throw new InputError(_("no dance of these benches was found among the pitches and turning discs that were tried: try shorter or narrower benches"));
+    }
+    if (py.truth(tried.fits)) {
+      throw new UnsureError(_("a dance was found that fits the square, but it does not pass the check: try narrower benches"));
+    }
+    progress(0.9, _("how large a square it takes"));
+    smallest = py.min(tried.least, (dance) => dance.radius);
+    return (await _tooSmall(wishes, smallest, (await _fitsUnder(wishes))));
+  });
+}
+export async function benchesOutAgain(wishes, progress = silent) {
+  _refuse(wishes);
+  progress(0.0, _("how many benches come out again"));
+  return (await _fitting(wishes, "turn"));
+}
+class _Tried {
+  constructor(found, least, fits) {
+    this.found = found;
+    this.least = least;
+    this.fits = fits;
+  }
+}
+async function _tried(wishes, walked, progress) {
+  let ahead, dance, first, fits, found, kind, kinds, last, least, n, rounds, sized, sorts;
+  kinds = ((wishes.kind == null) ? KINDS : [wishes.kind]);
+  sorts = py.list(kinds).flatMap((kind) => py.list(AHEAD).map((ahead) => [kind, ahead]));
+  least = [];
+  fits = false;
+  for ([n, [kind, ahead]] of py.iter(py.enumerate(sorts))) {
+    progress((n / py.len(sorts)), _("pitch and disc"));
+    for (sized of py.iter((await _sized(wishes, kind, ahead)))) {
+      progress(((n + 0.5) / py.len(sorts)), _("place on the square"));
+      first = (await _placed(wishes, sized, py.at(py.at(walked, kind), -1)));
+      if ((first == null)) {
+        continue;
+      }
+      py.append(least, first);
+      if ((first.room < 0.0)) {
+        continue;
+      }
+      fits = true;
+      for (rounds of py.iter(py.at(walked, kind))) {
+        last = py.eq(rounds, py.at(py.at(walked, kind), -1));
+        if ((!py.truth(last) && py.truth(_tooWide(wishes, sized, rounds)))) {
+          continue;
+        }
+        dance = (py.truth(last) ? first : (await _placed(wishes, sized, rounds)));
+        if (((dance == null) || (dance.room < 0.0))) {
+          continue;
+        }
+        found = (await _walked(wishes, dance.plan));
+        if ((found != null)) {
+          return new _Tried(found, least, fits);
+        }
+      }
+    }
+  }
+  return new _Tried(null, least, fits);
+}
+function _tooWide(wishes, sized, rounds) {
+  let disc, inner, link, narrow, outer, pitch;
+  [pitch, disc] = py.list([sized.value("route.pitch"), sized.value("disc.radius")]);
+  inner = py.add(disc, (rounds * pitch));
+  link = py.sub(wishes.length, (2.0 * wishes.inset));
+  outer = py.sqrt(py.add((inner * inner), (((wishes.benches * link) * pitch) / Math.PI)));
+  narrow = (2.0 * py.or(wishes.radius, () => 0.0));
+  if ((wishes.rectangle != null)) {
+    narrow = py.min(wishes.rectangle);
+  }
+  else {
+    if ((wishes.boundary != null)) {
+      narrow = py.min(py.list(py.zip(...py.iter(wishes.boundary))).map((sides) => py.sub(py.max(sides), py.min(sides))));
+    }
+  }
+  return ((outer > py.add(inner, pitch)) && ((2.0 * py.sub(outer, pitch)) > narrow));
+}
+async function _fitsUnder(wishes) {
+  let shortest, under;
+  if ((wishes.carry === "under")) {
+    return false;
+  }
+  under = py.replaced(wishes, { carry: "under" });
+  try {
+    _refuse(under);
+  } catch (error) {
+    if (error instanceof InputError) {
+      return false;
+    } else
+    throw error;
+  }
+  shortest = py.dict(py.list(py.items(ROUNDS)).map(([kind, rounds]) => [kind, py.slice(rounds, -1, null)]));
+  return ((await _tried(under, shortest, silent)).found != null);
+}
+function _refuse(wishes) {
+  let behind, text;
+  if ((py.count([wishes.rectangle, wishes.radius, wishes.boundary], null) !== 2)) {
+    throw new InputError(_("say how large the square is: its rectangle, its radius or its corners"));
+  }
+  if (!((2 <= wishes.benches) && (wishes.benches <= MOST_BENCHES))) {
+    text = _("a dance is proposed for 2 to {most} benches, not {count}");
+    throw new InputError(py.filled(text, { most: MOST_BENCHES, count: wishes.benches }));
+  }
+  if (!((1 <= wishes.bearers) && (wishes.bearers <= MOST_BEARERS))) {
+    text = _("a bench is carried by 1 to {most} people, not {count}");
+    throw new InputError(py.filled(text, { most: MOST_BEARERS, count: wishes.bearers }));
+  }
+  behind = ((wishes.carry === "beside") ? py.ceil((wishes.bearers / 2)) : wishes.bearers);
+  if (((behind * ELBOWS) > wishes.length)) {
+    text = _("a bench of {length} m has no room for {count} bearers behind one another");
+    throw new InputError(py.filled(text, { length: `${py.format(wishes.length, `g`)}`, count: behind }));
+  }
+}
+function _data(wishes, kind, pitch, disc, ahead) {
+  let data, people, sources, title;
+  title = both(() => _(TITLE));
+  people = py.dict([["beside", wishes.beside], ["ahead", ahead], ["sway", wishes.sway], ["imprecision", wishes.imprecision], ["most_speed", wishes.most_speed]]);
+  sources = py.dict(py.list(py.sorted(wishes.measured)).map((name) => [name, _("measured by the troupe")]));
+  people = py.merge(people, (py.truth(sources) ? py.dict([["source", sources]]) : py.dict([])));
+  data = py.dict([["schema", 1], ["meta", py.dict([["title", title.en], ["title_zh", title.zh]])], ["dragon", py.dict([["benches", wishes.benches], ["width", wishes.width], ["head_length", wishes.head_length], ["body_length", wishes.length], ["tail_length", wishes.length], ["front_inset", wishes.inset], ["rear_inset", wishes.inset]])], ["route", py.dict([["kind", kind], ["pitch", pitch]])], ["disc", py.dict([["radius", disc]])], ["walk", py.dict([["speed", wishes.speed]])], ["limits", py.dict([["speed", wishes.most_speed], ["margin", MARGIN], ["venue_margin", VENUE_MARGIN]])], ["venue", wishes.venue], ["people", py.union(people, (py.truth(wishes.roster) ? py.dict([["roster", wishes.roster]]) : py.dict([])))]]);
+  return py.union(data, (py.truth(wishes.obstacles) ? py.dict([["obstacle", py.list(wishes.obstacles).map((one) => py.dict(one))]]) : py.dict([])));
+}
+function _begun(plan, rounds) {
+  let _start, disc, end, pitch, way;
+  [pitch, disc] = py.list([plan.value("route.pitch"), plan.value("disc.radius")]);
+  if ((plan.route.kind === "spiral-in")) {
+    return plan.with_value("route.start_turn", _up(py.add((disc / pitch), rounds), 0.01));
+  }
+  way = (((2.0 * Math.PI) * rounds) * py.add(disc, ((0.5 * rounds) * pitch)));
+  plan = plan.with_value("walk.start", (0.0 - _up((way / plan.walk.speed), 1.0)));
+  [_start, end] = py.list(plan.span(plan.build()));
+  return plan.with_value("walk.end", _up(end, 1.0));
+}
+async function _sized(wishes, kind, ahead) {
+  let best, disc, dragon, few, first, found, link, pitch, share, wide;
+  few = py.replaced(wishes, { benches: py.min(wishes.benches, ENOUGH), roster: "" });
+  link = py.sub(py.max(wishes.length, wishes.head_length), (2.0 * wishes.inset));
+  wide = py.add(wishes.width, (2.0 * wishes.beside));
+  dragon = ((wishes.benches * py.sub(wishes.length, (2.0 * wishes.inset))) / Math.PI);
+  first = (py.add(wide, wishes.between) * ((kind === "turn") ? 2.0 : 1.0));
+  found = [];
+  for (share of py.iter(DISCS)) {
+    disc = _up((share * py.max(link, wide)), SIZE_STEP);
+    best = py.slice(py.sorted(found), null, MOST_SIZES);
+    if ((py.eq(py.len(best), MOST_SIZES) && (py.add((disc * disc), (dragon * first)) > py.at(py.at(best, -1), 0)))) {
+      break;
+    }
+    pitch = py.max((await _pitch(few, kind, (1.25 * first), disc, ahead)), _up(first, SIZE_STEP));
+    if ((pitch <= (WIDE * first))) {
+      py.append(found, [py.add((disc * disc), (dragon * pitch)), pitch, disc]);
+    }
+  }
+  return py.list(py.slice(py.sorted(found), null, MOST_SIZES)).map(([_room, pitch, disc]) => checked(_data(wishes, kind, pitch, disc, ahead), NAME));
+}
+function _trial(wishes, kind, pitch, disc, ahead) {
+  let data, plan, sizes, wide;
+  plan = checked(_data(wishes, kind, pitch, disc, ahead), NAME).without_square();
+  data = plan.data();
+  wide = py.tolist(withPeople(plan.dragon.build(), plan.people).sizes);
+  sizes = py.list(py.range(2)).map((n) => py.dict(py.list(py.zip(SIZES, wide)).map(([name, row]) => [name, py.at(row, n)])));
+  py.set(data, "dragon", py.dict([["bench", [py.at(sizes, 0), py.union(py.at(sizes, 1), py.dict([["count", (wishes.benches - 1)]]))]]]));
+  py.set(py.at(data, "limits"), "margin", wishes.between);
+  if ((kind === "spiral-in")) {
+    py.set(py.at(data, "route"), "start_turn", ((disc / pitch) + 6.0));
+  }
+  py.pop(data, "people");
+  return checked(data, NAME);
+}
+async function _pitch(wishes, kind, first, disc, ahead) {
+  let found, trial;
+  try {
+    trial = _trial(wishes, kind, first, disc, ahead);
+    found = (await foundLimit(trial, "pitch", undefined, (0.1 * SIZE_STEP)));
+  } catch (error) {
+    if (error instanceof PlanError || error instanceof WalkError || error instanceof UnsureError) {
+      return Infinity;
+    } else
+    throw error;
+  }
+  if ((found.status === "unlimited")) {
+    return 0.0;
+  }
+  return ((found.status === "found") ? _up(found.upper, SIZE_STEP) : Infinity);
+}
+async function _placed(wishes, sized, rounds) {
+  let pose, square;
+  try {
+    square = new Square(_begun((await _steady(wishes, sized, rounds)), rounds));
+    if (((wishes.rectangle != null) && !py.truth(_mayFit(square, wishes.rectangle)))) {
+      return new _Dance(square, square.plan, -Infinity);
+    }
+    pose = square.roomiest(silent);
+  } catch (error) {
+    if (error instanceof WalkError || error instanceof UnsureError || error instanceof PlanError) {
+      return null;
+    } else
+    throw error;
+  }
+  return new _Dance(square, square.at(pose), py.sub(square.room(pose), SPARE));
+}
+function _mayFit(square, rectangle) {
+  let sides;
+  sides = py.list(rectangle).map((side) => py.sub(side, (2.0 * square.venue.margin)));
+  return py.list(_extents(square)).some(([lowX, highX, lowY, highY]) => ((py.sub(highX, lowX) <= py.max(sides)) && (py.sub(highY, lowY) <= py.min(sides))));
+}
+function _extents(square) {
+  return py.list(py.range(ANGLES)).map((angle) => square.extent(py.float(angle)));
+}
+async function _steady(wishes, sized, rounds) {
+  let found, most, steps;
+  found = (await greatestHeadSpeed(_begun(sized, rounds)));
+  most = py.min(found.lower, wishes.speed);
+  steps = _down(most, SPEED_STEP);
+  return sized.with_value("walk.speed", ((steps > 0.0) ? steps : _down(most, 0.001)));
+}
+async function _walked(wishes, plan) {
+  let report, walk;
+  walk = plan.build();
+  report = (await judged(plan, walk, plan.span(walk)));
+  return (py.truth(report.safe) ? new Proposal(plan, report, (plan.walk.speed < wishes.speed)) : null);
+}
+async function _tooSmall(wishes, dance, under) {
+  let extents, kept, kind, long, radius, rectangle, short, sides;
+  extents = _extents(dance.square);
+  sides = py.list(extents).map((x) => py.sorted([py.sub(py.at(x, 1), py.at(x, 0)), py.sub(py.at(x, 3), py.at(x, 2))], undefined, true));
+  kept = (2.0 * (py.add(py.add(VENUE_MARGIN, wishes.stray), SPARE) + 0.01));
+  [long, short] = py.list(py.min(sides, (pair) => (py.add(py.at(pair, 0), kept) * py.add(py.at(pair, 1), kept))));
+  radius = (py.add(dance.radius, (0.5 * kept)) / py.cos((Math.PI / CORNERS)));
+  kind = ((dance.plan.route.kind === "turn") ? "turn" : "spiral-in");
+  rectangle = [_up(py.add(long, kept), SIZE_STEP), _up(py.add(short, kept), SIZE_STEP)];
+  return new TooSmall(kind, rectangle, _up(radius, SIZE_STEP), (await _fitting(wishes, kind)), under);
+}
+async function _fitting(wishes, kind) {
+  let fits, found, middle, notFit, sizes;
+  sizes = (await _sized(wishes, kind, py.at(AHEAD, -1)));
+  [fits, notFit] = py.list([1, wishes.benches]);
+  while ((py.sub(notFit, fits) > 1)) {
+    middle = py.div(py.add(fits, notFit), 2);
+    if (((await _fewer(wishes, kind, sizes, middle)) == null)) {
+      notFit = middle;
+    }
+    else {
+      fits = middle;
+    }
+  }
+  found = ((fits > 1) ? (await _fewer(wishes, kind, sizes, fits)) : null);
+  return (((found == null) || ((await _walked(wishes, found)) == null)) ? 0 : fits);
+}
+async function _fewer(wishes, kind, sizes, benches) {
+  let dance, disc, fewer, one, pitch, sized;
+  fewer = py.replaced(wishes, { benches: benches });
+  for (one of py.iter(sizes)) {
+    [pitch, disc] = py.list([one.value("route.pitch"), one.value("disc.radius")]);
+    sized = checked(_data(fewer, kind, pitch, disc, one.people.ahead), NAME);
+    dance = (await _placed(fewer, sized, py.at(py.at(ROUNDS, kind), -1)));
+    if (((dance != null) && (dance.room >= 0.0))) {
+      return dance.plan;
+    }
+  }
+  return null;
+}
+function _round(radius) {
+  let angles;
+  angles = py.list(py.range(CORNERS)).map((n) => (((2.0 * Math.PI) * n) / CORNERS));
+  return py.list(angles).map((angle) => [(py.round((radius * py.cos(angle)), 3) + 0.0), (py.round((radius * py.sin(angle)), 3) + 0.0)]);
+}
+function _up(value, step) {
+  return py.round((py.ceil(((value / step) - 1e-09)) * step), 6);
+}
+function _down(value, step) {
+  return py.round((py.floor(((value / step) + 1e-09)) * step), 6);
+}
