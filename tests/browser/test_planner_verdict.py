@@ -13,14 +13,18 @@ from benchdragon.analysis.check import check
 from benchdragon.analysis.findings import KINDS
 from benchdragon.plans.schema import Plan
 from benchdragon.solve.head_speed import greatest_head_speed
+from benchdragon.solve.place import best_place
 from tests.browser.pages import Device, Language
 from tests.browser.planners import PITCH, Opened, change, details, number, settle, settled, verdict
+from tests.browser.players import until
 
 # A verdict that comes of the plan on the page: that found of it, but for what is given.
 TELL = """(given) => {
   const { verdict: { found, plan }, verdicts } = benchdragon;
   verdicts.answered({ ...found, ...given }, plan);
 }"""
+# Show it as if another plan were on the page.
+OLD = "benchdragon.lines.verdict.show({})"
 LONG = {"en": "a long sentence " * 30, "zh": "很长的一句话" * 60}
 
 
@@ -36,14 +40,14 @@ def tell(page: Page, *findings: dict[str, Any]) -> None:
     """Have a verdict come with so many findings."""
     decided = not findings or any(one["decided"] for one in findings)
     given = {"safe": not findings, "decided": decided, "findings": findings, "sentence": LONG}
-    page.evaluate(TELL, given)
+    page.evaluate(TELL, {**given, "obstacles": [{"name": "well", "shown": LONG}]})
 
 
 def shown_plan(page: Page) -> Plan:
     return Plan.model_validate(json.loads(page.evaluate("JSON.stringify(benchdragon.plan)")))
 
 
-def set_up(page: Page, tables: dict[str, dict[str, Any]]) -> None:
+def set_up(page: Page, tables: dict[str, Any]) -> None:
     """Give values of the plan's tables others."""
     page.evaluate(
         """(tables) => {
@@ -69,12 +73,16 @@ def test_the_line_is_in_one_place_whatever_it_says(
     opened: Opened, device: Device, language: Language
 ) -> None:
     page = opened(device, f"#lang={language}")
+    if device == "phone":
+        page.set_viewport_size({"width": 320, "height": 640})
+        until(page, "innerWidth === 320 && benchdragon.player.camera.width <= 320")
     page.evaluate("scrollTo(0, 0)")
     parts = [page.locator(name) for name in (".verdicts", ".verdict", "canvas", ".panel")]
     told: dict[str, Callable[[], object]] = {
         "safe": lambda: tell(page),
-        "unsafe": lambda: tell(page, finding("contact"), finding("speed")),
+        "unsafe": lambda: tell(page, {**finding("obstacle"), "obstacle": "well"}, finding("speed")),
         "tight": lambda: tell(page, finding("people")),
+        "old": lambda: page.evaluate(OLD),
         "open": lambda: tell(page, finding("margin", decided=False)),
         "none": lambda: page.evaluate(
             "benchdragon.verdicts.failed(new Error('so long '.repeat(90)), benchdragon.plan)"
@@ -87,7 +95,7 @@ def test_the_line_is_in_one_place_whatever_it_says(
     places, words = [[part.bounding_box() for part in parts]], []
     for state, say in told.items():
         say()
-        expect(verdict(page)).to_have_class(f"verdict {state}".strip())
+        expect(verdict(page)).to_have_class(f"verdict {state.replace('old', '')}".strip())
         places.append([part.bounding_box() for part in parts])
         words.append(verdict(page).text_content())
         whole = "({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth"
@@ -202,3 +210,26 @@ def test_what_mends_one_thing_and_breaks_another_is_not_offered(opened: Opened) 
     expect(dialog.locator(".findings li")).to_have_count(1)
     expect(remedy(dialog)).to_have_count(0)
     expect(dialog).to_contain_text("no single change was found that mends it")
+
+
+def test_a_dance_is_moved_away_from_what_it_touches(opened: Opened) -> None:
+    page = opened()
+    set_up(page, {"dragon": {"benches": 25}, "venue": {"rectangle": [40, 40]}})
+    well = {"kind": "circle", "name": "well", "centre": [-9.2, 0], "radius": 0.5, "margin": 0.3}
+    set_up(page, {"obstacle": [well]})
+    expect(verdict(page)).to_contain_text("touches")
+    before = shown_plan(page)
+    offered = remedy(details(page))
+    expect(offered).to_contain_text("move the dragon")
+    expect(offered).to_contain_text("then: ✓ fits")
+    offered.click()
+    settled(page)
+    after = shown_plan(page)
+    assert check(after).safe
+    assert after.obstacles() == before.obstacles()
+    x, y = after.route.at or (0.0, 0.0)
+    best = best_place(before).at
+    assert 0.0 < math.hypot(x, y) < math.hypot(*best)
+    page.get_by_role("button", name="undo").click()
+    settle(page, "Not safe")
+    assert shown_plan(page) == before
