@@ -12,7 +12,8 @@ KERNELS := $(wildcard src/benchdragon/kernels/*.py tests/kernels/*.py tests/conf
 WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 # The kernels are built on one core while the other does what has no need of them; types are checked beside
 # the tests, which wait for browsers.
-MAKEFLAGS += --jobs=2
+JOBS ?= 2
+MAKEFLAGS += --jobs=$(JOBS)
 # Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
 export PYTHONDONTWRITEBYTECODE :=
 
@@ -56,13 +57,14 @@ slow-test: page-test long-test manual-test
 main-test: style .venv/engine .venv/kernels-plain .venv/kernels-compiled
 	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual and not pages and not long' --ignore tests/kernels
 
-# What pages do in a browser, and what their JavaScript answers beside Python.
+# What pages do in a browser, and what their JavaScript answers beside Python. Like long-test it lets the manual, which
+# takes one core all the time, go first where they run together.
 page-test: .venv/engine $(if $(NPM),node_modules/installed)
-	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m pages tests/browser tests/planner
+	nice $(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m pages tests/browser tests/planner
 
 # What takes seconds each: proofs, random dances, strangers' plans, sweeps that are killed.
 long-test: .venv/engine
-	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m long --ignore tests/kernels
+	nice $(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m long --ignore tests/kernels
 
 quick: lint .venv/engine
 	$(BIN)/python -m pytest -q @tests/quick.txt
