@@ -10,7 +10,7 @@ from playwright.sync_api import Locator, Page, expect
 from benchdragon.plans.schema import read_plan
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
-from tests.browser.planners import address, settled
+from tests.browser.planners import address, settled, verdict
 from tests.browser.players import until
 
 FIND = {"en": "Find our dance", "zh": "给我们排一场"}
@@ -33,6 +33,14 @@ SEARCHER = """(able) => {
     close: () => search.failed?.(new DOMException("", "AbortError")),
   });
   asking.build();
+}"""
+
+
+# All that the verdict's line says from now on.
+SEEN = """() => {
+  globalThis.seen = [];
+  const line = document.querySelector(".verdict");
+  new MutationObserver(() => seen.push(line.textContent)).observe(line, { childList: true });
 }"""
 
 
@@ -194,27 +202,53 @@ def test_the_dance_that_was_proposed_walks_and_what_was_said_can_be_read_again(
         boxes.nth(n).fill(text)
     press(page, language)
     asked(page)
+    until(page, "benchdragon.verdict !== null")
+    page.evaluate(SEEN)
     page.evaluate("search.told(0.4, 'discs of 4 m')")
     expect(screen(page).get_by_role("progressbar")).to_have_attribute("value", "0.4")
     expect(screen(page).get_by_text("discs of 4 m")).to_be_visible()
     plan = read_plan("turn", ["dragon.benches=12"])
     found(page, plan.data(), "12 benches fit.", "They come out again.")
     expect(screen(page)).to_be_hidden()
-    expect(page.locator(".proposed p").first).to_be_in_viewport()
-    expect(page.locator(".proposed p")).to_have_text(["12 benches fit.", "They come out again."])
+    expect(page.locator(".proposed summary")).to_have_text("12 benches fit.")
+    expect(page.locator(".proposed summary")).to_be_in_viewport()
     until(page, "benchdragon.player.scene.benches === 12 && benchdragon.player.playing")
     start = page.evaluate("benchdragon.player.scene.start")
     assert start <= page.evaluate("benchdragon.player.time") < start + 20
     settled(page)
+    told = page.evaluate("seen")
+    assert told
+    assert not [one for one in told if "earlier plan" in one or "之前" in one]  # it was nobody's
     assert "plan=" in address(page)
     expect(page.get_by_role("button", name={"en": "undo", "zh": "撤销"}[language])).to_be_disabled()
-    page.locator(".proposed summary").click()
-    expect(page.locator(".proposed p").first).to_be_hidden()
+    if device == "phone":
+        expect(page.locator(".proposed p")).to_be_hidden()
+        page.locator(".proposed summary").click()
+    expect(page.locator(".proposed p")).to_have_text("They come out again.")
+    expect(page.locator(".proposed p")).to_be_in_viewport(ratio=1)
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
     page.evaluate("benchdragon.change(structuredClone(benchdragon.presets[0].plan), true)")
     expect(page.locator(".proposed summary")).to_be_hidden()  # it told of another plan
     page.evaluate("benchdragon.undo()")
     expect(page.locator(".proposed summary")).to_be_visible()
+
+
+@pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
+def test_three_answers_make_a_dance_that_stays_on_the_square(
+    pages: Pages, bare_file: Path, device: Device, language: Language
+) -> None:
+    page = pages.open(f"{bare_file.as_uri()}#lang={language}", device, language)
+    boxes = screen(page).locator(".box input:visible")
+    for n, text in enumerate(("九条", "150cm", "20", "20米")):
+        boxes.nth(n).fill(text)
+    press(page, language)
+    expect(screen(page)).to_be_hidden()
+    expect(page.locator(".proposed summary")).to_contain_text("9")
+    until(page, "benchdragon.player.scene.benches === 9 && benchdragon.player.playing")
+    settled(page)
+    expect(verdict(page)).to_have_class("verdict safe")
+    plan = json.loads(page.evaluate("JSON.stringify(benchdragon.plan)"))
+    assert (plan["dragon"]["benches"], plan["venue"]["rectangle"]) == (9, [20, 20])
 
 
 def test_a_search_is_given_up_and_the_answers_stay(pages: Pages, bare_file: Path) -> None:
@@ -236,7 +270,9 @@ def test_where_nothing_fits_it_says_so_and_offers_as_many_as_do(pages: Pages, ba
     press(page)
     asked(page)
     found(page, None, "60 benches do not fit on this square.", benches=41)
-    expect(screen(page).get_by_role("alert").filter(has_text="60 benches do not fit")).to_be_visible()
+    expect(
+        screen(page).get_by_role("alert").filter(has_text="60 benches do not fit")
+    ).to_be_in_viewport()
     screen(page).get_by_role("button", name="take 41 benches").click()
     until(page, "search.count === 2")
     assert asked(page) == WISHES | {"benches": 41}

@@ -57,7 +57,7 @@ def steps(page: Page) -> list[str]:
         drawn(page)
         shown = page.locator(".captions .now")
         expect(shown).to_have_text(text)
-        expect(page.locator(".spoken")).to_have_text(text)
+        expect(page.locator("#player .spoken")).to_have_text(text)
     return texts
 
 

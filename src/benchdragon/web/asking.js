@@ -271,11 +271,10 @@ export class Asking {
   #show(found, plan) {
     this.#proposed = found;
     this.#begins = true;
-    this.said.replaceChildren(
-      make("summary", {}, _("What was proposed")),
-      ...found.said.map((text) => make("p", {}, text)),
-    );
-    this.said.open = true;
+    const [first, ...others] = found.said;
+    this.said.replaceChildren(make("summary", {}, first), ...others.map((text) => make("p", {}, text)));
+    this.said.open = matchMedia("(min-width: 801px)").matches; // on a phone it would lie over the dance
+    this.aside.ariaLabel = _("What was proposed");
     const planner = /** @type {Planner} */ (this.#planner);
     planner.change(plan, true);
     scrollTo(0, 0);
@@ -312,5 +311,6 @@ export class Asking {
       ...said.map((text) => make("p", {}, text)),
       ...(benches > 1 ? [offer] : []),
     );
+    if (said.length) this.told.scrollIntoView({ block: "nearest" });
   }
 }

@@ -216,7 +216,10 @@ export class Planner {
 
   /** Another plan. @param {Plan} plan @param {boolean} final whether it is a step of its own */
   change(plan, final) {
-    if (this.asking.first) this.first = this.settled = plan; // what walked there was nobody's plan
+    if (this.asking.first) {
+      this.first = this.settled = plan; // what walked there was nobody's plan
+      this.lines.verdict.forget();
+    }
     if (final && JSON.stringify(plan) !== JSON.stringify(this.settled)) {
       this.past.push(this.settled);
       if (this.past.length > MOST_STEPS_BACK) this.past.shift();
