@@ -13,7 +13,6 @@ from benchdragon.analysis.check import check
 from benchdragon.analysis.findings import KINDS
 from benchdragon.plans.schema import Plan
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.place import best_place
 from tests.browser.pages import Device, Language
 from tests.browser.planners import PITCH, Opened, change, details, number, settle, settled, verdict
 from tests.browser.players import until
@@ -36,11 +35,12 @@ def finding(kind: str, *, decided: bool = True) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def tell(page: Page, *findings: dict[str, Any]) -> None:
-    """Have a verdict come with so many findings."""
+def tell(page: Page, *findings: dict[str, Any], named: dict[str, str] | None = None) -> None:
+    """Have a verdict come with so many findings, and with a well of a name."""
     decided = not findings or any(one["decided"] for one in findings)
     given = {"safe": not findings, "decided": decided, "findings": findings, "sentence": LONG}
-    page.evaluate(TELL, {**given, "obstacles": [{"name": "well", "shown": LONG}]})
+    given |= {"obstacles": [{"name": "well", "shown": named}]} if named else {}
+    page.evaluate(TELL, given)
 
 
 def shown_plan(page: Page) -> Plan:
@@ -80,7 +80,7 @@ def test_the_line_is_in_one_place_whatever_it_says(
     parts = [page.locator(name) for name in (".verdicts", ".verdict", "canvas", ".panel")]
     told: dict[str, Callable[[], object]] = {
         "safe": lambda: tell(page),
-        "unsafe": lambda: tell(page, {**finding("obstacle"), "obstacle": "well"}, finding("speed")),
+        "unsafe": lambda: tell(page, {**finding("obstacle"), "obstacle": "well"}, named=LONG),
         "tight": lambda: tell(page, finding("people")),
         "old": lambda: page.evaluate(OLD),
         "open": lambda: tell(page, finding("margin", decided=False)),
@@ -227,9 +227,18 @@ def test_a_dance_is_moved_away_from_what_it_touches(opened: Opened) -> None:
     after = shown_plan(page)
     assert check(after).safe
     assert after.obstacles() == before.obstacles()
-    x, y = after.route.at or (0.0, 0.0)
-    best = best_place(before).at
-    assert 0.0 < math.hypot(x, y) < math.hypot(*best)
+    # No farther than it takes: the place with the most room lies farther away.
+    best = page.evaluate(
+        """async (plan) => {
+          const aside = benchdragon.answers.aside();
+          const found = await aside.ask({ question: "place", plan });
+          aside.close();
+          return found.plan.route.at;
+        }""",
+        before.data(),
+    )
+    way, whole = (math.hypot(*at) for at in (page.evaluate("benchdragon.plan.route.at"), best))
+    assert 0.0 < way < 0.9 * whole
     page.get_by_role("button", name="undo").click()
     settle(page, "Not safe")
     assert shown_plan(page) == before

@@ -218,7 +218,7 @@ export class Planner {
   change(plan, final) {
     if (this.asking.first) {
       this.first = this.settled = plan; // what walked there was nobody's plan
-      this.lines.verdict.forget();
+      for (const line of [this.lines.verdict, this.lines.sentence]) line.forget();
     }
     if (final && JSON.stringify(plan) !== JSON.stringify(this.settled)) {
       this.past.push(this.settled);
