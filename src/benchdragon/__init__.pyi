@@ -76,7 +76,6 @@ from .solve.place import PlacedDance as PlacedDance
 from .solve.place import best_place as best_place
 from .solve.proposal import Proposal as Proposal
 from .solve.proposal import TooSmall as TooSmall
-from .solve.proposal import Wishes as Wishes
 from .solve.proposal import propose as propose
 from .solve.size import limit as limit
 from .solve.size import smallest_pitch as smallest_pitch
@@ -86,6 +85,7 @@ from .solve.tolerance import tolerance as tolerance
 from .solve.turn import BestTurn as BestTurn
 from .solve.turn import best_turn as best_turn
 from .solve.turn_goal import TurnGoal as TurnGoal
+from .solve.wishes import Wishes as Wishes
 from .sweeps.points import Points as Points
 from .sweeps.points import listed_points as listed_points
 from .sweeps.points import read_points as read_points

@@ -14,7 +14,7 @@ from playwright.sync_api import Locator, Page, expect
 from benchdragon.analysis.check import check
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.schema import checked, read_plan
-from benchdragon.solve.proposal import CORNERS
+from benchdragon.solve.wishes import CORNERS
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
 from tests.browser.planners import address, change, number, settled, verdict

@@ -15,7 +15,8 @@ from benchdragon.analysis.check import check
 from benchdragon.cli.main import run
 from benchdragon.explain.proposal import proposal_lines
 from benchdragon.plans.schema import read_plan
-from benchdragon.solve.proposal import Proposal, Wishes, propose
+from benchdragon.solve.proposal import Proposal, propose
+from benchdragon.solve.wishes import Wishes
 
 END_OF_INPUT = "\x04"
 # In the order of the questions: benches, length, width, head, holes, square, bearers, beside, speeds,

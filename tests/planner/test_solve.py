@@ -15,11 +15,12 @@ from benchdragon.inlining import chinese
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
-from benchdragon.solve.proposal import TooSmall, Wishes, benches_out_again, propose
+from benchdragon.solve.proposal import TooSmall, benches_out_again, propose
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, RISKS, Deviations, tolerance
 from benchdragon.solve.turn import best_turn
 from benchdragon.solve.turn_goal import TurnGoal
+from benchdragon.solve.wishes import Wishes
 from tests.engine.recording import node
 from tests.planner.random_plans import plan
 from tests.planner.twins import asked, tried

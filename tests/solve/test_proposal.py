@@ -8,7 +8,8 @@ import pytest
 from benchdragon.analysis.check import check
 from benchdragon.errors import InputError
 from benchdragon.solve.course import course_of
-from benchdragon.solve.proposal import Proposal, TooSmall, Wishes, propose
+from benchdragon.solve.proposal import Proposal, TooSmall, propose
+from benchdragon.solve.wishes import Wishes
 
 SMALL = Wishes(12, 1.5, 0.15, rectangle=(20.0, 18.0), carry="under")
 

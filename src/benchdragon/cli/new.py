@@ -21,7 +21,8 @@ from benchdragon.plans.answers import QUESTIONS, Question, count_in, wished
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
-    from benchdragon.solve.proposal import TooSmall, Wishes
+    from benchdragon.solve.proposal import TooSmall
+    from benchdragon.solve.wishes import Wishes
 
 
 @verb
@@ -135,7 +136,7 @@ def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:
 
 def _wishes(said: Mapping[str, Any], kind: Any, roster: str, given: set[str]) -> "Wishes":
     """The wishes that the answers make; those that were given are no assumptions."""
-    from benchdragon.solve.proposal import Wishes
+    from benchdragon.solve.wishes import Wishes
 
     wishes = wished(said, given)
     measured = frozenset(wishes.pop("measured"))

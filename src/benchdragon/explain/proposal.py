@@ -2,7 +2,8 @@
 
 from benchdragon.i18n import _
 from benchdragon.solve.course import course_of
-from benchdragon.solve.proposal import Proposal, TooSmall, Wishes
+from benchdragon.solve.proposal import Proposal, TooSmall
+from benchdragon.solve.wishes import Wishes
 
 
 def proposal_lines(found: Proposal, wishes: Wishes, again: int) -> list[str]:

@@ -8,15 +8,13 @@ that bearers have room (`room.with_people`).
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
 
 from benchdragon import budget
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.check import checked as judged
 from benchdragon.analysis.room import with_people
-from benchdragon.errors import InputError, UnsureError, WalkError, as_number, of_kind
-from benchdragon.i18n import N_, _, both
-from benchdragon.model.base_curve import Point
+from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
+from benchdragon.i18n import _
 from benchdragon.plans.answers import MOST_BEARERS, MOST_BENCHES
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
@@ -24,19 +22,22 @@ from benchdragon.progress import Progress, silent
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import found_limit
 from benchdragon.solve.square import Square
+from benchdragon.solve.wishes import (
+    CORNERS,
+    NAME,
+    VENUE_MARGIN,
+    Kind,
+    Wishes,
+    rounded_down,
+    rounded_up,
+)
 
-Carry = Literal["beside", "under"]
-Kind = Literal["turn", "spiral-in"]
 KINDS: tuple[Kind, ...] = ("turn", "spiral-in")
-NAME = "benchdragon new"
 
-# Assumed of people, m: shoulders' breadth, which is the room beside a bench or under it; the length of
-# a bench that a bearer needs; and, unless measured, how far benches sway and bearers stray.
-SHOULDERS, ELBOWS, SWAY, IMPRECISION = 0.5, 0.5, 0.05, 0.1
+# The length of a bench that a bearer needs, m.
+ELBOWS = 0.5
 # Room before the head, m: the first with which all benches fit.
 AHEAD = (0.5, 0.3)
-# Asked for beyond that, m: between benches, and from the edge of the square.
-MARGIN, VENUE_MARGIN = 0.05, 0.5
 # Sizes are proposed in decimetres, speeds in steps of 5 cm/s: finer ones cannot be laid out.
 SIZE_STEP, SPEED_STEP = 0.1, 0.05
 # Discs that are tried, as multiples of the longer of a link and a bench's width with its bearers.
@@ -51,89 +52,11 @@ ROUNDS: dict[Kind, tuple[float, ...]] = {
 }  # fmt: skip
 # Of pairs of pitch and disc those that take the least room, so many, are tried on the square.
 MOST_SIZES = 3
-# What corners between the boxes of a square may be farther out, m; corners of a round square; angles at
-# which a dance is measured, degrees.
-SPARE, CORNERS, ANGLES = 0.025, 90, 180
+# What corners between the boxes of a square may be farther out, m; angles at which a dance is measured,
+# degrees.
+SPARE, ANGLES = 0.025, 180
 # Sizes of a bench, in the order of `Dragon.sizes`.
 SIZES = ("length", "width", "front_inset", "rear_inset")
-TITLE = N_("A bench dragon on our square")
-
-
-@dataclass(frozen=True)
-class Wishes:
-    """The data that a village gives of its dragon and its square: m, m/s.
-
-    Attributes:
-        benches: how many, head and tail included.
-        length: of a bench.
-        width: of a bench.
-        head_length: of the head's bench.
-        inset: from a bench's ends to its holes.
-        rectangle: length and width of the square; or
-        radius: of a round one; or
-        boundary: the corners of its edge, in order.
-        bearers: people who carry one bench.
-        carry: whether they walk beside it or under it.
-        speed: of the head, at most.
-        most_speed: the greatest at which a bench can be carried.
-        kind: of the dance; None: coiling in and out again, where it fits, else coiling in.
-        roster: a list of names beside the plan.
-        sway: how far benches sway to a side.
-        imprecision: how far bearers stray from their line.
-        measured: which of these two were measured; the others are assumed.
-        obstacles: on the square, tables as in a plan.
-    """
-
-    benches: int
-    length: float
-    width: float
-    head_length: float = 2.0
-    inset: float = 0.15
-    rectangle: tuple[float, float] | None = None
-    radius: float | None = None
-    bearers: int = 2
-    carry: Carry = "beside"
-    speed: float = 0.8
-    most_speed: float = 1.5
-    kind: Kind | None = None
-    roster: str = ""
-    sway: float = SWAY
-    imprecision: float = IMPRECISION
-    measured: frozenset[str] = frozenset()
-    obstacles: tuple[Mapping[str, Any], ...] = ()
-    boundary: tuple[Point, ...] | None = None
-
-    def __post_init__(self) -> None:
-        """Refuse what is no number."""
-        names = ("benches", "length", "width", "head_length", "inset", "bearers", "speed")
-        for name in (*names, "sway", "imprecision"):
-            as_number(name, getattr(self, name))
-
-    @property
-    def stray(self) -> float:
-        """How far a bench with its bearers may be from where it should, m."""
-        return self.sway + self.imprecision
-
-    @property
-    def between(self) -> float:
-        """What two benches with their bearers keep from one another, m: each sways and strays."""
-        return MARGIN + 2.0 * self.stray
-
-    @property
-    def beside(self) -> float:
-        """Room for bearers on each side of a bench, m, rounded up to a centimetre."""
-        if self.carry == "beside":
-            return SHOULDERS
-        return max(0.0, _up(0.5 * (SHOULDERS - self.width), 0.01))
-
-    @property
-    def venue(self) -> dict[str, Any]:
-        """The edge of the square, as a plan has it."""
-        if self.rectangle is not None:
-            return {"rectangle": list(self.rectangle)}
-        if self.boundary is not None:
-            return {"boundary": [list(corner) for corner in self.boundary]}
-        return {"boundary": _round(self.radius or 0.0)}
 
 
 @dataclass(frozen=True)
@@ -208,7 +131,8 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     tried = _tried(wishes, ROUNDS, progress)
     if tried.found is not None:
         return tried.found
-    if not tried.least:
+    least = [] if tried.fits else _least(wishes)
+    if not tried.fits and not least:
         raise InputError(
             _(
                 "no dance of these benches was found among the pitches and turning discs that were "
@@ -223,7 +147,7 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
             )
         )
     progress(0.9, _("how large a square it takes"))
-    smallest = min(tried.least, key=lambda dance: dance.radius)
+    smallest = min(least, key=lambda dance: dance.radius)
     return _too_small(wishes, smallest, _fits_under(wishes))
 
 
@@ -244,30 +168,23 @@ class _Tried:
 
     Attributes:
         found: one that passes the check, if any.
-        least: those with the fewest rounds walked.
-        fits: whether any of these fits the square.
+        fits: whether any of them fits the square.
     """
 
     found: Proposal | None
-    least: list[_Dance]
     fits: bool
 
 
 def _tried(wishes: Wishes, walked: Mapping[Kind, Sequence[float]], progress: Progress) -> _Tried:
     """Try each kind and its sizes with so many rounds walked, the most first that fit."""
-    kinds = KINDS if wishes.kind is None else (wishes.kind,)
-    sorts = [(kind, ahead) for kind in kinds for ahead in AHEAD]
-    least: list[_Dance] = []
+    sorts = [(kind, ahead) for kind in _kinds(wishes) for ahead in AHEAD]
     fits = False
     for n, (kind, ahead) in enumerate(sorts):
         progress(n / len(sorts), _("pitch and disc"))
-        for sized in _sized(wishes, kind, ahead):
+        for sized in _sized(wishes, kind, ahead, walked[kind][-1]):
             progress((n + 0.5) / len(sorts), _("place on the square"))
             first = _placed(wishes, sized, walked[kind][-1])
-            if first is None:
-                continue
-            least.append(first)
-            if first.room < 0.0:  # with more rounds it does not fit either
+            if first is None or first.room < 0.0:  # with more rounds it does not fit either
                 continue
             fits = True
             for rounds in walked[kind]:
@@ -279,8 +196,24 @@ def _tried(wishes: Wishes, walked: Mapping[Kind, Sequence[float]], progress: Pro
                     continue
                 found = _walked(wishes, dance.plan)
                 if found is not None:
-                    return _Tried(found, least, fits)
-    return _Tried(None, least, fits)
+                    return _Tried(found, fits)
+    return _Tried(None, fits)
+
+
+def _kinds(wishes: Wishes) -> tuple[Kind, ...]:
+    """The kinds of dance that may be proposed."""
+    return KINDS if wishes.kind is None else (wishes.kind,)
+
+
+def _least(wishes: Wishes) -> list[_Dance]:
+    """The dances that take the least room, with the fewest rounds walked."""
+    found = []
+    for kind in _kinds(wishes):
+        for sized in _sized(wishes, kind, AHEAD[-1]):
+            dance = _placed(wishes, sized, ROUNDS[kind][-1])
+            if dance is not None:
+                found.append(dance)
+    return found
 
 
 def _too_wide(wishes: Wishes, sized: Plan, rounds: float) -> bool:
@@ -329,46 +262,22 @@ def _refuse(wishes: Wishes) -> None:
         raise InputError(text.format(length=f"{wishes.length:g}", count=behind))
 
 
-def _data(wishes: Wishes, kind: Kind, pitch: float, disc: float, ahead: float) -> dict[str, Any]:
-    """The plan of a dance about the middle of its square, as parsed TOML."""
-    title = both(lambda: _(TITLE))
-    people: dict[str, Any] = {
-        "beside": wishes.beside, "ahead": ahead, "sway": wishes.sway,
-        "imprecision": wishes.imprecision, "most_speed": wishes.most_speed,
-    }  # fmt: skip
-    sources = {name: _("measured by the troupe") for name in sorted(wishes.measured)}
-    people |= {"source": sources} if sources else {}
-    data = {
-        "schema": 1,
-        "meta": {"title": title.en, "title_zh": title.zh},
-        "dragon": {
-            "benches": wishes.benches, "width": wishes.width, "head_length": wishes.head_length,
-            "body_length": wishes.length, "tail_length": wishes.length,
-            "front_inset": wishes.inset, "rear_inset": wishes.inset,
-        },
-        "route": {"kind": kind, "pitch": pitch},
-        "disc": {"radius": disc},
-        "walk": {"speed": wishes.speed},
-        "limits": {"speed": wishes.most_speed, "margin": MARGIN, "venue_margin": VENUE_MARGIN},
-        "venue": wishes.venue,
-        "people": people | ({"roster": wishes.roster} if wishes.roster else {}),
-    }  # fmt: skip
-    return data | ({"obstacle": [dict(one) for one in wishes.obstacles]} if wishes.obstacles else {})
-
-
 def _begun(plan: Plan, rounds: float) -> Plan:
     """The dance begun so many rounds of the spiral before its turn or its end."""
     pitch, disc = plan.value("route.pitch"), plan.value("disc.radius")
     if plan.route.kind == "spiral-in":
-        return plan.with_value("route.start_turn", _up(disc / pitch + rounds, 0.01))
+        return plan.with_value("route.start_turn", rounded_up(disc / pitch + rounds, 0.01))
     way = 2.0 * math.pi * rounds * (disc + 0.5 * rounds * pitch)
-    plan = plan.with_value("walk.start", 0.0 - _up(way / plan.walk.speed, 1.0))
+    plan = plan.with_value("walk.start", 0.0 - rounded_up(way / plan.walk.speed, 1.0))
     _start, end = plan.span(plan.build())
-    return plan.with_value("walk.end", _up(end, 1.0))
+    return plan.with_value("walk.end", rounded_up(end, 1.0))
 
 
-def _sized(wishes: Wishes, kind: Kind, ahead: float) -> list[Plan]:
-    """The dance with each of the sizes that take the least room."""
+def _sized(wishes: Wishes, kind: Kind, ahead: float, rounds: float | None = None) -> list[Plan]:
+    """The dance with each of the sizes that take the least room.
+
+    With `rounds` those are left out that cannot fit a rectangle, begun so many rounds out.
+    """
     few = replace(wishes, benches=min(wishes.benches, ENOUGH), roster="")
     link = max(wishes.length, wishes.head_length) - 2.0 * wishes.inset
     wide = wishes.width + 2.0 * wishes.beside
@@ -376,23 +285,23 @@ def _sized(wishes: Wishes, kind: Kind, ahead: float) -> list[Plan]:
     first = (wide + wishes.between) * (2.0 if kind == "turn" else 1.0)
     found: list[tuple[float, float, float]] = []
     for share in DISCS:
-        disc = _up(share * max(link, wide), SIZE_STEP)
+        disc = rounded_up(share * max(link, wide), SIZE_STEP)
         best = sorted(found)[:MOST_SIZES]
         # No pitch is smaller than the first.
         if len(best) == MOST_SIZES and disc * disc + dragon * first > best[-1][0]:
             break
-        pitch = max(_pitch(few, kind, 1.25 * first, disc, ahead), _up(first, SIZE_STEP))
+        least = rounded_up(first, SIZE_STEP)
+        if rounds is not None and _never_fits(wishes, kind, least, disc, ahead, rounds):
+            continue
+        pitch = max(_pitch(few, kind, 1.25 * first, disc, ahead), least)
         if pitch <= WIDE * first:
             found.append((disc * disc + dragon * pitch, pitch, disc))
-    return [
-        checked(_data(wishes, kind, pitch, disc, ahead), NAME)
-        for _room, pitch, disc in sorted(found)[:MOST_SIZES]
-    ]
+    return [wishes.plan(kind, pitch, disc, ahead) for _room, pitch, disc in sorted(found)[:MOST_SIZES]]
 
 
 def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float, ahead: float) -> Plan:
     """A plan of benches with their room and no square, for searches of sizes."""
-    plan = checked(_data(wishes, kind, pitch, disc, ahead), NAME).without_square()
+    plan = wishes.plan(kind, pitch, disc, ahead).without_square()
     data = plan.data()
     # Building reports errors in the village's benches.
     wide = with_people(plan.dragon.build(), plan.people).sizes.tolist()
@@ -414,7 +323,7 @@ def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float, ahead: float) 
         return math.inf
     if found.status == "unlimited":
         return 0.0
-    return _up(found.upper, SIZE_STEP) if found.status == "found" else math.inf
+    return rounded_up(found.upper, SIZE_STEP) if found.status == "found" else math.inf
 
 
 def _placed(wishes: Wishes, sized: Plan, rounds: float) -> _Dance | None:
@@ -427,6 +336,19 @@ def _placed(wishes: Wishes, sized: Plan, rounds: float) -> _Dance | None:
     except (WalkError, UnsureError, PlanError):
         return None
     return _Dance(square, square.at(pose), square.room(pose) - SPARE)
+
+
+def _never_fits(
+    wishes: Wishes, kind: Kind, pitch: float, disc: float, ahead: float, rounds: float
+) -> bool:
+    """Whether a dance is too large for a rectangle at a pitch, and so at every larger one."""
+    if wishes.rectangle is None:
+        return False
+    plan = wishes.plan(kind, pitch, disc, ahead)
+    try:
+        return not _may_fit(Square(_begun(plan, rounds)), wishes.rectangle)
+    except (WalkError, UnsureError, PlanError):
+        return False
 
 
 def _may_fit(square: Square, rectangle: tuple[float, float]) -> bool:
@@ -447,8 +369,8 @@ def _steady(wishes: Wishes, sized: Plan, rounds: float) -> Plan:
     """The dance at a head speed with which no handle is faster than a bench can be carried."""
     found = greatest_head_speed(_begun(sized, rounds))
     most = min(found.lower, wishes.speed)
-    steps = _down(most, SPEED_STEP)
-    return sized.with_value("walk.speed", steps if steps > 0.0 else _down(most, 1e-3))
+    steps = rounded_down(most, SPEED_STEP)
+    return sized.with_value("walk.speed", steps if steps > 0.0 else rounded_down(most, 1e-3))
 
 
 def _walked(wishes: Wishes, plan: Plan) -> Proposal | None:
@@ -466,8 +388,8 @@ def _too_small(wishes: Wishes, dance: _Dance, under: bool) -> TooSmall:
     long, short = min(sides, key=lambda pair: (pair[0] + kept) * (pair[1] + kept))
     radius = (dance.radius + 0.5 * kept) / math.cos(math.pi / CORNERS)
     kind: Kind = "turn" if dance.plan.route.kind == "turn" else "spiral-in"
-    rectangle = _up(long + kept, SIZE_STEP), _up(short + kept, SIZE_STEP)
-    return TooSmall(kind, rectangle, _up(radius, SIZE_STEP), _fitting(wishes, kind), under)
+    rectangle = rounded_up(long + kept, SIZE_STEP), rounded_up(short + kept, SIZE_STEP)
+    return TooSmall(kind, rectangle, rounded_up(radius, SIZE_STEP), _fitting(wishes, kind), under)
 
 
 def _fitting(wishes: Wishes, kind: Kind) -> int:
@@ -489,28 +411,8 @@ def _fewer(wishes: Wishes, kind: Kind, sizes: Sequence[Plan], benches: int) -> P
     fewer = replace(wishes, benches=benches)
     for one in sizes:
         pitch, disc = one.value("route.pitch"), one.value("disc.radius")
-        sized = checked(_data(fewer, kind, pitch, disc, one.people.ahead), NAME)
+        sized = fewer.plan(kind, pitch, disc, one.people.ahead)
         dance = _placed(fewer, sized, ROUNDS[kind][-1])
         if dance is not None and dance.room >= 0.0:
             return dance.plan
     return None
-
-
-def _round(radius: float) -> list[list[float]]:
-    """The corners of a round square, to a millimetre, m."""
-    angles = [2.0 * math.pi * n / CORNERS for n in range(CORNERS)]
-    # + 0.0 makes -0.0 a 0.0
-    return [
-        [round(radius * math.cos(angle), 3) + 0.0, round(radius * math.sin(angle), 3) + 0.0]
-        for angle in angles
-    ]
-
-
-def _up(value: float, step: float) -> float:
-    """The next multiple of a step, upwards, as a short decimal."""
-    return round(math.ceil(value / step - 1e-9) * step, 6)
-
-
-def _down(value: float, step: float) -> float:
-    """The next multiple of a step, downwards, as a short decimal."""
-    return round(math.floor(value / step + 1e-9) * step, 6)

@@ -1,9 +1,10 @@
 // Dances that are proposed for a square, and where on it a dance has the most room.
 
-import { benchesOutAgain, propose, TooSmall, Wishes } from "../made/proposal.js";
+import { benchesOutAgain, propose, TooSmall } from "../made/proposal.js";
 import { proposalLines, refusalLines } from "../made/proposal_text.js";
 import { Square } from "../made/square_room.js";
 import { part } from "../made/stages.js";
+import { Wishes } from "../made/wishes.js";
 import { withArenaAsync } from "./arena.js";
 
 /** @typedef {import("./questions.js").Asked} Asked */

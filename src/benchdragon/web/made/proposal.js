@@ -5,26 +5,23 @@ import { withPeople } from "../compute/dragon.js";
 import { InputError, PlanError, UnsureError } from "../compute/error_kinds.js";
 import { checked } from "../compute/plan.js";
 import { py } from "../compute/python.js";
-import { N_, _, both } from "../words.js";
+import { _ } from "../words.js";
 import { checked as judged } from "./check.js";
 import { WalkError } from "./errors.js";
 import { greatestHeadSpeed } from "./head_speed.js";
 import { foundLimit } from "./size.js";
 import { Square } from "./square_room.js";
 import { silent } from "./stages.js";
+import { roundedDown, roundedUp } from "./wishes.js";
 
-const asNumber = (_name, value) => value;
 const MOST_BENCHES = 500;
 const MOST_BEARERS = 8;
-const KINDS = ["turn", "spiral-in"];
 const NAME = "benchdragon new";
-const SHOULDERS = 0.5;
-const ELBOWS = 0.5;
-const SWAY = 0.05;
-const IMPRECISION = 0.1;
-const AHEAD = [0.5, 0.3];
-const MARGIN = 0.05;
 const VENUE_MARGIN = 0.5;
+const CORNERS = 90;
+const KINDS = ["turn", "spiral-in"];
+const ELBOWS = 0.5;
+const AHEAD = [0.5, 0.3];
 const SIZE_STEP = 0.1;
 const SPEED_STEP = 0.05;
 const DISCS = [2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 10.0];
@@ -33,61 +30,8 @@ const ENOUGH = 60;
 const ROUNDS = py.dict([["turn", [2.0, 1.0, 0.5, 0.0]], ["spiral-in", [6.0, 4.0, 3.0, 2.0, 1.0, 0.5]]]);
 const MOST_SIZES = 3;
 const SPARE = 0.025;
-const CORNERS = 90;
 const ANGLES = 180;
 const SIZES = ["length", "width", "front_inset", "rear_inset"];
-const TITLE = N_("A bench dragon on our square");
-export class Wishes {
-  constructor(benches, length, width, headLength = 2.0, inset = 0.15, rectangle = /** @type {any} */ (null), radius = /** @type {any} */ (null), bearers = 2, carry = "beside", speed = 0.8, mostSpeed = 1.5, kind = /** @type {any} */ (null), roster = "", sway = SWAY, imprecision = IMPRECISION, measured = py.frozenset(), obstacles = [], boundary = /** @type {any} */ (null)) {
-    this.benches = benches;
-    this.length = length;
-    this.width = width;
-    this.head_length = headLength;
-    this.inset = inset;
-    this.rectangle = rectangle;
-    this.radius = radius;
-    this.bearers = bearers;
-    this.carry = carry;
-    this.speed = speed;
-    this.most_speed = mostSpeed;
-    this.kind = kind;
-    this.roster = roster;
-    this.sway = sway;
-    this.imprecision = imprecision;
-    this.measured = measured;
-    this.obstacles = obstacles;
-    this.boundary = boundary;
-    this.__post_init__();
-  }
-  __post_init__() {
-    let name, names;
-    names = ["benches", "length", "width", "head_length", "inset", "bearers", "speed"];
-    for (name of py.iter([...py.iter(names), "sway", "imprecision"])) {
-      asNumber(name, this[name]);
-    }
-  }
-  get stray() {
-    return py.add(this.sway, this.imprecision);
-  }
-  get between() {
-    return py.add(MARGIN, (2.0 * this.stray));
-  }
-  get beside() {
-    if ((this.carry === "beside")) {
-      return SHOULDERS;
-    }
-    return py.max(0.0, _up((0.5 * py.sub(SHOULDERS, this.width)), 0.01));
-  }
-  get venue() {
-    if ((this.rectangle != null)) {
-      return py.dict([["rectangle", py.list(this.rectangle)]]);
-    }
-    if ((this.boundary != null)) {
-      return py.dict([["boundary", py.list(this.boundary).map((corner) => py.list(corner))]]);
-    }
-    return py.dict([["boundary", _round(py.or(this.radius, () => 0.0))]]);
-  }
-}
 class Proposal {
   constructor(plan, report, slower) {
     this.plan = plan;
@@ -119,20 +63,21 @@ class _Dance {
 }
 export async function propose(wishes, progress = silent) {
   return py.scoped(async () => {
-    let smallest, tried;
+    let least, smallest, tried;
     _refuse(wishes);
     tried = (await _tried(wishes, ROUNDS, progress));
     if ((tried.found != null)) {
       return tried.found;
     }
-    if (!py.truth(tried.least)) {
+    least = (py.truth(tried.fits) ? [] : (await _least(wishes)));
+    if ((!py.truth(tried.fits) && !py.truth(least))) {
       throw new InputError(_("no dance of these benches was found among the pitches and turning discs that were tried: try shorter or narrower benches"));
     }
     if (py.truth(tried.fits)) {
       throw new UnsureError(_("a dance was found that fits the square, but it does not pass the check: try narrower benches"));
     }
     progress(0.9, _("how large a square it takes"));
-    smallest = py.min(tried.least, (dance) => dance.radius);
+    smallest = py.min(least, (dance) => dance.radius);
     return (await _tooSmall(wishes, smallest, (await _fitsUnder(wishes))));
   });
 }
@@ -142,28 +87,21 @@ export async function benchesOutAgain(wishes, progress = silent) {
   return (await _fitting(wishes, "turn"));
 }
 class _Tried {
-  constructor(found, least, fits) {
+  constructor(found, fits) {
     this.found = found;
-    this.least = least;
     this.fits = fits;
   }
 }
 async function _tried(wishes, walked, progress) {
-  let ahead, dance, first, fits, found, kind, kinds, last, least, n, rounds, sized, sorts;
-  kinds = ((wishes.kind == null) ? KINDS : [wishes.kind]);
-  sorts = py.list(kinds).flatMap((kind) => py.list(AHEAD).map((ahead) => [kind, ahead]));
-  least = [];
+  let ahead, dance, first, fits, found, kind, last, n, rounds, sized, sorts;
+  sorts = py.list(_kinds(wishes)).flatMap((kind) => py.list(AHEAD).map((ahead) => [kind, ahead]));
   fits = false;
   for ([n, [kind, ahead]] of py.iter(py.enumerate(sorts))) {
     progress((n / py.len(sorts)), _("pitch and disc"));
-    for (sized of py.iter((await _sized(wishes, kind, ahead)))) {
+    for (sized of py.iter((await _sized(wishes, kind, ahead, py.at(py.at(walked, kind), -1))))) {
       progress(((n + 0.5) / py.len(sorts)), _("place on the square"));
       first = (await _placed(wishes, sized, py.at(py.at(walked, kind), -1)));
-      if ((first == null)) {
-        continue;
-      }
-      py.append(least, first);
-      if ((first.room < 0.0)) {
+      if (((first == null) || (first.room < 0.0))) {
         continue;
       }
       fits = true;
@@ -178,12 +116,28 @@ async function _tried(wishes, walked, progress) {
         }
         found = (await _walked(wishes, dance.plan));
         if ((found != null)) {
-          return new _Tried(found, least, fits);
+          return new _Tried(found, fits);
         }
       }
     }
   }
-  return new _Tried(null, least, fits);
+  return new _Tried(null, fits);
+}
+function _kinds(wishes) {
+  return ((wishes.kind == null) ? KINDS : [wishes.kind]);
+}
+async function _least(wishes) {
+  let dance, found, kind, sized;
+  found = [];
+  for (kind of py.iter(_kinds(wishes))) {
+    for (sized of py.iter((await _sized(wishes, kind, py.at(AHEAD, -1))))) {
+      dance = (await _placed(wishes, sized, py.at(py.at(ROUNDS, kind), -1)));
+      if ((dance != null)) {
+        py.append(found, dance);
+      }
+    }
+  }
+  return found;
 }
 function _tooWide(wishes, sized, rounds) {
   let disc, inner, link, narrow, outer, pitch;
@@ -238,28 +192,19 @@ function _refuse(wishes) {
     throw new InputError(py.filled(text, { length: `${py.format(wishes.length, `g`)}`, count: behind }));
   }
 }
-function _data(wishes, kind, pitch, disc, ahead) {
-  let data, people, sources, title;
-  title = both(() => _(TITLE));
-  people = py.dict([["beside", wishes.beside], ["ahead", ahead], ["sway", wishes.sway], ["imprecision", wishes.imprecision], ["most_speed", wishes.most_speed]]);
-  sources = py.dict(py.list(py.sorted(wishes.measured)).map((name) => [name, _("measured by the troupe")]));
-  people = py.merge(people, (py.truth(sources) ? py.dict([["source", sources]]) : py.dict([])));
-  data = py.dict([["schema", 1], ["meta", py.dict([["title", title.en], ["title_zh", title.zh]])], ["dragon", py.dict([["benches", wishes.benches], ["width", wishes.width], ["head_length", wishes.head_length], ["body_length", wishes.length], ["tail_length", wishes.length], ["front_inset", wishes.inset], ["rear_inset", wishes.inset]])], ["route", py.dict([["kind", kind], ["pitch", pitch]])], ["disc", py.dict([["radius", disc]])], ["walk", py.dict([["speed", wishes.speed]])], ["limits", py.dict([["speed", wishes.most_speed], ["margin", MARGIN], ["venue_margin", VENUE_MARGIN]])], ["venue", wishes.venue], ["people", py.union(people, (py.truth(wishes.roster) ? py.dict([["roster", wishes.roster]]) : py.dict([])))]]);
-  return py.union(data, (py.truth(wishes.obstacles) ? py.dict([["obstacle", py.list(wishes.obstacles).map((one) => py.dict(one))]]) : py.dict([])));
-}
 function _begun(plan, rounds) {
   let _start, disc, end, pitch, way;
   [pitch, disc] = py.list([plan.value("route.pitch"), plan.value("disc.radius")]);
   if ((plan.route.kind === "spiral-in")) {
-    return plan.with_value("route.start_turn", _up(py.add((disc / pitch), rounds), 0.01));
+    return plan.with_value("route.start_turn", roundedUp(py.add((disc / pitch), rounds), 0.01));
   }
   way = (((2.0 * Math.PI) * rounds) * py.add(disc, ((0.5 * rounds) * pitch)));
-  plan = plan.with_value("walk.start", (0.0 - _up((way / plan.walk.speed), 1.0)));
+  plan = plan.with_value("walk.start", (0.0 - roundedUp((way / plan.walk.speed), 1.0)));
   [_start, end] = py.list(plan.span(plan.build()));
-  return plan.with_value("walk.end", _up(end, 1.0));
+  return plan.with_value("walk.end", roundedUp(end, 1.0));
 }
-async function _sized(wishes, kind, ahead) {
-  let best, disc, dragon, few, first, found, link, pitch, share, wide;
+async function _sized(wishes, kind, ahead, rounds = /** @type {any} */ (null)) {
+  let best, disc, dragon, few, first, found, least, link, pitch, share, wide;
   few = py.replaced(wishes, { benches: py.min(wishes.benches, ENOUGH), roster: "" });
   link = py.sub(py.max(wishes.length, wishes.head_length), (2.0 * wishes.inset));
   wide = py.add(wishes.width, (2.0 * wishes.beside));
@@ -267,21 +212,25 @@ async function _sized(wishes, kind, ahead) {
   first = (py.add(wide, wishes.between) * ((kind === "turn") ? 2.0 : 1.0));
   found = [];
   for (share of py.iter(DISCS)) {
-    disc = _up((share * py.max(link, wide)), SIZE_STEP);
+    disc = roundedUp((share * py.max(link, wide)), SIZE_STEP);
     best = py.slice(py.sorted(found), null, MOST_SIZES);
     if ((py.eq(py.len(best), MOST_SIZES) && (py.add((disc * disc), (dragon * first)) > py.at(py.at(best, -1), 0)))) {
       break;
     }
-    pitch = py.max((await _pitch(few, kind, (1.25 * first), disc, ahead)), _up(first, SIZE_STEP));
+    least = roundedUp(first, SIZE_STEP);
+    if (((rounds != null) && py.truth(_neverFits(wishes, kind, least, disc, ahead, rounds)))) {
+      continue;
+    }
+    pitch = py.max((await _pitch(few, kind, (1.25 * first), disc, ahead)), least);
     if ((pitch <= (WIDE * first))) {
       py.append(found, [py.add((disc * disc), (dragon * pitch)), pitch, disc]);
     }
   }
-  return py.list(py.slice(py.sorted(found), null, MOST_SIZES)).map(([_room, pitch, disc]) => checked(_data(wishes, kind, pitch, disc, ahead), NAME));
+  return py.list(py.slice(py.sorted(found), null, MOST_SIZES)).map(([_room, pitch, disc]) => wishes.plan(kind, pitch, disc, ahead));
 }
 function _trial(wishes, kind, pitch, disc, ahead) {
   let data, plan, sizes, wide;
-  plan = checked(_data(wishes, kind, pitch, disc, ahead), NAME).without_square();
+  plan = wishes.plan(kind, pitch, disc, ahead).without_square();
   data = plan.data();
   wide = py.tolist(withPeople(plan.dragon.build(), plan.people).sizes);
   sizes = py.list(py.range(2)).map((n) => py.dict(py.list(py.zip(SIZES, wide)).map(([name, row]) => [name, py.at(row, n)])));
@@ -307,7 +256,7 @@ async function _pitch(wishes, kind, first, disc, ahead) {
   if ((found.status === "unlimited")) {
     return 0.0;
   }
-  return ((found.status === "found") ? _up(found.upper, SIZE_STEP) : Infinity);
+  return ((found.status === "found") ? roundedUp(found.upper, SIZE_STEP) : Infinity);
 }
 async function _placed(wishes, sized, rounds) {
   let pose, square;
@@ -325,6 +274,21 @@ async function _placed(wishes, sized, rounds) {
   }
   return new _Dance(square, square.at(pose), py.sub(square.room(pose), SPARE));
 }
+function _neverFits(wishes, kind, pitch, disc, ahead, rounds) {
+  let plan;
+  if ((wishes.rectangle == null)) {
+    return false;
+  }
+  plan = wishes.plan(kind, pitch, disc, ahead);
+  try {
+    return !py.truth(_mayFit(new Square(_begun(plan, rounds)), wishes.rectangle));
+  } catch (error) {
+    if (error instanceof WalkError || error instanceof UnsureError || error instanceof PlanError) {
+      return false;
+    } else
+    throw error;
+  }
+}
 function _mayFit(square, rectangle) {
   let sides;
   sides = py.list(rectangle).map((side) => py.sub(side, (2.0 * square.venue.margin)));
@@ -337,8 +301,8 @@ async function _steady(wishes, sized, rounds) {
   let found, most, steps;
   found = (await greatestHeadSpeed(_begun(sized, rounds)));
   most = py.min(found.lower, wishes.speed);
-  steps = _down(most, SPEED_STEP);
-  return sized.with_value("walk.speed", ((steps > 0.0) ? steps : _down(most, 0.001)));
+  steps = roundedDown(most, SPEED_STEP);
+  return sized.with_value("walk.speed", ((steps > 0.0) ? steps : roundedDown(most, 0.001)));
 }
 async function _walked(wishes, plan) {
   let report, walk;
@@ -354,8 +318,8 @@ async function _tooSmall(wishes, dance, under) {
   [long, short] = py.list(py.min(sides, (pair) => (py.add(py.at(pair, 0), kept) * py.add(py.at(pair, 1), kept))));
   radius = (py.add(dance.radius, (0.5 * kept)) / py.cos((Math.PI / CORNERS)));
   kind = ((dance.plan.route.kind === "turn") ? "turn" : "spiral-in");
-  rectangle = [_up(py.add(long, kept), SIZE_STEP), _up(py.add(short, kept), SIZE_STEP)];
-  return new TooSmall(kind, rectangle, _up(radius, SIZE_STEP), (await _fitting(wishes, kind)), under);
+  rectangle = [roundedUp(py.add(long, kept), SIZE_STEP), roundedUp(py.add(short, kept), SIZE_STEP)];
+  return new TooSmall(kind, rectangle, roundedUp(radius, SIZE_STEP), (await _fitting(wishes, kind)), under);
 }
 async function _fitting(wishes, kind) {
   let fits, found, middle, notFit, sizes;
@@ -378,22 +342,11 @@ async function _fewer(wishes, kind, sizes, benches) {
   fewer = py.replaced(wishes, { benches: benches });
   for (one of py.iter(sizes)) {
     [pitch, disc] = py.list([one.value("route.pitch"), one.value("disc.radius")]);
-    sized = checked(_data(fewer, kind, pitch, disc, one.people.ahead), NAME);
+    sized = fewer.plan(kind, pitch, disc, one.people.ahead);
     dance = (await _placed(fewer, sized, py.at(py.at(ROUNDS, kind), -1)));
     if (((dance != null) && (dance.room >= 0.0))) {
       return dance.plan;
     }
   }
   return null;
-}
-function _round(radius) {
-  let angles;
-  angles = py.list(py.range(CORNERS)).map((n) => (((2.0 * Math.PI) * n) / CORNERS));
-  return py.list(angles).map((angle) => [(py.round((radius * py.cos(angle)), 3) + 0.0), (py.round((radius * py.sin(angle)), 3) + 0.0)]);
-}
-function _up(value, step) {
-  return py.round((py.ceil(((value / step) - 1e-09)) * step), 6);
-}
-function _down(value, step) {
-  return py.round((py.floor(((value / step) + 1e-09)) * step), 6);
 }

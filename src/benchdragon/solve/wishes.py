@@ -1,0 +1,148 @@
+"""What a village asks for: its benches, its people, its square; and the plan of a dance for it."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from benchdragon.errors import as_number
+from benchdragon.i18n import N_, _, both
+from benchdragon.model.base_curve import Point
+from benchdragon.plans.schema import Plan, checked
+
+Carry = Literal["beside", "under"]
+Kind = Literal["turn", "spiral-in"]
+NAME = "benchdragon new"
+
+# Assumed of people, m: shoulders' breadth, which is the room beside a bench or under it; and, unless
+# measured, how far benches sway and bearers stray.
+SHOULDERS, SWAY, IMPRECISION = 0.5, 0.05, 0.1
+# Asked for beyond that, m: between benches, and from the edge of the square.
+MARGIN, VENUE_MARGIN = 0.05, 0.5
+# Corners of a round square.
+CORNERS = 90
+TITLE = N_("A bench dragon on our square")
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """The data that a village gives of its dragon and its square: m, m/s.
+
+    Attributes:
+        benches: how many, head and tail included.
+        length: of a bench.
+        width: of a bench.
+        head_length: of the head's bench.
+        inset: from a bench's ends to its holes.
+        rectangle: length and width of the square; or
+        radius: of a round one; or
+        boundary: the corners of its edge, in order.
+        bearers: people who carry one bench.
+        carry: whether they walk beside it or under it.
+        speed: of the head, at most.
+        most_speed: the greatest at which a bench can be carried.
+        kind: of the dance; None: coiling in and out again, where it fits, else coiling in.
+        roster: a list of names beside the plan.
+        sway: how far benches sway to a side.
+        imprecision: how far bearers stray from their line.
+        measured: which of these two were measured; the others are assumed.
+        obstacles: on the square, tables as in a plan.
+    """
+
+    benches: int
+    length: float
+    width: float
+    head_length: float = 2.0
+    inset: float = 0.15
+    rectangle: tuple[float, float] | None = None
+    radius: float | None = None
+    bearers: int = 2
+    carry: Carry = "beside"
+    speed: float = 0.8
+    most_speed: float = 1.5
+    kind: Kind | None = None
+    roster: str = ""
+    sway: float = SWAY
+    imprecision: float = IMPRECISION
+    measured: frozenset[str] = frozenset()
+    obstacles: tuple[Mapping[str, Any], ...] = ()
+    boundary: tuple[Point, ...] | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse what is no number."""
+        names = ("benches", "length", "width", "head_length", "inset", "bearers", "speed")
+        for name in (*names, "sway", "imprecision"):
+            as_number(name, getattr(self, name))
+
+    @property
+    def stray(self) -> float:
+        """How far a bench with its bearers may be from where it should, m."""
+        return self.sway + self.imprecision
+
+    @property
+    def between(self) -> float:
+        """What two benches with their bearers keep from one another, m: each sways and strays."""
+        return MARGIN + 2.0 * self.stray
+
+    @property
+    def beside(self) -> float:
+        """Room for bearers on each side of a bench, m, rounded up to a centimetre."""
+        if self.carry == "beside":
+            return SHOULDERS
+        return max(0.0, rounded_up(0.5 * (SHOULDERS - self.width), 0.01))
+
+    @property
+    def venue(self) -> dict[str, Any]:
+        """The edge of the square, as a plan has it."""
+        if self.rectangle is not None:
+            return {"rectangle": list(self.rectangle)}
+        if self.boundary is not None:
+            return {"boundary": [list(corner) for corner in self.boundary]}
+        return {"boundary": _round(self.radius or 0.0)}
+
+    def plan(self, kind: Kind, pitch: float, disc: float, ahead: float) -> Plan:
+        """The plan of a dance about the middle of its square, with so much room before the head, m."""
+        title = both(lambda: _(TITLE))
+        people: dict[str, Any] = {
+            "beside": self.beside, "ahead": ahead, "sway": self.sway,
+            "imprecision": self.imprecision, "most_speed": self.most_speed,
+        }  # fmt: skip
+        sources = {name: _("measured by the troupe") for name in sorted(self.measured)}
+        people |= {"source": sources} if sources else {}
+        data = {
+            "schema": 1,
+            "meta": {"title": title.en, "title_zh": title.zh},
+            "dragon": {
+                "benches": self.benches, "width": self.width, "head_length": self.head_length,
+                "body_length": self.length, "tail_length": self.length,
+                "front_inset": self.inset, "rear_inset": self.inset,
+            },
+            "route": {"kind": kind, "pitch": pitch},
+            "disc": {"radius": disc},
+            "walk": {"speed": self.speed},
+            "limits": {"speed": self.most_speed, "margin": MARGIN, "venue_margin": VENUE_MARGIN},
+            "venue": self.venue,
+            "people": people | ({"roster": self.roster} if self.roster else {}),
+        }  # fmt: skip
+        said = data | ({"obstacle": [dict(one) for one in self.obstacles]} if self.obstacles else {})
+        return checked(said, NAME)
+
+
+def _round(radius: float) -> list[list[float]]:
+    """The corners of a round square, to a millimetre, m."""
+    angles = [2.0 * math.pi * n / CORNERS for n in range(CORNERS)]
+    # + 0.0 makes -0.0 a 0.0
+    return [
+        [round(radius * math.cos(angle), 3) + 0.0, round(radius * math.sin(angle), 3) + 0.0]
+        for angle in angles
+    ]
+
+
+def rounded_up(value: float, step: float) -> float:
+    """The next multiple of a step, upwards, as a short decimal."""
+    return round(math.ceil(value / step - 1e-9) * step, 6)
+
+
+def rounded_down(value: float, step: float) -> float:
+    """The next multiple of a step, downwards, as a short decimal."""
+    return round(math.floor(value / step + 1e-9) * step, 6)
