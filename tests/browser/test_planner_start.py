@@ -87,8 +87,8 @@ def asked(page: Page) -> Any:
     return json.loads(page.evaluate("JSON.stringify(search.wishes)"))
 
 
-def found(page: Page, plan: dict[str, Any] | None, *said: str, benches: int = 0) -> None:
-    page.evaluate("(found) => search.done(found)", {"plan": plan, "said": said, "benches": benches})
+def found(page: Page, plan: dict[str, Any] | None, *said: str, **fits: Any) -> None:
+    page.evaluate("(found) => search.done(found)", {"plan": plan, "said": said, "benches": 0} | fits)
 
 
 @pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
@@ -277,9 +277,39 @@ def test_where_nothing_fits_it_says_so_and_offers_as_many_as_do(pages: Pages, ba
     until(page, "search.count === 2")
     assert asked(page) == WISHES | {"benches": 41}
     expect(screen(page).locator(".unfit")).to_be_empty()
-    found(page, None, "Nothing fits.", benches=0)
+    found(page, None, "They fit if their bearers walk under them.", under=True)
+    screen(page).get_by_role("button", name="walk under the benches").click()
+    until(page, "search.count === 3")
+    assert asked(page) == WISHES | {"benches": 41, "carry": "under"}
+    found(page, None, "Nothing fits.")
     expect(screen(page).get_by_text("Nothing fits.")).to_be_visible()
     expect(screen(page).get_by_role("button", name="take")).to_have_count(0)
+    expect(screen(page).get_by_role("button", name="walk under")).to_have_count(0)
+
+
+@pytest.mark.parametrize("own", [True, False])
+def test_another_dance_keeps_the_event_and_the_names_of_the_page(
+    pages: Pages, bare_file: Path, own: bool
+) -> None:
+    page = begin(pages, bare_file)
+    titles = ["Our dance", page.evaluate("benchdragon.presets[1].title.en")]
+    plan = read_plan("spiral-in", ["dragon.benches=12"]).data() | {
+        "meta": {"title": titles[0] if own else titles[1]},
+        "event": {"entrances": [[3, 4]], "date": "2026-02-17"},
+        "people": {"unit": "qiao", "count_head": False, "sway": 0.02},
+    }
+    page.evaluate("(plan) => void benchdragon.change(plan, true)", plan)
+    page.get_by_role("button", name="my benches").click()
+    answer(page, **SIXTY)
+    press(page)
+    asked(page)
+    proposed = read_plan("spiral-in", ["dragon.benches=60", "people.sway=0.05"]).data()
+    found(page, proposed | {"meta": {"title": "Another"}}, "All 60 benches fit.")
+    until(page, "benchdragon.plan.dragon.benches === 60")
+    there = json.loads(page.evaluate("JSON.stringify(benchdragon.plan)"))
+    assert there["meta"]["title"] == ("Our dance" if own else "Another")
+    assert there["event"]["entrances"] == [[3, 4]]
+    assert (there["people"]["unit"], there["people"]["sway"]) == ("qiao", 0.05)
 
 
 def test_a_page_that_cannot_search_asks_nothing(pages: Pages, bare_file: Path) -> None:

@@ -153,6 +153,7 @@ export class AnswerBox {
   /** @param {any} answer a text, a number, or length and width */
   #show(answer) {
     const { kind } = this.question;
+    if (kind === "carry" && typeof answer === "number") this.#choose(answer);
     if (kind === "carry" || answer === this.corners) return;
     const round = kind === "square" && !Array.isArray(answer);
     (round ? ["", "", answer] : [answer].flat()).forEach(

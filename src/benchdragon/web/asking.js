@@ -13,11 +13,24 @@ import { _, language, speak } from "./words.js";
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./planner.js").Planner} Planner */
 /** @typedef {import("./standing.js").Aside} Aside */
-/** What was found for wishes: a plan, if there is one; what is said of that; how many benches fit.
- * @typedef {{ plan: Plan | null, said: string[], benches: number }} Proposed */
+/** What was found for wishes: a plan, if there is one; what is said of that; how many benches fit; whether
+ * all do with bearers under them.
+ * @typedef {{ plan: Plan | null, said: string[], benches: number, under?: boolean }} Proposed */
 
 /** What everybody is asked; all else has usual answers. */
 const FIRST = ["benches", "bench_length", "square", "carry"];
+
+/** What plans say of people that no proposal does. */
+const NAMES = ["roster", "sheet", "unit", "count_head", "step", "address"];
+
+/** A proposed plan with what another says of the event and of names. @param {Plan} plan @param {Plan | null} before @param {boolean} titled whether its title is its own */
+function withNames(plan, before, titled) {
+  if (!before) return plan;
+  const people = { ...plan.people };
+  for (const name of NAMES) people[name] = before.people?.[name] ?? people[name];
+  const meta = titled ? (before.meta ?? plan.meta) : plan.meta;
+  return { ...plan, meta, event: before.event ?? plan.event, people };
+}
 
 /** Where a square lies: a plan's own stays in place, for what stands there. @param {any} sides or its corners @param {any} venue */
 function placed(sides, venue) {
@@ -216,6 +229,11 @@ export class Asking {
     }
   }
 
+  /** The plan that the page has, in whose place another is wished. */
+  get #before() {
+    return this.#first ? null : (this.#planner?.plan ?? null);
+  }
+
   /** The answers as wishes; null where one is asked back. */
   #wishes() {
     /** @type {Record<string, any>} */
@@ -229,7 +247,7 @@ export class Asking {
       return null;
     }
     const given = this.boxes.filter(({ typed }) => typed).map(({ question }) => question.name);
-    const plan = this.#first ? null : this.#planner?.plan;
+    const plan = this.#before;
     const wishes = Object.fromEntries(wished(said, given));
     const square = { boundary: null, ...placed(wishes.rectangle, plan?.venue) };
     return { ...wishes, ...square, obstacles: plan?.obstacle ?? [], kind: null };
@@ -256,7 +274,7 @@ export class Asking {
       const found = await lane.ask({ question: "propose", wishes }, undefined, told);
       this.#lane = null;
       if (found.plan) this.#show(found, found.plan);
-      else this.#tell(found.said, found.benches);
+      else this.#tell(found.said, found);
     } catch (error) {
       if (!(error instanceof Error)) throw error;
       if (error.name !== "AbortError") this.#tell([error.message]);
@@ -267,15 +285,19 @@ export class Asking {
     }
   }
 
-  /** Show what was proposed, walking. @param {Proposed} found @param {Plan} plan */
-  #show(found, plan) {
-    this.#proposed = found;
+  /** Show what was proposed, walking. @param {Proposed} found @param {Plan} bare what was proposed, without what the page knows besides */
+  #show(found, bare) {
+    const planner = /** @type {Planner} */ (this.#planner);
+    const before = this.#before;
+    const titles = planner.presets.map(({ title }) => title.en);
+    const lent = titles.includes(before?.meta?.title);
+    const plan = withNames(bare, before, !lent);
+    this.#proposed = { ...found, plan };
     this.#begins = true;
     const [first, ...others] = found.said;
     this.said.replaceChildren(make("summary", {}, first), ...others.map((text) => make("p", {}, text)));
     this.said.open = matchMedia("(min-width: 801px)").matches; // on a phone it would lie over the dance
     this.aside.ariaLabel = _("What was proposed");
-    const planner = /** @type {Planner} */ (this.#planner);
     planner.change(plan, true);
     scrollTo(0, 0);
     planner.stage.querySelector("canvas")?.focus({ preventScroll: true });
@@ -297,19 +319,22 @@ export class Asking {
     if (focused) (busy ? this.cancel : this.button).focus();
   }
 
-  /** Say why there is no dance, and offer as many benches as have one. @param {string[]} said @param {number} benches */
-  #tell(said = [], benches = 0) {
-    const offer = make("button", {
-      type: "button",
-      onclick: () => {
-        this.boxes[0].take(benches);
+  /** Say why there is no dance, and offer what has one. @param {string[]} said @param {{ benches?: number, under?: boolean }} fits */
+  #tell(said = [], { benches = 0, under = false } = {}) {
+    /** @param {string} text @param {string} name @param {unknown} answer */
+    const offer = (text, name, answer) => {
+      const onclick = () => {
+        this.boxes.find(({ question }) => question.name === name)?.take(answer);
         this.element.querySelector("form")?.requestSubmit();
-      },
-    });
-    offer.append(_("take {count} benches", { count: benches }));
+      };
+      return make("button", { type: "button", onclick }, text);
+    };
     this.told.replaceChildren(
       ...said.map((text) => make("p", {}, text)),
-      ...(benches > 1 ? [offer] : []),
+      ...(under ? [offer(_("walk under the benches"), "carry", 1)] : []),
+      ...(benches > 1
+        ? [offer(_("take {count} benches", { count: benches }), "benches", benches)]
+        : []),
     );
     if (said.length) this.told.scrollIntoView({ block: "nearest" });
   }

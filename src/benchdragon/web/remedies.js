@@ -1,5 +1,6 @@
 // What mends a finding: the least change of one size, looked for and checked by verdicts before it is offered.
 
+import { SHOULDERS } from "./made/wishes.js";
 import { valueOf } from "./number_control.js";
 import { withValue } from "./plan_form.js";
 import { PageFault, Refusal } from "./standing.js";
@@ -27,9 +28,6 @@ import { _, decimals } from "./words.js";
 const MOST_RAISED = 128;
 /** Speeds in so many steps for a metre a second. */
 const SPEEDS = 20;
-/** Room under a bench for shoulders, m, as proposals assume it. */
-const SHOULDERS = 0.5;
-
 /** The way to the place with the most room is cut into so many parts. */
 const PARTS = 16;
 /** Where a dance is moved, from the right on to the left about. */

@@ -13,8 +13,8 @@ import { withArenaAsync } from "./arena.js";
 const FOUND = 0.7;
 
 /**
- * A dance for what a village wishes: its plan (null: none fits the square), what is said of it, and how
- * many benches fit.
+ * A dance for what a village wishes: its plan (null: none fits the square), what is said of it, how many
+ * benches fit, and whether all do with bearers under them.
  * @param {Asked} asked
  */
 export function proposed({ engine, wishes = {}, progress }) {
@@ -23,7 +23,12 @@ export function proposed({ engine, wishes = {}, progress }) {
     const asked = Object.assign(new Wishes(benches, length, width), wishes);
     const found = await propose(asked, part(progress, 0, FOUND));
     if (found instanceof TooSmall)
-      return { plan: null, said: refusalLines(asked, found), benches: found.benches };
+      return {
+        plan: null,
+        said: refusalLines(asked, found),
+        benches: found.benches,
+        under: found.under,
+      };
     const out = asked.kind || found.plan.route.kind === "turn";
     const again = out ? 0 : await benchesOutAgain(asked, part(progress, FOUND, 1));
     return { plan: found.plan.data(), said: proposalLines(found, asked, again), benches };

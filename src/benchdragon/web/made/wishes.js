@@ -7,7 +7,7 @@ import { N_, _, both } from "../words.js";
 
 const asNumber = (_name, value) => value;
 const NAME = "benchdragon new";
-const SHOULDERS = 0.5;
+export const SHOULDERS = 0.5;
 const SWAY = 0.05;
 const IMPRECISION = 0.1;
 const MARGIN = 0.05;
