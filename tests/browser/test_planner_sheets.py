@@ -210,6 +210,71 @@ def test_codes_open_the_player_at_ones_own_bench(opened_sheets: Opened, plan: Pa
     assert read() == [wanted[:4], wanted[4:]]
 
 
+def test_cards_to_hang_round_the_neck_have_two_sides_beside_one_another(
+    opened_sheets: Opened, plan: Path
+) -> None:
+    page = opened_sheets("zh")
+    given(page, LIST)
+    sheets(page).get_by_role("combobox").nth(1).select_option("lanyard")
+    cards = sheets(page).locator(".paper .card")
+    expect(cards).to_have_count(8)
+    expect(sheets(page).locator(".paper")).to_have_count(4)
+    plan.with_name("names.tsv").write_text(LIST, "utf-8")
+    entries = told(plan, "zh", roster_of(read_plan(str(plan), ["people.roster=names.tsv"])))
+    for n, entry in enumerate(entries):
+        front, back = ("".join(one.split()) for one in cards.nth(n).locator(".sheet").all_inner_texts())
+        for line in (entry.title, entry.text.quick):
+            assert "".join(line.split()) in front
+        for line in (*entry.text.people, entry.text.tightest, *entry.text.stretches, entry.text.times):
+            assert "".join(line.split()) in back
+    on_paper = printed(page)
+    assert len(on_paper) == 4
+    made = pypdfium2.PdfDocument(io.BytesIO(page.pdf(prefer_css_page_size=True)))
+    codes = [
+        sorted(one.text for one in zxingcpp.read_barcodes(sheet.render(scale=200 / 72).to_pil()))
+        for sheet in made
+    ]
+    address = read_plan(str(plan)).people.address
+    wanted = [bench_address(address, bench) for bench in range(1, 9)]
+    assert codes == [wanted[n : n + 2] for n in range(0, 8, 2)]
+    page.emulate_media(media="print")
+    box = cards.first.locator(".sheet").first.bounding_box()
+    assert box is not None
+    millimetre = 96 / 25.4
+    assert (box["width"] / millimetre, box["height"] / millimetre) == pytest.approx((86, 124), abs=0.2)
+
+
+def test_the_benches_of_a_household_stand_on_its_sheet(opened_sheets: Opened, plan: Path) -> None:
+    page = opened_sheets("en")
+    tick = sheets(page).get_by_role("checkbox", name="by household")
+    given(page, "bench\tname\nhead\t张三\n")
+    expect(tick).to_have_count(0)
+    names = "".join(f"{n}\t赵{n}\t赵家\n" for n in range(1, 6))
+    listed = f"桥号\t姓名\t户主\n龙头\t张三\t张家\n{names}"
+    sheets(page).get_by_role("textbox").fill(listed)
+    sheets(page).get_by_role("button", name="take the rows above").click()
+    tick.check()
+    papers = sheets(page).locator(".paper")
+    expect(papers).to_have_count(6)  # the head's, three of five benches, two of nobody
+    plan.with_name("house.tsv").write_text(listed, "utf-8")
+    entries = told(plan, "en", roster_of(read_plan(str(plan), ["people.roster=house.tsv"])))
+    two = papers.nth(1).locator(".sheet")
+    expect(two).to_contain_text("household: 赵家")
+    for entry in entries[1:3]:
+        for line in (entry.title, entry.text.quick, entry.text.tightest, *entry.text.stretches):
+            expect(two).to_contain_text(line)
+    expect(two.locator(".map .track")).to_have_count(2)
+    for name in ("赵1", "赵2"):
+        expect(two).to_contain_text(name)
+    expect(papers.nth(3).locator(".map .track")).to_have_count(1)
+    expect(papers.nth(4)).not_to_contain_text("household")
+    sheets(page).get_by_role("combobox").nth(1).select_option("quarter")
+    expect(sheets(page).locator(".sheet")).to_have_count(8)  # one on each, small as they are
+    sheets(page).get_by_role("combobox").nth(1).select_option("a4")
+    sheets(page).get_by_role("checkbox", name="large type").check()
+    expect(papers).to_have_count(8)
+
+
 def test_sheets_close_when_the_page_is_about_another_plan(opened_sheets: Opened) -> None:
     page = opened_sheets()
     page.evaluate("benchdragon.undo()")
@@ -338,7 +403,7 @@ SMALLEST = """() => {
 def test_no_type_on_paper_is_smaller_than_seven_points(opened_sheets: Opened) -> None:
     page = opened_sheets()
     page.set_viewport_size({"width": 1366, "height": 768})
-    for what, kind in ((1, "a4"), (1, "quarter"), (0, "overview")):
+    for what, kind in ((1, "a4"), (1, "quarter"), (1, "lanyard"), (0, "overview")):
         sheets(page).get_by_role("combobox").nth(what).select_option(kind)
         assert page.evaluate(SMALLEST) >= 7 - 1e-3
 
@@ -346,7 +411,7 @@ def test_no_type_on_paper_is_smaller_than_seven_points(opened_sheets: Opened) ->
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_the_arrows_word_is_whole_and_beside_the_map(opened_sheets: Opened, language: Language) -> None:
     page = opened_sheets(language)
-    for kind in ("a4", "quarter"):
+    for kind in ("a4", "quarter", "lanyard"):
         sheets(page).get_by_role("combobox").nth(1).select_option(kind)
         places = page.evaluate(
             """() => [".map > svg:first-child", "svg.compass", "svg.compass text"].map((one) =>

@@ -122,7 +122,7 @@ def test_extent_and_smallest_circle_hold_all_and_are_no_larger() -> None:
     circle = np.empty(3)
     kernel.smallest_circle(BOXES, circle)
     least = shapely.minimum_bounding_radius(COVERED)
-    assert least - 1e-12 <= circle[2] <= (1.0 + 1.0 / kernel.ROUNDS) * least
+    assert least - 1e-12 <= circle[2] <= (1.0 + 1.0 / kernel.CIRCLE_STEPS) * least
     corners = shapely.get_coordinates(COVERED) - circle[:2]
     assert np.hypot(*corners.T).max() == pytest.approx(circle[2])
 

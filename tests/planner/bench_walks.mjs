@@ -8,7 +8,7 @@ const [{ Engine }, { withArenaAsync }, { briefed }, { checked }] = await Promise
   ["engine", "compute/arena", "compute/briefing", "compute/plan"].map(load),
 );
 const [{ Sayings, markLine }, { called }, { speak, useWords }] = await Promise.all(
-  ["bench_sheet", "made/people", "words"].map(load),
+  ["sayings", "made/people", "words"].map(load),
 );
 const engine = await Engine.load(readFileSync(file));
 

@@ -217,7 +217,7 @@ WISHED: dict[str, dict[str, Any]] = {
 }
 
 
-@pytest.mark.parametrize(("name", "language"), zip(WISHED, ["en", "zh", "zh", "en"], strict=True))
+@pytest.mark.parametrize(("name", "language"), [*zip(WISHED, ["en", "zh", "zh", "en"], strict=True)])
 def test_the_page_proposes_what_python_does(name: str, language: str) -> None:
     wishes = YARD | WISHED[name]
     said = told("propose", wishes, language)

@@ -87,7 +87,7 @@ TWINS = {
     "explain.proposal": ("proposal_text", "proposal_lines", "refusal_lines"),
     "solve.course": ("course", "course_of"),
     "solve.proposal": ("proposal", "TooSmall", "benches_out_again", "propose"),
-    "solve.wishes": ("wishes", "SHOULDERS", "Wishes"),
+    "solve.wishes": ("wishes", "CORNERS", "SHOULDERS", "Wishes"),
     "solve.square": ("square_room", "Square"),
     "solve.head_speed": ("head_speed", "greatest_head_speed", "slowed", "with_pace"),
     "solve.random_dance": ("random_dance", "answered"),

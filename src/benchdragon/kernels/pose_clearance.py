@@ -20,9 +20,9 @@ from benchdragon.kernels.obstacle import forbids
 
 # Neighbouring boxes that are bounded by one circle.
 GROUP = 16
-# Steps towards the farthest corner by which the centre of the smallest circle is found: it is then
-# wider than the smallest by less than this share's inverse.
-ROUNDS = 1_000
+# Steps towards the farthest corner by which the centre of the smallest circle is found: the circle is
+# then wider than the smallest by a share of at most 1 / CIRCLE_STEPS.
+CIRCLE_STEPS = 1_000
 
 
 class Circle(Numbered):
@@ -154,13 +154,13 @@ def smallest_circle(boxes: Table, out: Vector) -> None:
         for k in range(4):
             corners[4 * i + k, 0], corners[4 * i + k, 1] = box.corner(boxes, i, k)
     x, y, square = corners[0, 0], corners[0, 1], 0.0
-    for n in range(ROUNDS):
+    for n in range(CIRCLE_STEPS):
         far, square = 0, -1.0
         for i in range(corners.shape[0]):
             dx, dy = corners[i, 0] - x, corners[i, 1] - y
             if dx * dx + dy * dy > square:
                 far, square = i, dx * dx + dy * dy
-        if n < ROUNDS - 1:
+        if n < CIRCLE_STEPS - 1:
             x += (corners[far, 0] - x) / (n + 2)
             y += (corners[far, 1] - y) / (n + 2)
     out[Circle.X], out[Circle.Y], out[Circle.RADIUS] = x, y, math.sqrt(square)

@@ -26,10 +26,13 @@ const NAMES = ["roster", "sheet", "unit", "count_head", "step", "address"];
 /** A proposed plan with what another says of the event and of names. @param {Plan} plan @param {Plan | null} before @param {boolean} titled whether its title is its own */
 function withNames(plan, before, titled) {
   if (!before) return plan;
-  const people = { ...plan.people };
-  for (const name of NAMES) people[name] = before.people?.[name] ?? people[name];
-  const meta = titled ? (before.meta ?? plan.meta) : plan.meta;
-  return { ...plan, meta, event: before.event ?? plan.event, people };
+  /** @type {Plan} */
+  const copy = { ...plan, people: { ...plan.people } };
+  const { meta, event, people = {} } = before;
+  if (titled && meta) copy.meta = meta;
+  if (event) copy.event = event;
+  for (const name of NAMES) if (name in people) copy.people[name] = people[name];
+  return copy;
 }
 
 /** Where a square lies: a plan's own stays in place, for what stands there. @param {any} sides or its corners @param {any} venue */

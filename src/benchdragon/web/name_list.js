@@ -6,7 +6,7 @@ import { choice, make } from "./elements.js";
 import { rosterOf } from "./made/roster.js";
 import { _ } from "./words.js";
 
-/** @typedef {import("./bench_sheet.js").People} People */
+/** @typedef {import("./sayings.js").People} People */
 /** @typedef {import("./made/roster.js").Numbering} Numbering */
 /** @typedef {import("./compute/roster_book.js").Sheet} Sheet */
 
@@ -34,6 +34,11 @@ export class NameList {
   /** Whether the list has phones. */
   get phones() {
     return [...this.people.values()].flat().some(({ phone, home_phone }) => phone || home_phone);
+  }
+
+  /** Whether the list tells households. */
+  get households() {
+    return [...this.people.values()].flat().some(({ household }) => household);
   }
 
   /** Read the list for a dragon, in the language in use. @param {Numbering} numbering */

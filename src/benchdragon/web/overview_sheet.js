@@ -5,7 +5,7 @@ import { BENCH_NEARNESS } from "./compute/constants.js";
 import { decimals, general } from "./compute/number_format.js";
 import { _, language } from "./words.js";
 
-/** @typedef {import("./bench_sheet.js").Sayings} Sayings */
+/** @typedef {import("./sayings.js").Sayings} Sayings */
 /** @typedef {import("./sheet_map.js").SheetMaps} SheetMaps */
 
 // Tightest moments that are listed, of different benches, and how far apart they are at least, m:

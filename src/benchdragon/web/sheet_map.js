@@ -10,7 +10,8 @@ import { _, language } from "./words.js";
 // Widths of lines and sizes of marks, mm of paper, on a map as wide as that.
 const [THIN, EDGE, BOLD, MARK] = [0.15, 0.35, 0.9, 1.5];
 // How wide and tall a map is about, mm, by which lines are drawn so wide.
-const SIZES = { a4: [150, 90], quarter: [85, 45] };
+/** @type {Record<string, [number, number]>} */
+const SIZES = { a4: [150, 90], quarter: [85, 45], lanyard: [62, 45] };
 // Every so manyth bench is numbered, where numbers are so far apart, mm; and how tall they are.
 const NUMBERED = [1, 2, 5, 10, 20, 50, 100, 200, 500];
 const [NUMBER_ROOM, DIGITS] = [5, 2.5];
@@ -28,7 +29,7 @@ function placed([x, y]) {
 
 /** What all maps of a dance share. */
 export class SheetMaps {
-  /** @param {Briefing} briefing @param {"a4" | "quarter"} paper */
+  /** @param {Briefing} briefing @param {string} paper "a4", "quarter" or "lanyard" */
   constructor(briefing, paper) {
     this.briefing = briefing;
     /** The points of the route, m. @type {Point[]} */
@@ -122,24 +123,35 @@ export class SheetMaps {
     return text;
   }
 
-  /** The track of a bench (number, from 1): a disc where it starts, an arrow's head where it ends. @param {number} bench */
-  track(bench) {
+  /** The tracks of benches (numbers, from 1): discs where they start, arrows' heads where they end; named where they are several. @param {{ bench: number, called: string }[]} benches */
+  tracks(benches) {
     const { low, high, s, ends } = this.briefing.ways;
-    const [first, last] = s.map((at) => at[bench - 1]);
-    const [start, end] = ends.map((at) => at.slice(3 * bench - 3, 3 * bench));
-    const track = draw("use", {
-      href: `#${WAY}`,
-      class: "track",
-      "stroke-width": String(BOLD * this.unit),
-      "stroke-dasharray": `0 ${first - low} ${last - first} ${high - low}`,
+    const { unit } = this;
+    let moves = false;
+    const drawn = benches.flatMap(({ bench, called }, n) => {
+      const [first, last] = s.map((at) => at[bench - 1]);
+      const [start, end] = ends.map((at) => at.slice(3 * bench - 3, 3 * bench));
+      moves ||= last > first;
+      const track = draw("use", {
+        href: `#${WAY}`,
+        class: "track",
+        // Who goes the same way is seen below.
+        "stroke-width": String((BOLD + 0.9 * (benches.length - 1 - n)) * unit),
+        "stroke-dasharray": `0 ${first - low} ${last - first} ${high - low}`,
+      });
+      const name = this.#name(called, start[0], -start[1] - 1.8 * unit);
+      const one = draw(
+        "g",
+        { class: n ? "other" : "own" },
+        track,
+        disc(start, MARK * unit),
+        this.#arrow(end),
+        ...(benches.length > 1 ? [name] : []),
+      );
+      return [one];
     });
-    const map = this.#map(
-      _("map with your way"),
-      track,
-      disc(start, MARK * this.unit),
-      this.#arrow(end),
-    );
-    map.append(legend(last > first));
+    const map = this.#map(_("map with your way"), ...drawn);
+    map.append(legend(moves));
     return map;
   }
 

@@ -1,6 +1,6 @@
 // The sheets of a dance on a page of their own: asked for, seen, printed.
 
-import { BenchSheet, Sayings, fitted } from "./bench_sheet.js";
+import { BenchSheet, fitted } from "./bench_sheet.js";
 import { planName } from "./names.js";
 import { choice, make, tick } from "./elements.js";
 import { deliver } from "./files.js";
@@ -8,6 +8,7 @@ import { called } from "./made/people.js";
 import { Numbering } from "./made/roster.js";
 import { overviewSheet, overviewTable } from "./overview_sheet.js";
 import { NameList } from "./name_list.js";
+import { Sayings } from "./sayings.js";
 import { readable, SheetMaps } from "./sheet_map.js";
 import { samePlan } from "./standing.js";
 import { _ } from "./words.js";
@@ -19,7 +20,10 @@ import { _ } from "./words.js";
 
 // Sheets that are shown and printed at once.
 const MOST_SHEETS = 250;
-const ON_A_PAGE = { a4: 1, quarter: 4 };
+/** @type {Record<string, number>} */
+const ON_A_PAGE = { a4: 1, quarter: 4, lanyard: 2 };
+// Benches of a household on one sheet, where sheets are large and the type is not.
+const MOST_BENCHES = 2;
 // Width of a page, in pixels of 96 to an inch, and of what is around it.
 const [WIDE, AROUND] = [(210 / 25.4) * 96, 20];
 
@@ -42,7 +46,7 @@ export class Sheets {
     /** @type {Briefing | null} */
     this.briefing = null;
     this.names = new NameList(() => this.#anew());
-    this.looks = { paper: "a4", night: false, phones: false };
+    this.looks = { paper: "a4", households: false, night: false, phones: false };
     /** "benches" or "overview"; which benches: the first of so many, or the one. */
     this.shown = { what: "benches", from: 1, one: false };
     this.section = make("section", { id: "sheets", class: "sheets", tabindex: "-1" });
@@ -173,9 +177,17 @@ export class Sheets {
       anew();
     });
     /** @type {[string, string][]} */
-    const papers = [["a4", _("A4, one on a page")], ["quarter", _("a quarter, four on a page")]]; // prettier-ignore
+    const papers = [
+      ["a4", _("A4, one on a page")],
+      ["quarter", _("a quarter, four on a page")],
+      ["lanyard", _("to hang round the neck, two on a page")],
+    ];
     const paper = choice(_("size of the sheets"), papers, looks.paper, (value) => {
       looks.paper = value;
+      this.show();
+    });
+    const households = tick(_("by household"), looks.households, (on) => {
+      looks.households = on;
       this.show();
     });
     const night = tick(_("large type"), looks.night, (on) => {
@@ -188,7 +200,9 @@ export class Sheets {
     });
     const print = make("button", { type: "button", onclick: () => globalThis.print() }, _("print"));
     const save = make("button", { type: "button", onclick: () => this.#save() }, _("save as CSV"));
-    const benches = shown.what === "benches" ? [paper, ...this.#which(briefing, anew), night] : [save];
+    const grouped = this.names.households ? [households] : [];
+    const benches =
+      shown.what === "benches" ? [paper, ...this.#which(briefing, anew), ...grouped, night] : [save];
     return [what, ...benches, ...(this.names.phones ? [phones] : []), print];
   }
 
@@ -240,7 +254,7 @@ export class Sheets {
         "p",
         {},
         _(
-          "The command line sets the same sheets as PDF, by household and as cards to hang round the neck too, and besides them chalk plan, timetable and permit annex: benchdragon sheets PLAN --check",
+          "The command line sets the same sheets as PDF, and besides them chalk plan, timetable and permit annex: benchdragon sheets PLAN --check",
         ),
       ),
     );
@@ -251,8 +265,7 @@ export class Sheets {
     const { briefing } = this;
     if (!briefing) return;
     const { looks } = this;
-    const quarter = this.shown.what === "benches" && looks.paper === "quarter";
-    const maps = new SheetMaps(briefing, quarter ? "quarter" : "a4");
+    const maps = new SheetMaps(briefing, this.shown.what === "benches" ? looks.paper : "a4");
     const said = new Sayings(briefing, this.names.people);
     const date = today();
     const foot = `${briefing.sha256.slice(0, 12)} · ${date}`;
@@ -269,12 +282,12 @@ export class Sheets {
   #showBenches({ benches }, maps, said, foot) {
     const { looks, shown } = this;
     const last = shown.one ? shown.from : Math.min(shown.from + MOST_SHEETS - 1, benches.length);
-    const sheets = benches
-      .slice(shown.from - 1, last)
-      .map(
-        ({ bench }) => new BenchSheet(said.sheet(bench, looks.phones), maps.track(bench), looks, foot),
-      );
-    const each = looks.paper === "quarter" ? ON_A_PAGE.quarter : ON_A_PAGE.a4;
+    const most = looks.paper === "a4" && !looks.night ? MOST_BENCHES : 1;
+    const numbers = benches.slice(shown.from - 1, last).map(({ bench }) => bench);
+    const sheets = said
+      .sheets(numbers, looks.phones, looks.households && this.names.households ? most : 0)
+      .map((sheet) => new BenchSheet(sheet, maps.tracks(sheet.entries), looks, foot));
+    const each = ON_A_PAGE[looks.paper];
     const pages = [];
     for (let n = 0; n < sheets.length; n += each) {
       const there = sheets.slice(n, n + each).map(({ element }) => element);

@@ -1,5 +1,6 @@
 // What stands on the square, in a plan: added, named, given sizes, deleted. Each makes a plan of its own.
 
+import { CORNERS } from "./made/wishes.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
@@ -8,9 +9,7 @@ import { _ } from "./words.js";
 
 /** Letters of a name: MOST_LETTERS of plans/square.py. */
 export const MOST_LETTERS = 80;
-/** Corners of a round square: CORNERS of solve/proposal.py. So many are round where all are as far from their
- * middle, to so much, m. */
-const CORNERS = 90;
+/** So many corners are round where all are as far from their middle, to so much, m. */
 const ROUND = 12;
 const ALIKE = 0.005;
 
