@@ -216,7 +216,7 @@ def test_cards_to_hang_round_the_neck_have_two_sides_beside_one_another(
     page = opened_sheets("zh")
     given(page, LIST)
     sheets(page).get_by_role("combobox").nth(1).select_option("lanyard")
-    cards = sheets(page).locator(".paper .card")
+    cards = sheets(page).locator(".paper .folded")
     expect(cards).to_have_count(8)
     expect(sheets(page).locator(".paper")).to_have_count(4)
     plan.with_name("names.tsv").write_text(LIST, "utf-8")

@@ -173,7 +173,7 @@ export class BenchSheet {
           ]
         : [new Side(side(...head, ...body), { carriers, told, map }, night, coded)];
     const elements = this.sides.map(({ element }) => element);
-    this.element = elements.length > 1 ? make("div", { class: "card" }, ...elements) : elements[0];
+    this.element = elements.length > 1 ? make("div", { class: "folded" }, ...elements) : elements[0];
   }
 }
 
