@@ -82,6 +82,10 @@ VERIFY = ["verify", "out/certificate.json"]
 CERTIFIED = [*CHECK, "--prove", "-o", "out", "--format", "svg"]
 NEW = ["new", "-o", "new.toml", "--benches", "4", "--bench-length", "1.5", "--bench-width", "0.2"]
 PROPOSED = [*NEW, "--square", "20x20"]
+WELL = [
+    "plan", "spiral-in", "--set", 'obstacle=[{kind="circle", centre=[1, 2], radius=1.0}]', "-o",
+    "well.dragon.toml",
+]  # fmt: skip
 
 
 Outcome = tuple[object, ...]
@@ -153,6 +157,7 @@ CASES: dict[str, Case] = {
     "new --sway": Case(PROPOSED, ["--sway", "2cm"]),
     "new --imprecision": Case(PROPOSED, ["--imprecision", "20cm"]),
     "new --kind": Case(PROPOSED, ["--kind", "spiral-in"]),
+    "new --beside": Case(PROPOSED, ["--beside", "well.dragon.toml"], WELL),
     "new --roster": Case(PROPOSED, ["--roster", "names.csv"]),
     "new --force": Case(PROPOSED, ["--force"], PROPOSED),
     "formations --json": Case(["formations"], ["--json"]),

@@ -238,10 +238,16 @@ def test_an_interrupt_while_ffmpeg_starts_leaves_none_running(
             started.append(self)
             os.kill(os.getpid(), signal.SIGINT)
 
+    find_ffmpeg()  # starts a process of its own, once
     monkeypatch.setattr(subprocess, "Popen", Interrupted)
     reel = Reel(SMALL, 10, 40, iter(()), "x", "y")
-    with pytest.raises(KeyboardInterrupt):
-        encode_mp4(tmp_path / "a.mp4", reel)
+    # Whoever runs in the background of a shell is born without ears for it.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            encode_mp4(tmp_path / "a.mp4", reel)
+    finally:
+        signal.signal(signal.SIGINT, before)
     assert [process.returncode for process in started] == [-signal.SIGKILL]
 
 

@@ -59,7 +59,7 @@ export function nearestText({ clearance }) {
   if (!least || least <= 0) return "";
   const centimetres = Math.floor(100 * least + 1e-9);
   if (!centimetres) return _("benches less than {gap} m apart", { gap: "0.01" });
-  return _("benches {gap} m apart at the nearest", { gap: decimals(centimetres / 100, 2) });
+  return _("benches are {gap} m apart at the nearest", { gap: decimals(centimetres / 100, 2) });
 }
 
 /** What touches first. @param {Verdict} found */
