@@ -5,7 +5,7 @@ TWINS = {
     "analysis.beats": ("beats", "score_of"),
     "analysis.bench_walks": ("bench_walks", "BenchWalk", "bench_walks"),
     "analysis.bends": ("bends", "Bends"),
-    "analysis.check": ("check", "checked", "in_one_coil", "peak_text", "sentence"),
+    "analysis.check": ("check", "BRIEF", "checked", "in_one_coil", "peak_text", "sentence"),
     "analysis.clock": ("clock", "Clock"),
     "analysis.contact": (
         "contact", "contact_windows", "first_sure_contact", "least_clearance", "seen_clearance",

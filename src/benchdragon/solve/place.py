@@ -15,7 +15,7 @@ from benchdragon.analysis.check import Report, check, sentence
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.room import with_all_room
 from benchdragon.analysis.swept import enclosing
-from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
+from benchdragon.errors import UnsureError, WalkError, of_kind
 from benchdragon.i18n import _, both
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
@@ -90,8 +90,6 @@ def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
     """
     of_kind("plan", plan, Plan)
     began = clock.perf_counter()
-    if not any(obstacle.kind == "venue" for obstacle in plan.obstacles()):
-        raise InputError(_("the plan has no venue to be placed in: add [venue]"))
     square = Square(plan.with_values({"route.at": [0.0, 0.0], "route.turned": 0.0}))
     best = square.roomiest(part(progress, 0.0, SEARCHED, _("trying positions")))
     progress(SEARCHED, _("exact figures"))

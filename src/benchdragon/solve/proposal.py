@@ -131,19 +131,19 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     tried = _tried(wishes, ROUNDS, progress)
     if tried.found is not None:
         return tried.found
-    least = [] if tried.fits else _least(wishes)
-    if not tried.fits and not least:
-        raise InputError(
-            _(
-                "no dance of these benches was found among the pitches and turning discs that were "
-                "tried: try shorter or narrower benches"
-            )
-        )
     if tried.fits:
         raise UnsureError(
             _(
                 "a dance was found that fits the square, but it does not pass the check: try "
                 "narrower benches"
+            )
+        )
+    least = _least(wishes)
+    if not least:
+        raise InputError(
+            _(
+                "no dance of these benches was found among the pitches and turning discs that were "
+                "tried: try shorter or narrower benches"
             )
         )
     progress(0.9, _("how large a square it takes"))

@@ -15,7 +15,7 @@ import numpy as np
 from benchdragon.analysis.not_looked_at import places
 from benchdragon.analysis.room import with_all_room
 from benchdragon.analysis.tables import kinds_of
-from benchdragon.errors import UnsureError
+from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import empty_placements
@@ -70,11 +70,16 @@ class Square:
     Args:
         plan: with the dance at its origin, not turned.
         step: between boxes along the route, m.
+
+    Raises:
+        InputError: for a plan without a venue.
     """
 
     def __init__(self, plan: Plan, step: float = STEP) -> None:
         self.plan = plan
         self.walk, self.obstacles = with_all_room(plan)
+        if not self.obstacles or self.venue.kind != "venue":
+            raise InputError(_("the plan has no venue to be placed in: add [venue]"))
         self.step = step
         self.evaluations = 0
 

@@ -2,6 +2,7 @@
 
 import { make } from "./elements.js";
 import { evidence, limitRow } from "./evidence.js";
+import { BRIEF } from "./made/check.js";
 import { distinct, mendable, orNothing, remedies } from "./remedies.js";
 import { Refusal } from "./standing.js";
 import { STATE_SIGNS } from "./telling.js";
@@ -25,17 +26,8 @@ import { N_, _, decimals, language } from "./words.js";
  * @property {(plan: Plan) => void} take another plan in its place
  */
 
-/** Findings in plain words; those that leaders never meet stay as they are told. @type {Record<string, string>} */
+/** Findings in plain words, beside those that verdicts tell in few; what leaders never meet stays as it is. @type {Record<string, string>} */
 const PLAIN = {
-  contact: N_("benches {a} and {b} touch at {t} s"),
-  margin: N_("benches {a} and {b} come nearer than the {margin} m asked for at {t} s"),
-  obstacle: N_("bench {a} touches {name} at {t} s"),
-  obstacle_margin: N_("bench {a} comes nearer than {margin} m to {name} at {t} s"),
-  venue: N_("bench {a} leaves {name} at {t} s"),
-  venue_margin: N_("bench {a} comes nearer than {margin} m to the edge of {name} at {t} s"),
-  sway: N_("benches {a} and {b} have no room to sway at {t} s"),
-  imprecision: N_("benches {a} and {b} have no room for imprecision at {t} s"),
-  people: N_("the people of benches {a} and {b} have no room at {t} s"),
   speed: N_("bench {a} is as fast as {value} m/s at {t} s; {limit} m/s are allowed"),
   most_speed: N_("bench {a} is as fast as {value} m/s at {t} s; it can be carried at {limit} m/s"),
 };
@@ -49,7 +41,9 @@ function few(size, up = false) {
 /** A finding as people read it. @param {Finding} finding @param {Verdict} verdict */
 function plainText({ kind, decided, text, benches, time, value, limit, obstacle }, { obstacles }) {
   const alone = ROOM.includes(kind) && obstacle;
-  const plain = alone ? N_("bench {a} has too little room at {name} at {t} s") : PLAIN[kind];
+  const plain = alone
+    ? N_("bench {a} has too little room at {name} at {t} s")
+    : (BRIEF.get(kind) ?? PLAIN[kind]);
   if (!plain || !decided || time === null) return text[language()];
   const [a, b] = [benches[0], benches[benches.length - 1]];
   const name = obstacles.find((one) => one.name === obstacle)?.shown[language()] ?? "";

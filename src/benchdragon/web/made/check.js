@@ -198,7 +198,7 @@ export function sentence(report, told = /** @type {any} */ (null)) {
   }
   return py.filled(_("Not safe: {finding}"), { finding: text });
 }
-const BRIEF = py.dict([["contact", N_("benches {a} and {b} touch at {t} s")], ["margin", N_("benches {a} and {b} come nearer than the {margin} m asked for at {t} s")], ["obstacle", N_("bench {a} touches {name} at {t} s")], ["obstacle_margin", N_("bench {a} comes nearer than {margin} m to {name} at {t} s")], ["venue", N_("bench {a} leaves {name} at {t} s")], ["venue_margin", N_("bench {a} comes nearer than {margin} m to the edge of {name} at {t} s")], ["sway", N_("benches {a} and {b} have no room to sway at {t} s")], ["imprecision", N_("benches {a} and {b} have no room for imprecision at {t} s")], ["people", N_("the people of benches {a} and {b} have no room at {t} s")]]);
+export const BRIEF = py.dict([["contact", N_("benches {a} and {b} touch at {t} s")], ["margin", N_("benches {a} and {b} come nearer than the {margin} m asked for at {t} s")], ["obstacle", N_("bench {a} touches {name} at {t} s")], ["obstacle_margin", N_("bench {a} comes nearer than {margin} m to {name} at {t} s")], ["venue", N_("bench {a} leaves {name} at {t} s")], ["venue_margin", N_("bench {a} comes nearer than {margin} m to the edge of {name} at {t} s")], ["sway", N_("benches {a} and {b} have no room to sway at {t} s")], ["imprecision", N_("benches {a} and {b} have no room for imprecision at {t} s")], ["people", N_("the people of benches {a} and {b} have no room at {t} s")]]);
 function _soonest(found) {
   let time, touch;
   time = ((found.time == null) ? Infinity : found.time);

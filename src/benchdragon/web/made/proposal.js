@@ -69,12 +69,12 @@ export async function propose(wishes, progress = silent) {
     if ((tried.found != null)) {
       return tried.found;
     }
-    least = (py.truth(tried.fits) ? [] : (await _least(wishes)));
-    if ((!py.truth(tried.fits) && !py.truth(least))) {
-      throw new InputError(_("no dance of these benches was found among the pitches and turning discs that were tried: try shorter or narrower benches"));
-    }
     if (py.truth(tried.fits)) {
       throw new UnsureError(_("a dance was found that fits the square, but it does not pass the check: try narrower benches"));
+    }
+    least = (await _least(wishes));
+    if (!py.truth(least)) {
+      throw new InputError(_("no dance of these benches was found among the pitches and turning discs that were tried: try shorter or narrower benches"));
     }
     progress(0.9, _("how large a square it takes"));
     smallest = py.min(least, (dance) => dance.radius);

@@ -2,7 +2,7 @@
 // Made from solve/square.py by tools/make_twins.py; to make it again: make generate
 
 import { emptyPlacements } from "../compute/arrays.js";
-import { UnsureError } from "../compute/error_kinds.js";
+import { InputError, UnsureError } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { places } from "../compute/walk_facts.js";
 import { _ } from "../words.js";
@@ -27,6 +27,9 @@ export class Square {
   constructor(plan, step = STEP) {
     this.plan = plan;
     [this.walk, this.obstacles] = py.list(withAllRoom(plan));
+    if ((!py.truth(this.obstacles) || (this.venue.kind !== "venue"))) {
+      throw new InputError(_("the plan has no venue to be placed in: add [venue]"));
+    }
     this.step = step;
     this.evaluations = 0;
   }
