@@ -42,7 +42,7 @@ ASKED = """(async () => {{
   return JSON.stringify(times);
 }})()"""
 # What a page shows of its plan, once that has another pitch, m, each.
-SHOWN = {"verdicts": "verdict", "pitches": "smallest pitch", "dances": "dance"}
+SHOWN = {"verdicts": "verdict", "dances": "dance"}
 PITCHES = (0.5, 0.52, 0.54, 0.56, 0.58, 0.6)
 MOVED = f"""(async () => {{
   const found = {{}};

@@ -1,9 +1,8 @@
 """How long the planner takes to answer while a slider is dragged, as the page itself sees it.
 
 Run it as `python -m benchmarks.sliders`: the planner's file in Chromium on this machine, every move
-another value. The first contact, the least clearance and the greatest speed come as one verdict, the
-smallest pitch beside it, a rough picture and then the dance that is shown when the slider rests.
-Waiting counts from the move, also where a newer move took the question's place. Chromium's own
+another value. The first contact, the least clearance and the greatest speed come as one verdict, a
+rough picture beside it, and the dance that is shown when the slider rests. Waiting counts from the move, also where a newer move took the question's place. Chromium's own
 throttling leaves Workers as fast as they are: for the phone the process of page and Workers is
 stopped three quarters of the time. `--seconds N` drags for so long instead, and says what memory that
 process takes as it goes.
@@ -40,7 +39,6 @@ MOVES, PAUSES = 30, (60, 500)
 SETTLES, ALONE = 60_000, 1_500
 ASKED = {
     "verdicts": "verdict",
-    "pitches": "smallest pitch",
     "sketches": "rough picture",
     "dances": "dance to be shown",
 }
@@ -67,9 +65,15 @@ WATCH = """() => {
 }"""
 
 
+def answered(page: Page) -> None:
+    """Wait for the first verdict, whatever the page shows before it."""
+    found = page.locator(".verdict:is(.safe, .tight, .unsafe)")
+    found.wait_for(state="attached", timeout=SETTLES)
+
+
 def settled(page: Page) -> None:
     """Wait for verdict and dance."""
-    page.locator(".verdict:is(.safe, .unsafe, .open, .none)").wait_for(timeout=SETTLES)
+    answered(page)
     page.wait_for_timeout(ALONE)
     page.locator("#planner[aria-busy=false]").wait_for(timeout=SETTLES)
 
@@ -85,7 +89,7 @@ def told(times: list[float]) -> str:
 
 def drag(page: Page, name: str, low: float, high: float, moves: int, pause: float) -> None:
     """Move a slider through its values."""
-    handle = page.get_by_role("slider", name=name)
+    handle = page.get_by_role("slider", name=name, include_hidden=True)
     for move in range(moves):
         value = f"{low + (high - low) * move / moves:.3f}"
         handle.evaluate(
@@ -163,7 +167,7 @@ def latency(browser: Browser, pages: Pages, address: str) -> None:
 
 def dragged(page: Page, where: str) -> None:
     """Print the rows of one device."""
-    page.locator(".verdict:is(.safe, .unsafe)").wait_for(timeout=SETTLES)
+    answered(page)
     (first,) = page.evaluate("benchdragon.verdicts.times.slice(0, 1)")
     whole = page.evaluate("performance.now()")
     print(f"| {where} | opened | | first verdict | 1 | {first:.0f} | | |")
