@@ -2,10 +2,10 @@
 
 Run it as `python -m benchmarks.sliders`: the planner's file in Chromium on this machine, every move
 another value. The first contact, the least clearance and the greatest speed come as one verdict, a
-rough picture beside it, and the dance that is shown when the slider rests. Waiting counts from the move, also where a newer move took the question's place. Chromium's own
-throttling leaves Workers as fast as they are: for the phone the process of page and Workers is
-stopped three quarters of the time. `--seconds N` drags for so long instead, and says what memory that
-process takes as it goes.
+rough picture beside it, and the dance that is shown when the slider rests. Waiting counts from the
+move, also where a newer move took the question's place. Chromium's own throttling leaves Workers as
+fast as they are: for the phone the process of page and Workers is stopped three quarters of the time.
+`--seconds N` drags for so long instead, and says what memory that process takes as it goes.
 """
 
 import argparse
