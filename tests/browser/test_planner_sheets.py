@@ -72,6 +72,7 @@ def sheets(page: Page) -> Locator:
 
 def printed(page: Page) -> list[str]:
     """What stands on each page that is printed, without spaces."""
+    expect(sheets(page)).to_have_attribute("aria-busy", "false")
     made = pypdfium2.PdfDocument(io.BytesIO(page.pdf(prefer_css_page_size=True)))
     for sheet in made:
         assert sheet.get_size() == pytest.approx((595.3, 841.9), abs=1.0)
@@ -124,8 +125,7 @@ def test_axe_finds_nothing_wrong_in_sheets(
 
 def test_one_bench_is_printed_alone(opened_sheets: Opened, plan: Path) -> None:
     page = opened_sheets("en", "phone")
-    sheets(page).get_by_role("combobox", name="which benches").select_option("one")
-    sheets(page).get_by_role("combobox", name="bench", exact=True).select_option("3")
+    sheets(page).get_by_role("combobox", name="which benches").select_option("3")
     (text,) = printed(page)
     assert_says(text, told(plan, "en", Roster())[2])
 
@@ -431,3 +431,17 @@ def test_what_is_printed_too_early_says_so(pages: Pages, sheets_file: Path) -> N
     page.get_by_role("button", name=NAMES["en"], exact=True).click()
     made = pypdfium2.PdfDocument(io.BytesIO(page.pdf()))
     assert "notreadyyet" in "".join(made[0].get_textpage().get_text_bounded().split())
+
+
+def test_all_papers_are_printed_one_after_another(opened_sheets: Opened) -> None:
+    page = opened_sheets("zh")
+    what = sheets(page).get_by_role("combobox", name="打印什么")
+    alone = []
+    for name in what.locator("option").evaluate_all("(all) => all.map(({ value }) => value)"):
+        if name:
+            what.select_option(name)
+            alone += printed(page)
+    assert len(alone) > 8
+    what.select_option("")
+    assert printed(page) == alone
+    assert "全部单子" in page.title()

@@ -2,14 +2,21 @@
 
 import { drawnCode } from "./code.js";
 import { make } from "./elements.js";
-import { listed } from "./sayings.js";
-import { readable } from "./sheet_map.js";
+import { Sayings, listed } from "./sayings.js";
+import { SheetMaps, readable } from "./sheet_map.js";
 import { _ } from "./words.js";
 
+/** @typedef {import("./compute/briefing.js").Briefing} Briefing */
+/** @typedef {import("./name_list.js").NameList} NameList */
 /** @typedef {import("./sayings.js").Sheet} Sheet */
 /** @typedef {import("./sayings.js").Told} Told */
+/** @typedef {import("./sheets.js").Built} Built */
+/** @typedef {import("./sheets.js").Looks} Looks */
 
-/** How sheets are wanted: "a4", "quarter" or "lanyard", in large type, with phones. @typedef {{ paper: string, night: boolean, phones: boolean }} Looks */
+/** @type {Record<string, number>} */
+const ON_A_PAGE = { a4: 1, quarter: 4, lanyard: 2 };
+// Benches of a household on one sheet, where sheets are large and the type is not.
+const MOST_BENCHES = 2;
 
 // What is tried until a sheet fits, as shares of the format's type: by day, and by night.
 const DAY = [1, 0.93, 0.86, 0.8, 0.74];
@@ -23,6 +30,8 @@ const LARGEST_CODE = 40;
 const BLANK = "_".repeat(22);
 // Type that is still too large shrinks by this share, so many times at most.
 const [SMALLER, MOST_SMALLER] = [0.9, 20];
+// So many sheets are fitted before the page is shown how far it is.
+const AT_ONCE = 25;
 
 /** The code of an address; itself where it is too long for one. @param {string} address */
 function codeOf(address) {
@@ -135,8 +144,8 @@ class Side {
 
 /** A sheet: of one side, or a card to hang round the neck, which is folded. */
 export class BenchSheet {
-  /** @param {Sheet} sheet @param {HTMLElement} map @param {Looks} looks @param {string} foot */
-  constructor({ title, entries }, map, { paper, night }, foot) {
+  /** @param {Sheet} sheet @param {HTMLElement} map @param {Looks} looks */
+  constructor({ title, entries }, map, { paper, night, foot }) {
     const [{ address, text }] = entries;
     const several = entries.length > 1;
     const carriers = entries.map(carriersOf);
@@ -177,19 +186,38 @@ export class BenchSheet {
   }
 }
 
-/** Have sheets that stand in the page give way until all of each finds room. @param {BenchSheet[]} sheets */
-export function fitted(sheets) {
+/** Have sheets that stand in the page give way until all of each finds room. @param {BenchSheet[]} sheets @param {(share: number) => void} told how far it is */
+async function fitted(sheets, told) {
   const sides = sheets.flatMap((sheet) => sheet.sides);
-  for (let open = sides; open.length;) {
-    // All are measured before any is changed, so that the browser sets the page once for each step.
-    open = open.filter((side) => !side.fits);
-    open = open.filter((side) => !side.steps.next().done);
+  for (let n = 0; n < sides.length; n += AT_ONCE) {
+    if (n) await new Promise((done) => setTimeout(done)); // so that the page is shown, and heard
+    for (let open = sides.slice(n, n + AT_ONCE); open.length;) {
+      // All are measured before any is changed, so that the browser sets them once for each step.
+      open = open.filter((side) => !side.fits);
+      open = open.filter((side) => !side.steps.next().done);
+    }
+    told(Math.min(n + AT_ONCE, sides.length) / sides.length);
   }
   // Maps are as tall as the least of them.
   const maps = sides.flatMap(({ map }) => (map?.isConnected ? [map] : []));
   const tall = maps.reduce((least, map) => Math.min(least, map.clientHeight), Infinity);
-  for (const map of maps) {
-    map.style.maxHeight = `${tall}px`;
-    readable(map);
-  }
+  for (const map of maps) map.style.maxHeight = `${tall}px`;
+  for (const map of maps) readable(map);
+}
+
+/** A sheet for each bench, or for each household's. @param {Briefing} briefing @param {NameList} names @param {Looks} looks @returns {Built} */
+export function benchSheets(briefing, names, looks) {
+  const said = new Sayings(briefing, names.people);
+  const maps = new SheetMaps(briefing, looks.paper);
+  const most = looks.paper === "a4" && !looks.night ? MOST_BENCHES : 1;
+  const numbers = looks.bench ? [looks.bench] : briefing.benches.map(({ bench }) => bench);
+  const sheets = said
+    .sheets(numbers, looks.phones, looks.households && names.households ? most : 0)
+    .map((sheet) => new BenchSheet(sheet, maps.tracks(sheet.entries), looks));
+  const each = ON_A_PAGE[looks.paper];
+  const pages = Array.from({ length: Math.ceil(sheets.length / each) }, (_page, n) => {
+    const there = sheets.slice(n * each, (n + 1) * each).map(({ element }) => element);
+    return make("div", { class: `paper ${looks.paper}` }, ...there);
+  });
+  return { pages: [maps.shared(), ...pages], settle: (told) => fitted(sheets, told) };
 }

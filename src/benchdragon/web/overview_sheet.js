@@ -3,10 +3,14 @@
 import { make } from "./elements.js";
 import { BENCH_NEARNESS } from "./compute/constants.js";
 import { decimals, general } from "./compute/number_format.js";
+import { Sayings } from "./sayings.js";
+import { SheetMaps, readable } from "./sheet_map.js";
 import { _, language } from "./words.js";
 
-/** @typedef {import("./sayings.js").Sayings} Sayings */
-/** @typedef {import("./sheet_map.js").SheetMaps} SheetMaps */
+/** @typedef {import("./compute/briefing.js").Briefing} Briefing */
+/** @typedef {import("./name_list.js").NameList} NameList */
+/** @typedef {import("./sheets.js").Built} Built */
+/** @typedef {import("./sheets.js").Looks} Looks */
 
 // Tightest moments that are listed, of different benches, and how far apart they are at least, m:
 // MOST_TIGHT and TIGHT_APART of sheets/overview.py.
@@ -60,13 +64,16 @@ function tightestLines(said) {
   });
 }
 
-/** The table and what stands above it. @param {Sayings} said @param {SheetMaps} maps @param {boolean} phones @param {string[]} notes about the list of names @param {string} date @param {string} foot */
-export function overviewSheet(said, maps, phones, notes, date, foot) {
-  const { title, verdict, people } = said.briefing;
+/** The table and what stands above it. @param {Briefing} briefing @param {NameList} names @param {Looks} looks @returns {Built} */
+export function overviewSheet(briefing, { people: carriers, notes }, { phones, date, foot }) {
+  const said = new Sayings(briefing, carriers);
+  const maps = new SheetMaps(briefing, "a4");
+  const { title, verdict, people } = briefing;
   const tight = tightestLines(said);
   const rows = rowsOf(said, phones);
   const alike = rows.length > 1 && rows.every(({ quick }) => quick === rows[0].quick);
-  return make(
+  const starts = maps.starts((bench) => said.called(bench));
+  const sheet = make(
     "article",
     { class: "overview" },
     make("h2", {}, title[language()] || _("Overview")),
@@ -80,13 +87,14 @@ export function overviewSheet(said, maps, phones, notes, date, foot) {
     ...listOf(_("Notes on the list of names"), notes),
     make("h3", {}, _("Where each bench starts")),
     make("p", {}, said.ground.legend),
-    maps.starts((bench) => said.called(bench)),
+    starts,
     make("h3", {}, _("Benches")),
     ...(alike ? [make("p", {}, _("All benches: {what}", { what: rows[0].quick }))] : []),
     ...dashLine(rows),
     tableOf(rows, alike),
     make("footer", {}, foot),
   );
+  return { pages: [maps.shared(), sheet], settle: async () => readable(starts) };
 }
 
 /** What a dash in the last column means, where only some benches have one. @param {ReturnType<typeof rowsOf>} rows */
@@ -140,14 +148,16 @@ function listOf(name, lines) {
   return [make("h3", {}, name), ...lines.map((line) => make("p", {}, line))];
 }
 
-/** The table as a file for spreadsheets: commas, and the mark by which they know UTF-8. @param {Sayings} said @param {boolean} phones */
-export function overviewTable(said, phones) {
-  const [bench, names, , does, tightest] = headings();
+/** The table as a file for spreadsheets: commas, and the mark by which they know UTF-8. @param {Briefing} briefing @param {NameList} names @param {Looks} looks */
+export function overviewTable(briefing, { people }, { phones }) {
+  const said = new Sayings(briefing, people);
+  const [bench, carriers, , does, tightest] = headings();
   const rows = rowsOf(said, phones).map((row) => [
     row.bench, row.people.join(_(", ")), ...row.place, row.quick, row.tightest === NONE ? "" : row.tightest,
   ]); // prettier-ignore
-  const whole = [[bench, names, "x (m)", "y (m)", does, tightest], ...rows];
-  return `\ufeff${whole.map((row) => `${row.map(cell).join(",")}\r\n`).join("")}`;
+  const whole = [[bench, carriers, "x (m)", "y (m)", does, tightest], ...rows];
+  const text = whole.map((row) => `${row.map(cell).join(",")}\r\n`).join("");
+  return new Blob([`\ufeff${text}`], { type: "text/csv" });
 }
 
 /** @param {string} text */

@@ -19,8 +19,8 @@ const [NUMBER_ROOM, DIGITS] = [5, 2.5];
 const LEAST = (7 / 72) * 96;
 // Of an obstacle's name so many signs at most; a cross's arm, mm.
 const [MOST_SIGNS, CROSS] = [16, 1.4];
-// What is drawn once, and used by all maps.
-const [SQUARE, WAY] = ["sheet-square", "sheet-way"];
+// Papers that were made: each has its own names for what is drawn once and used by all of its maps.
+let made = 0;
 
 /** Of points the coordinates as the picture has them, with y downwards. @param {Point} point */
 function placed([x, y]) {
@@ -32,6 +32,9 @@ export class SheetMaps {
   /** @param {Briefing} briefing @param {string} paper "a4", "quarter" or "lanyard" */
   constructor(briefing, paper) {
     this.briefing = briefing;
+    made++;
+    this.square = `sheet-square-${made}`;
+    this.line = `sheet-way-${made}`;
     /** The points of the route, m. @type {Point[]} */
     this.way = [];
     for (let n = 0; n < briefing.points.length; n += 2)
@@ -66,12 +69,12 @@ export class SheetMaps {
   shared() {
     const { low, high, obstacles } = this.briefing.ways;
     const way = draw("path", {
-      id: WAY,
+      id: this.line,
       d: `M${this.way.map(placed).join("L")}`,
       pathLength: String(high - low),
       fill: "none",
     });
-    const square = draw("g", { id: SQUARE, "stroke-width": String(EDGE * this.unit) });
+    const square = draw("g", { id: this.square, "stroke-width": String(EDGE * this.unit) });
     square.append(...obstacles.map((one) => standing(one)));
     return draw("svg", { class: "shared", "aria-hidden": "true" }, draw("defs", {}, way, square));
   }
@@ -82,8 +85,8 @@ export class SheetMaps {
     const svg = draw(
       "svg",
       { viewBox: this.viewBox, role: "img", "aria-label": name },
-      draw("use", { href: `#${SQUARE}` }),
-      draw("use", { href: `#${WAY}`, class: "way", "stroke-width": thin }),
+      draw("use", { href: `#${this.square}` }),
+      draw("use", { href: `#${this.line}`, class: "way", "stroke-width": thin }),
       ...more,
       ...this.#names(),
     );
@@ -133,7 +136,7 @@ export class SheetMaps {
       const [start, end] = ends.map((at) => at.slice(3 * bench - 3, 3 * bench));
       moves ||= last > first;
       const track = draw("use", {
-        href: `#${WAY}`,
+        href: `#${this.line}`,
         class: "track",
         // Who goes the same way is seen below.
         "stroke-width": String((BOLD + 0.9 * (benches.length - 1 - n)) * unit),

@@ -1,6 +1,6 @@
-// The sheets of a dance on a page of their own: asked for, seen, printed.
+// The papers of a dance on a page of their own: asked for, seen, printed.
 
-import { BenchSheet, fitted } from "./bench_sheet.js";
+import { benchSheets } from "./bench_sheet.js";
 import { planName } from "./names.js";
 import { choice, make, tick } from "./elements.js";
 import { deliver } from "./files.js";
@@ -9,21 +9,54 @@ import { Numbering } from "./made/roster.js";
 import { overviewSheet, overviewTable } from "./overview_sheet.js";
 import { NameList } from "./name_list.js";
 import { Sayings } from "./sayings.js";
-import { readable, SheetMaps } from "./sheet_map.js";
-import { samePlan } from "./standing.js";
-import { _ } from "./words.js";
+import { Refusal, samePlan } from "./standing.js";
+import { N_, _ } from "./words.js";
 
 /** @typedef {import("./compute/briefing.js").Briefing} Briefing */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./standing.js").Answers} Answers */
 /** @typedef {import("./standing.js").Aside} Aside */
 
-// Sheets that are shown and printed at once.
-const MOST_SHEETS = 250;
-/** @type {Record<string, number>} */
-const ON_A_PAGE = { a4: 1, quarter: 4, lanyard: 2 };
-// Benches of a household on one sheet, where sheets are large and the type is not.
-const MOST_BENCHES = 2;
+/**
+ * How papers are wanted.
+ * @typedef {object} Looks
+ * @property {string} paper "a4", "quarter" or "lanyard": the size of benches' sheets
+ * @property {boolean} households whether benches of a household share a sheet
+ * @property {boolean} night whether the type is large
+ * @property {boolean} phones whether phone numbers are printed
+ * @property {number} bench whose sheet is wanted alone; 0: all
+ * @property {string} date the day, as 2026-02-17
+ * @property {string} foot what stands at the foot of each page
+ */
+
+/** What a paper came to: its elements, and what is done once they stand in the page, which tells what share of it is done.
+ * @typedef {{ pages: Element[], settle?: (told: (share: number) => void) => Promise<void> }} Built */
+
+/** A file that a paper is saved as: what its button says, what is added to the dance's name, and what is in it.
+ * @typedef {{ label: string, name: string, data: (briefing: Briefing, names: NameList, looks: Looks) => Blob }} Saved */
+
+/**
+ * A paper.
+ * @typedef {object} Paper
+ * @property {string} name by which it is asked for
+ * @property {string} label what it is called
+ * @property {boolean} [people] whether it names people, with phones where they are wanted
+ * @property {string} [question] what a Worker is asked besides about the plan
+ * @property {(briefing: Briefing, names: NameList, looks: Looks, facts: any) => Built} build what makes it, with the answer
+ * @property {Saved[]} [saved] files that it is saved as
+ */
+
+/** What is printed of a dance. A new paper is a row. @type {Paper[]} */
+const PAPERS = [
+  { name: "benches", label: N_("a sheet for each bench"), people: true, build: benchSheets },
+  {
+    name: "overview",
+    label: N_("the leader's overview"),
+    people: true,
+    build: overviewSheet,
+    saved: [{ label: N_("save as CSV"), name: N_("benches"), data: overviewTable }],
+  },
+];
 // Width of a page, in pixels of 96 to an inch, and of what is around it.
 const [WIDE, AROUND] = [(210 / 25.4) * 96, 20];
 
@@ -45,10 +78,14 @@ export class Sheets {
     this.lane = null;
     /** @type {Briefing | null} */
     this.briefing = null;
+    /** What papers tell besides, by the questions that were asked for it. @type {Map<string, any>} */
+    this.facts = new Map();
     this.names = new NameList(() => this.#anew());
-    this.looks = { paper: "a4", households: false, night: false, phones: false };
-    /** "benches" or "overview"; which benches: the first of so many, or the one. */
-    this.shown = { what: "benches", from: 1, one: false };
+    this.looks = { paper: "a4", households: false, night: false, phones: false, bench: 0 };
+    /** The names of papers that are shown; none: all. */
+    this.chosen = ["benches"];
+    /** Which showing of papers is the last: another one that is under way ends. */
+    this.showing = 0;
     this.section = make("section", { id: "sheets", class: "sheets", tabindex: "-1" });
     this.section.addEventListener("keydown", (event) => {
       if (event.key === "Escape") this.close();
@@ -83,19 +120,31 @@ export class Sheets {
     this.#build();
     document.body.append(this.section);
     this.section.focus();
+    await this.#tried(async () => {
+      this.briefing = await this.#answer("sheets", plan);
+      await this.#anew();
+    });
+  }
+
+  /** Do what somebody may give up, and a Worker refuse: then say why. @param {() => Promise<void>} work */
+  async #tried(work) {
+    try {
+      await work();
+    } catch (error) {
+      if (error instanceof Refusal) this.#tell(error.message, false);
+      else if (!(error instanceof DOMException)) throw error;
+    }
+  }
+
+  /** What a Worker of its own answers about the plan, which says how far it is. @param {string} question @param {Plan} plan */
+  async #answer(question, plan) {
     const lane = this.answers.aside();
     this.lane = lane;
     this.#tell(_("working ..."));
+    const told = (/** @type {number} */ share, /** @type {string} */ text) =>
+      this.#tell(`${Math.round(100 * share)} % ${text}`);
     try {
-      const told = (/** @type {number} */ share, /** @type {string} */ text) =>
-        this.#tell(`${Math.round(100 * share)} % ${text}`);
-      this.briefing = await lane.ask({ question: "sheets", plan }, undefined, told);
-      this.#tell("");
-      document.title = `${this.#name} ${_("benches' sheets")}`;
-      this.#anew();
-    } catch (error) {
-      if (!(error instanceof Error)) throw error;
-      if (error.name !== "AbortError") this.#tell(error.message);
+      return await lane.ask({ question, plan }, undefined, told);
     } finally {
       lane.close();
     }
@@ -106,6 +155,8 @@ export class Sheets {
     this.lane?.close();
     this.lane = null;
     this.briefing = null;
+    this.facts.clear();
+    this.showing++;
     if (!this.plan) return;
     this.plan = null;
     this.section.remove();
@@ -119,10 +170,10 @@ export class Sheets {
     if (this.plan && !samePlan(this.plan, plan)) this.close();
   }
 
-  /** @param {string} text */
-  #tell(text) {
+  /** Say how it stands. @param {string} text @param {boolean} [busy] whether papers are still being made: these are not printed */
+  #tell(text, busy = true) {
     this.told.textContent = text;
-    this.section.ariaBusy = String(!this.briefing && this.lane !== null);
+    this.section.ariaBusy = String(busy);
   }
 
   /** The controls, in the language in use. */
@@ -156,25 +207,34 @@ export class Sheets {
   }
 
   /** Read the names again, and show all of it. */
-  #anew() {
+  async #anew() {
     const { briefing } = this;
     if (!briefing) return;
     const { people, benches } = briefing;
     const name = (/** @type {number} */ bench) => called(people, bench, benches.length);
     this.names.read(new Numbering(benches.length, people.count_head, name));
     this.#build();
-    this.show();
+    await this.show();
+  }
+
+  /** The papers that are shown. */
+  get papers() {
+    return PAPERS.filter(({ name }) => !this.chosen.length || this.chosen.includes(name));
+  }
+
+  /** What they are called. */
+  get label() {
+    return this.chosen.length
+      ? this.papers.map(({ label }) => _(label)).join(_(", "))
+      : _("all papers");
   }
 
   /** What is chosen of what is shown. @param {Briefing} briefing */
   #choices(briefing) {
-    const { looks, shown } = this;
-    const anew = () => this.#anew();
-    /** @type {[string, string][]} */
-    const whats = [["benches", _("a sheet for each bench")], ["overview", _("the leader's overview")]]; // prettier-ignore
-    const what = choice(_("what is printed"), whats, shown.what, (value) => {
-      shown.what = value;
-      anew();
+    const { looks } = this;
+    const what = choice(_("what is printed"), this.#whats(), this.chosen.join(), (value) => {
+      this.chosen = value ? value.split(",") : [];
+      this.#anew();
     });
     /** @type {[string, string][]} */
     const papers = [
@@ -199,42 +259,39 @@ export class Sheets {
       this.show();
     });
     const print = make("button", { type: "button", onclick: () => globalThis.print() }, _("print"));
-    const save = make("button", { type: "button", onclick: () => this.#save() }, _("save as CSV"));
+    const saves = this.papers.flatMap(({ saved = [] }) => saved).map((one) => this.#saving(one));
     const grouped = this.names.households ? [households] : [];
-    const benches =
-      shown.what === "benches" ? [paper, ...this.#which(briefing, anew), ...grouped, night] : [save];
-    return [what, ...benches, ...(this.names.phones ? [phones] : []), print];
+    const benches = this.papers.some(({ name }) => name === "benches");
+    const people = this.papers.some((one) => one.people);
+    return [
+      what,
+      ...(benches ? [paper, this.#which(briefing), ...grouped, night] : []),
+      ...saves,
+      ...(people && this.names.phones ? [phones] : []),
+      print,
+    ];
   }
 
-  /** Which benches: so many after one another, or one. @param {Briefing} briefing @param {() => void} anew */
-  #which({ benches }, anew) {
-    const { shown } = this;
+  /** What may be printed: all papers, each alone, and those that are asked for now. @returns {[string, string][]} */
+  #whats() {
+    const { chosen } = this;
     /** @type {[string, string][]} */
-    const spans = [];
-    for (let from = 1; from <= benches.length; from += MOST_SHEETS) {
-      const to = Math.min(from + MOST_SHEETS - 1, benches.length);
-      const all = benches.length <= MOST_SHEETS;
-      spans.push([String(from), all ? _("all benches") : _("rows {from} to {to}", { from, to })]);
-    }
-    const said = new Sayings(/** @type {Briefing} */ (this.briefing), this.names.people);
-    const which = choice(
-      _("which benches"),
-      [...spans, ["one", _("one bench")]],
-      shown.one ? "one" : String(shown.from),
-      (value) => {
-        shown.one = value === "one";
-        shown.from = shown.one ? 1 : Number(value);
-        anew();
-      },
-    );
-    if (!shown.one) return [which];
+    const whats = [["", _("all papers")]];
+    for (const { name, label } of PAPERS) whats.push([name, _(label)]);
+    if (chosen.length > 1) whats.push([chosen.join(), this.label]);
+    return whats;
+  }
+
+  /** Which benches: all, or one. @param {Briefing} briefing */
+  #which(briefing) {
+    const said = new Sayings(briefing, this.names.people);
     /** @type {[string, string][]} */
-    const names = benches.map(({ bench }) => [String(bench), said.called(bench)]);
-    const one = choice(_("bench"), names, String(shown.from), (value) => {
-      shown.from = Number(value);
+    const all = [["0", _("all benches")]];
+    for (const { bench } of briefing.benches) all.push([String(bench), said.called(bench)]);
+    return choice(_("which benches"), all, String(this.looks.bench), (value) => {
+      this.looks.bench = Number(value);
       this.show();
     });
-    return [which, one];
   }
 
   /** What these sheets lack. */
@@ -260,48 +317,51 @@ export class Sheets {
     );
   }
 
-  /** Set what is chosen, in the language in use. */
-  show() {
-    const { briefing } = this;
-    if (!briefing) return;
-    const { looks } = this;
-    const maps = new SheetMaps(briefing, this.shown.what === "benches" ? looks.paper : "a4");
-    const said = new Sayings(briefing, this.names.people);
+  /** How papers are wanted now. @param {Briefing} briefing @returns {Looks} */
+  #wanted({ sha256 }) {
     const date = today();
-    const foot = `${briefing.sha256.slice(0, 12)} · ${date}`;
-    this.pages.style.setProperty("zoom", "1");
-    if (this.shown.what === "overview") {
-      const sheet = overviewSheet(said, maps, looks.phones, this.names.notes, date, foot);
-      this.pages.replaceChildren(maps.shared(), sheet);
-      for (const map of sheet.querySelectorAll(".map")) readable(map);
-    } else this.#showBenches(briefing, maps, said, foot);
-    this.#zoom();
+    return { ...this.looks, date, foot: `${sha256.slice(0, 12)} · ${date}` };
   }
 
-  /** @param {Briefing} briefing @param {SheetMaps} maps @param {Sayings} said @param {string} foot */
-  #showBenches({ benches }, maps, said, foot) {
-    const { looks, shown } = this;
-    const last = shown.one ? shown.from : Math.min(shown.from + MOST_SHEETS - 1, benches.length);
-    const most = looks.paper === "a4" && !looks.night ? MOST_BENCHES : 1;
-    const numbers = benches.slice(shown.from - 1, last).map(({ bench }) => bench);
-    const sheets = said
-      .sheets(numbers, looks.phones, looks.households && this.names.households ? most : 0)
-      .map((sheet) => new BenchSheet(sheet, maps.tracks(sheet.entries), looks, foot));
-    const each = ON_A_PAGE[looks.paper];
-    const pages = [];
-    for (let n = 0; n < sheets.length; n += each) {
-      const there = sheets.slice(n, n + each).map(({ element }) => element);
-      pages.push(make("div", { class: `paper ${looks.paper}` }, ...there));
+  /** Set what is chosen, in the language in use. */
+  show() {
+    this.lane?.close();
+    return this.#tried(() => this.#show(++this.showing));
+  }
+
+  /** @param {number} turn */
+  async #show(turn) {
+    const { briefing, facts, names, plan } = this;
+    if (!briefing || !plan) return;
+    for (const { question } of this.papers)
+      if (question && !facts.has(question)) {
+        this.pages.replaceChildren();
+        const answer = await this.#answer(question, plan);
+        if (turn !== this.showing) return;
+        facts.set(question, answer);
+      }
+    const looks = this.#wanted(briefing);
+    const built = this.papers.map((paper) => {
+      const { pages, settle } = paper.build(briefing, names, looks, facts.get(paper.question ?? ""));
+      return { paper, element: standing(paper, pages), settle };
+    });
+    this.pages.style.setProperty("--zoom", "1");
+    this.pages.replaceChildren(...built.map(({ element }) => element));
+    for (const { paper, settle } of built) {
+      await settle?.((share) => {
+        if (turn === this.showing) this.#tell(`${Math.round(100 * share)} % ${_(paper.label)}`);
+      });
+      if (turn !== this.showing) return;
     }
-    this.pages.replaceChildren(maps.shared(), ...pages);
-    fitted(sheets);
+    document.title = `${this.#name} ${this.label}`;
+    this.#tell("", false);
+    this.#zoom();
   }
 
   /** Show pages as large as there is room, and no larger than on paper. */
   #zoom() {
     const room = this.section.clientWidth - AROUND;
-    if (this.shown.what === "benches" && room > 0)
-      this.pages.style.setProperty("zoom", String(Math.min(1, room / WIDE)));
+    if (room > 0) this.pages.style.setProperty("--zoom", String(Math.min(1, room / WIDE)));
   }
 
   /** What files of the dance are called: browsers take it from the title for what they print. */
@@ -309,11 +369,20 @@ export class Sheets {
     return this.plan ? planName(this.plan) : "";
   }
 
-  /** Save the leader's table. */
-  #save() {
-    if (!this.briefing || !this.plan) return;
-    const text = overviewTable(new Sayings(this.briefing, this.names.people), this.looks.phones);
-    const name = `${this.#name}-${_("benches")}.csv`;
-    deliver({ name, data: new Blob([text], { type: "text/csv" }) });
+  /** The button that saves a file. @param {Saved} saved */
+  #saving({ label, name, data }) {
+    const save = () => {
+      const { briefing, names } = this;
+      if (!briefing) return;
+      const made = data(briefing, names, this.#wanted(briefing));
+      const ending = made.type.split("/")[1];
+      deliver({ name: `${this.#name}-${_(name)}.${ending}`, data: made });
+    };
+    return make("button", { type: "button", onclick: save }, _(label));
   }
+}
+
+/** A paper as it stands in the page. @param {Paper} paper @param {Element[]} pages */
+function standing({ name, label }, pages) {
+  return make("section", { class: "kind", "data-paper": name, "aria-label": _(label) }, ...pages);
 }
