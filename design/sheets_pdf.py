@@ -1,203 +1,94 @@
-"""Why the papers of a dance are set by fpdf2, and not printed by a browser from HTML.
+"""How a browser is had to print the papers of a dance into a file.
 
-Both set the same sheets here: 120 benches with their people, an A4 page each, Chinese names, what each
-bench does, and its QR code. The browser is spared the small maps, which fpdf2 draws besides. Below:
+Papers are laid out in a page, from a Worker's answer, sheet after sheet: whoever prints has to wait for
+that. Ways of Chromium are tried here on the village of the examples, 120 benches:
 
-1. what a user has to install;
-2. how long the sheets take, from their texts to the file, the browser's start included;
-3. which fonts the file holds, once where the HTML names this package's font file, once where it leaves
-   the font to the machine, and how many of the names' signs that are on the sheets can be read back;
-4. how long a line of 100 mm is on the page;
-5. whether the same plan gives the same bytes a second time.
+1. `--print-to-pdf`, which prints once the page is loaded, or, with `--virtual-time-budget`, once so
+   many milliseconds have passed on a clock that runs ahead while nothing moves;
+2. the DevTools protocol by a socket (`planner/printing.py`): the page is asked how far it is, and
+   printed, kind by kind, once it says that it is done.
 
-The browser is the faster one, and told its fonts and its page it sets the sheets to the same scale.
-What decides is what a user must have: the browser's folder is many times fpdf2 and the fonts together.
-And the file of fpdf2 is a function of the plan: no date, and no font of the machine. Where no browser
-is found, this page says so and shows fpdf2 alone.
+Said of each: seconds from start to file, pages, how many of the village's names stand on them, and how
+wide a page of 210 mm is. Neither the load nor the clock that runs ahead waits for Workers: what is
+printed then is a page that says that its sheets are not ready yet. What is left is to ask. Firefox
+answers the same questions by WebDriver BiDi, so that a second browser costs two dozen lines. Where no
+browser is found, this page says so and shows nothing.
 """
 
-import hashlib
-import shutil
 import subprocess
 import time
 from collections.abc import Callable
-from datetime import date
-from html import escape
-from importlib.metadata import distribution
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import cast
 
-import segno
-from fpdf import FPDF
-from pypdf import PdfReader
-from pypdf.generic import DictionaryObject
 from pypdfium2 import PdfDocument
 
-from benchdragon.analysis.check import check
-from benchdragon.figures.style import FONT_FILES
 from benchdragon.i18n import spoken_in
+from benchdragon.planner.papers import wanted_papers, write_papers
+from benchdragon.planner.printing import find_browser, print_papers
 from benchdragon.plans.roster import roster_of
 from benchdragon.plans.schema import read_plan
-from benchdragon.sheets.benches import bench_sheets
-from benchdragon.sheets.briefing import Briefing, briefing_of
-from benchdragon.sheets.cards import write_benches
-from benchdragon.sheets.checked import Record, foundation
-from benchdragon.sheets.options import Options
+from benchdragon.progress import silent
+from benchdragon.rosters.roster import Roster
 
 PLAN = Path(__file__).parent.parent / "examples" / "12_village.dragon.toml"
-ADDRESS = "https://dragon.example/village"
-BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
-# Where Debian and Google put theirs.
-PLACES = (Path("/usr/lib/chromium"), Path("/opt/google/chrome"))
-# What fpdf2 brings along; Pillow and fonttools come with matplotlib too.
-PACKAGES = ("fpdf2", "defusedxml", "fonttools", "pillow")
-RULE = 100.0
+OPTIONS = {"paper": "a4", "by": "bench", "night": False, "phones": False}
+# Of a clock that runs ahead, ms.
+BUDGETS = (None, 60_000)
 POINT = 25.4 / 72.0
-REPEATS = 3
 Job = Callable[[Path], None]
 
 
-def briefing() -> Briefing:
-    """What the sheets of the example are made from."""
-    plan = read_plan(str(PLAN), [f"people.address={ADDRESS}"])
-    roster = roster_of(plan)
-    record = Record(sha256=foundation(plan, roster), date=date.today(), version="", verdict={})
-    return briefing_of(check(plan), roster, record)
-
-
-def folder_size(path: Path) -> float:
-    """All files of a folder, MB."""
-    return sum(one.stat().st_size for one in path.rglob("*") if one.is_file()) / 1e6
-
-
-def package_size(name: str) -> float:
-    """All files of an installed package, MB."""
-    found = distribution(name)
-    paths = (Path(str(found.locate_file(file))) for file in found.files or ())
-    return sum(path.stat().st_size for path in paths if path.is_file()) / 1e6
-
-
-def page(briefing: Briefing, *, own_font: bool) -> str:
-    """The sheets as HTML, a page each; with this package's font, or with what the machine has."""
-    face = "body { font-family: sans-serif; }"
-    if own_font:
-        face = (
-            f"@font-face {{ font-family: Own; src: url('{Path(FONT_FILES[0]).as_uri()}'); }} "
-            "body { font-family: Own; }"
-        )
-    parts = []
-    for sheet in bench_sheets(briefing, "bench", phones=False, most=1):
-        (entry,) = sheet.entries
-        code = segno.make(f"{ADDRESS}#bench={entry.bench}", error="m").svg_inline(scale=3)
-        lines = "".join(f"<p>{escape(line)}</p>" for line in (*entry.people, *entry.text.lines))
-        parts.append(f"<section><h1>{escape(entry.called)}</h1>{code}{lines}</section>")
-    style = f"@page {{ size: A4; margin: 12mm; }} section {{ break-after: page; }} {face}"
-    return f"<!doctype html><meta charset=utf-8><style>{style}</style>{''.join(parts)}"
-
-
-def rule_page() -> str:
-    """A black bar of RULE mm as HTML."""
-    bar = f"width: {RULE}mm; height: 5mm; background: black; print-color-adjust: exact"
-    return f"<!doctype html><style>@page {{ size: A4; }}</style><div style='{bar}'></div>"
-
-
-def own_rule(path: Path) -> None:
-    """The same bar, by fpdf2."""
-    pdf = FPDF()
-    pdf.add_page()
-    pdf.rect(20.0, 20.0, RULE, 5.0, style="F")
-    pdf.output(str(path))
-
-
-def printing(browser: str, html: str) -> Job:
-    """What has a browser print a page."""
+def at_load(browser: str, page: Path, budget: int | None) -> Job:
+    """What has a browser print by its own option."""
 
     def job(path: Path) -> None:
-        source = path.with_suffix(".html")
-        source.write_text(html, "utf-8")
         command = [
             browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
-            f"--user-data-dir={path.parent / 'profile'}", f"--print-to-pdf={path}", source.as_uri(),
+            f"--user-data-dir={path.parent / path.stem}", f"--print-to-pdf={path}",
+            *([f"--virtual-time-budget={budget}"] if budget else []), page.as_uri(),
         ]  # fmt: skip
-        subprocess.run(command, check=True, capture_output=True, timeout=120)
+        subprocess.run(command, check=True, capture_output=True, timeout=300)
 
     return job
 
 
-def seconds(job: Job, path: Path) -> float:
-    """The least wall time of a few runs, s."""
-    best = float("inf")
-    for _run in range(REPEATS):
-        start = time.perf_counter()
-        job(path)
-        best = min(best, time.perf_counter() - start)
-    return best
+def by_asking(browser: str, page: Path) -> Job:
+    """What asks a browser until the papers are there."""
+    return lambda path: print_papers(browser, page, {"benches": path}, silent)
 
 
-def fonts_of(path: Path) -> str:
-    """The fonts that a PDF holds."""
-    names = set()
-    for one in PdfReader(path).pages:
-        fonts = cast("DictionaryObject", cast("DictionaryObject", one["/Resources"]).get("/Font", {}))
-        for font in fonts.values():
-            called = str(cast("DictionaryObject", font.get_object()).get("/BaseFont", "drawn signs"))
-            names.add(called.rpartition("+")[2].lstrip("/"))
-    return ", ".join(sorted(names))
-
-
-def read_back(path: Path, briefing: Briefing) -> str:
-    """How many of the names on the sheets stand in a PDF's text."""
-    text = "".join("".join(one.extract_text().split()) for one in PdfReader(path).pages)
-    people = [one.name for some in briefing.roster.benches.values() for one in some]
-    return f"{sum(''.join(name.split()) in text for name in people)} of {len(people)} names"
-
-
-def rule_length(path: Path) -> float:
-    """How long the longest thing that is drawn is, mm."""
-    document = PdfDocument(path)
-    bounds = [one.get_bounds() for one in document[0].get_objects()]
-    width = max((right - left for left, _low, right, _high in bounds if right - left < 500.0))
-    document.close()
-    return float(width) * POINT
-
-
-def show(name: str, job: Job, rule: Job, folder: Path, briefing: Briefing) -> None:
+def show(name: str, job: Job, path: Path, roster: Roster) -> None:
     """Print what one way comes to."""
-    first, second = folder / "first.pdf", folder / "second.pdf"
-    took = seconds(job, first)
-    time.sleep(1.1)  # a date in the file would show
-    job(second)
-    rule(folder / "rule.pdf")
-    same = len({hashlib.sha256(path.read_bytes()).digest() for path in (first, second)}) == 1
-    pages = len(PdfReader(first).pages)
+    begun = time.perf_counter()
+    job(path)
+    took = time.perf_counter() - begun
+    document = PdfDocument(path)
+    text = "".join("".join(one.get_textpage().get_text_bounded().split()) for one in document)
+    people = [one.name for some in roster.benches.values() for one in some]
+    there = sum("".join(one.split()) in text for one in people)
+    width = POINT * document[0].get_size()[0]
     print(
-        f"{name}: {pages} pages in {took:.1f} s, {first.stat().st_size / 1e6:.2f} MB; "
-        f"{fonts_of(first)}; {read_back(first, briefing)}; {RULE:g} mm are "
-        f"{rule_length(folder / 'rule.pdf'):.3f} mm; again {'the same' if same else 'other'} bytes"
+        f"{name}: {len(document)} pages in {took:.1f} s, {there} of {len(people)} names, {width:.2f} mm"
     )
 
 
 def main() -> None:
     """Print what each way takes and gives."""
-    packages = {name: package_size(name) for name in PACKAGES}
-    print("installed: " + ", ".join(f"{name} {size:.1f} MB" for name, size in packages.items()), end="")
-    print(f", fonts of this package {sum(Path(one).stat().st_size for one in FONT_FILES) / 1e6:.1f} MB")
-    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
-    for place in filter(Path.is_dir, PLACES if browser else ()):
-        print(
-            f"a browser's own folder here: {folder_size(place):.0f} MB, without libraries that it wants"
-        )
-    with TemporaryDirectory() as name, spoken_in("zh"):
-        folder, told = Path(name), briefing()
-        show("fpdf2", lambda path: write_benches(path, told, Options()), own_rule, folder, told)
-        if browser is None:
-            print(f"no browser was found here ({', '.join(BROWSERS)}): nothing is said of printing")
-            return
-        for own_font in (True, False):
-            title = f"browser, {'font of this package' if own_font else 'font of the machine'}"
-            job = printing(browser, page(told, own_font=own_font))
-            show(title, job, printing(browser, rule_page()), folder, told)
+    browser = find_browser()
+    if browser is None:
+        print("no browser was found here: nothing is said of printing")
+        return
+    plan = read_plan(str(PLAN))
+    roster = roster_of(plan)
+    with TemporaryDirectory(ignore_cleanup_errors=True) as name, spoken_in("zh"):
+        folder = Path(name)
+        page = folder / "papers.html"
+        write_papers(page, plan, wanted_papers(["benches"], roster, OPTIONS))
+        for budget in BUDGETS:
+            told = f"--virtual-time-budget={budget}" if budget else "at load"
+            show(told, at_load(browser, page, budget), folder / f"load{budget}.pdf", roster)
+        show("by asking", by_asking(browser, page), folder / "asked.pdf", roster)
 
 
 if __name__ == "__main__":

@@ -97,12 +97,12 @@ def test_sheets_on_paper_say_what_pythons_say(
 ) -> None:
     page = opened_sheets(language)
     entries = told(plan, language, Roster())
-    foot = f"{read_plan(str(plan)).sha256[:12]}·{date.today().isoformat()}"
+    foot = re.compile(rf"{read_plan(str(plan)).sha256[:12]}-[0-9a-f]{{4}}·{date.today().isoformat()}")
     on_paper = printed(page)
     assert len(on_paper) == len(entries)
     for text, entry in zip(on_paper, entries, strict=True):
         assert_says(text, entry)
-        assert foot in text
+        assert foot.search(text)
     assert "print" not in "".join(on_paper)
     sheets(page).get_by_role("combobox").nth(1).select_option("quarter")
     quarters = printed(page)
@@ -362,17 +362,27 @@ def test_a_list_is_opened_from_a_workbook(opened_sheets: Opened, tmp_path: Path)
     expect(first).to_contain_text("张三")
 
 
-def test_all_of_a_sheet_finds_room(opened_sheets: Opened) -> None:
+@pytest.mark.parametrize("paper", ["a4", "quarter", "lanyard"])
+def test_all_of_a_sheet_finds_room(opened_sheets: Opened, paper: str) -> None:
     page = opened_sheets("en")
     crowd = "、".join(f"{family}小{one}" for family in "张李王赵钱孙" for one in "东南西北春夏秋冬前后")
     given(page, f"桥号\t姓名\n3\t{crowd}\n")
-    sheets(page).get_by_role("combobox").nth(1).select_option("quarter")
+    sheets(page).get_by_role("combobox").nth(1).select_option(paper)
     sheets(page).get_by_role("checkbox", name="large type").check()
     more = re.compile(r"张小东.* and \d+ more")
     over = "(found) => found.filter((one) => one.scrollHeight > one.clientHeight + 1).length"
     assert sheets(page).locator(".sheet").evaluate_all(over) == 0
-    expect(sheets(page).locator(".sheet").nth(3)).to_contain_text(more)
-    expect(sheets(page).locator(".sheet").first).not_to_contain_text(more)
+    fronts = sheets(page).locator(".sheet:has(h2)")
+    expect(fronts).to_have_count(8)
+    if paper != "a4":
+        expect(fronts.nth(3)).to_contain_text(more)
+    expect(fronts.first).not_to_contain_text(more)
+    maps = fronts.locator(".map").evaluate_all(
+        "(all) => all.map((one) => [one.clientHeight, one.style.minHeight])"
+    )
+    assert len(maps) >= 6
+    assert min(tall for tall, _least in maps) >= 25 * 96 / 25.4 - 1
+    assert len({tall for tall, least in maps if not least}) <= 1, "maps of sheets are of one size"
 
 
 def test_a_name_in_the_table_is_no_formula(opened_sheets: Opened) -> None:
@@ -445,3 +455,141 @@ def test_all_papers_are_printed_one_after_another(opened_sheets: Opened) -> None
     what.select_option("")
     assert printed(page) == alone
     assert "全部单子" in page.title()
+
+
+def opened_plan(pages: Pages, folder: Path, text: str, *settings: str) -> Page:
+    """The sheets of another plan."""
+    file = folder / "planner.html"
+    file.write_text(planner_page(read_plan(str(village(folder, text)), settings), "en"), "utf-8")
+    page = pages.open(f"{file.as_uri()}#lang=en")
+    settled(page).get_by_role("button", name=NAMES["en"], exact=True).click()
+    expect(sheets(page)).to_have_attribute("aria-busy", "false")
+    return page
+
+
+# Names on the map of a sheet, each with its box; and the venue's edge, in pixels of the page.
+BOXES = """(map) => {
+  const svg = map.querySelector("svg");
+  const whole = svg.getBoundingClientRect();
+  const { x, y, width, height } = svg.viewBox.baseVal;
+  const { a, b, c, d, e, f } = svg.getScreenCTM();
+  const names = [...svg.querySelectorAll("text")].map((text) => {
+    const { left, top, right, bottom } = text.getBoundingClientRect();
+    return [text.textContent, left, top, right, bottom];
+  });
+  const edge = document.querySelector("#sheets .shared .edge").getAttribute("points")
+    .split(" ").map((point) => point.split(",").map(Number)).map(([u, v]) => [a * u + e, d * v + f]);
+  return { names, edge };
+}"""
+
+
+@pytest.mark.parametrize(
+    "thing",
+    [
+        'kind="rectangle", name="stage", centre=[-12, 13.6], size=[6, 2.8], margin=0.1',
+        'kind="circle", name="the well", centre=[19.2, 0], radius=0.5, margin=0.1',
+    ],
+)
+def test_no_name_on_a_map_lies_on_the_edge_of_the_venue_or_on_another(
+    pages: Pages, tmp_path: Path, thing: str
+) -> None:
+    square = "venue.rectangle=[40, 30]", "venue.name=yard", f"obstacle=[{{{thing}}}]"
+    page = opened_plan(pages, tmp_path, PLAN, *square, "event.entrances=[[12.3, 0], [20, 5]]")
+    found = sheets(page).locator(".map").first.evaluate(BOXES)
+    (left, top), (right, bottom) = (
+        [most(one[k] for one in found["edge"]) for k in (0, 1)] for most in (min, max)
+    )
+    names = found["names"]
+    assert len(names) == 4
+    for n, (name, low_x, low_y, high_x, high_y) in enumerate(names):
+        inside = left < low_x and high_x < right and top < low_y and high_y < bottom
+        outside = high_x < left or low_x > right or high_y < top or low_y > bottom
+        assert inside or outside, name
+        for other, *box in names[:n]:
+            apart = box[0] >= high_x or low_x >= box[2] or box[1] >= high_y or low_y >= box[3]
+            assert apart, (name, other)
+
+
+def test_benches_of_a_household_are_all_seen_on_their_map(opened_sheets: Opened) -> None:
+    page = opened_sheets("en")
+    given(page, "桥号\t姓名\t户主\n" + "".join(f"{n}\t赵{n}\t赵家\n" for n in range(1, 7)))
+    sheets(page).get_by_role("checkbox", name="by household").check()
+    several = sheets(page).locator(".sheet.several .map")
+    expect(several).to_have_count(3)
+    for n in range(3):
+        names = several.nth(n).evaluate(
+            """(map) => [...map.querySelectorAll("g text")].map((one) => one.getBoundingClientRect())
+              .map(({ left, top, right, bottom }) => [left, top, right, bottom])"""
+        )
+        (a, b) = names
+        assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+        first, second = (
+            several.nth(n)
+            .locator(".track")
+            .evaluate_all("(all) => all.map((one) => Number(one.getAttribute('stroke-width')))")
+        )
+        assert first > second, "ways that lie on one another are both seen"
+
+
+def test_what_the_list_says_is_printed_where_it_belongs(opened_sheets: Opened) -> None:
+    page = opened_sheets("en")
+    given(
+        page,
+        "桥号\t姓名\t户主\t电话\t备注\n1\t王五、赵六\t\t139-7\twet paint\n2\t钱七\t孙家\t139-8\tlame\n"
+        "4\t孙八\t孙家\t\t\n",
+    )
+    sheets(page).get_by_role("checkbox", name="print phone numbers").check()
+    benches = printed(page)
+    assert "王五赵六phoneofthehousehold:139-7" in benches[1]
+    assert benches[1].count("139-7") == 1
+    assert "钱七,phone139-8" in benches[2]
+    assert "Ofyourhouseholdtoo:qiao4." in benches[2]
+    assert "Ofyourhousehold" not in benches[1]
+    assert "wetpaint" not in "".join(benches)
+    assert ["Names:______" in one for one in benches] == [n in (0, 3, 5, 6, 7) for n in range(8)]
+    sheets(page).get_by_role("combobox").first.select_option("overview")
+    overview = "".join(printed(page))
+    assert "王五,赵六(wetpaint),phoneofthehousehold:139-7" in overview
+    assert "钱七139-8(lame)" in overview
+    assert overview.count("(nobody)") == 5
+
+
+def test_head_and_tail_say_so_where_benches_are_counted_through(pages: Pages, tmp_path: Path) -> None:
+    counted = ("people.count_head=true", "people.unit=bench")
+    page = opened_plan(pages, tmp_path, PLAN, *counted)
+    titles = sheets(page).locator(".sheet h2").all_inner_texts()
+    assert titles[:2] == ["bench 1, the head", "bench 2"]
+    assert titles[7] == "bench 8, the tail"
+
+
+def test_at_night_without_a_code_the_map_gives_way_before_what_one_does(
+    pages: Pages, tmp_path: Path
+) -> None:
+    told = []
+    for n, address in enumerate(("https://dragon.test/ours", "")):
+        (tmp_path / str(n)).mkdir()
+        text = PLAN.replace("benches = 8", "benches = 40")
+        page = opened_plan(pages, tmp_path / str(n), text, f"people.address={address}")
+        sheets(page).get_by_role("combobox").nth(1).select_option("quarter")
+        sheets(page).get_by_role("checkbox", name="large type").check()
+        told.append("".join(printed(page)))
+    turns = [one.count("walking,turnright") for one in told]
+    assert turns[0] < turns[1] == 40
+    assert "therestisintheplayer" in told[0]
+    assert "therestisintheplayer" not in told[1]
+
+
+def test_papers_of_another_list_or_title_bear_other_numbers(opened_sheets: Opened) -> None:
+    page = opened_sheets("en")
+    feet = set()
+    for n in range(2):
+        feet.add(sheets(page).locator(".sheet footer").first.inner_text())
+        if not n:
+            given(page, LIST)
+    sheets(page).get_by_role("button", name="close").click()
+    page.evaluate("benchdragon.change({...benchdragon.plan, meta: {title: 'Another'}}, true)")
+    settled(page).get_by_role("button", name=NAMES["en"], exact=True).click()
+    expect(sheets(page)).to_have_attribute("aria-busy", "false")
+    feet.add(sheets(page).locator(".sheet footer").first.inner_text())
+    assert len(feet) == 3
+    assert len({foot.split("-")[0] for foot in feet}) == 1, "the dance is the same"

@@ -37,7 +37,7 @@ LINES = {
     "animate": ["animate", "PLAN", "-o", "x.png"],
     "area": ["area", "PLAN", "-o", "x.dxf"],
     "timetable": ["timetable", "PLAN"],
-    "sheets": ["sheets", "PLAN", "--check", "--only", "overview", "-o", "x"],
+    "sheets": ["sheets", "PLAN", "--only", "overview", "-o", "x.html"],
     "reproduce": ["reproduce"],
     "formations": ["formations"],
     "schema": ["schema"],

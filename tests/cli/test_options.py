@@ -129,7 +129,6 @@ CASES: dict[str, Case] = {
     "check --force": Case(
         [*CHECK, "-o", "out", "--format", "svg"], ["--force"], [*CHECK, "-o", "out", "--format", "svg"]
     ),
-    "check --record": Case(["check", "mine.dragon.toml"], ["--record"], MINE),
     "check --json": Case(CHECK, ["--json"]),
     "check --explain": Case(CHECK, ["--explain"]),
     "check --brackets": Case(CHECK, ["--brackets"]),
@@ -311,7 +310,7 @@ ELSEWHERE |= {f"compare --{name}" for name in ("as", "tolerance", "json", "lang"
 ELSEWHERE |= {f"atlas --{name}" for name in ("output", "force", "lang", "quiet")}
 # Where it opens a browser: tests/planner/test_page.py gives it.
 ELSEWHERE |= {"planner --quiet"}
-# These want a plan beside which a record may stand: tests/sheets/test_papers.py gives it.
+# These want a plan with a list of names: tests/cli/test_sheets.py gives it.
 ELSEWHERE |= {
     f"sheets --{name}"
     for name in (
@@ -321,11 +320,9 @@ ELSEWHERE |= {
         "by",
         "night",
         "phones",
-        "check",
         "output",
+        "pdf",
         "force",
-        "scale",
-        "paper-size",
         "lang",
         "quiet",
     )

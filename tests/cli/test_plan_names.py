@@ -20,7 +20,6 @@ BESIDE = {
     "animate": ["-o", "a.png"],
     "sweep": ["--vary", "route.pitch=1,2", "-o", "a"],
     "area": ["-o", "a.svg"],
-    "sheets": ["--check"],
 }
 
 
@@ -54,17 +53,6 @@ def test_a_plan_that_is_listed_walks_and_is_a_base(
     path = tmp_path / "own.dragon.toml"
     path.write_text(f'schema = 1\nbase = "{name}"\n[dragon]\nbenches = 9\n', encoding="utf-8")
     assert read_plan(str(path)).sha256 == read_plan(name, ["dragon.benches=9"]).sha256
-
-
-def test_papers_of_a_built_in_plan_are_made_where_it_is_checked_anew(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    line = ["sheets", "yaokou", "--set", "dragon.benches=9", "--only", "overview", "--quiet"]
-    assert run(line) == 2
-    assert "--check" in capsys.readouterr().err
-    assert run([*line, "--check", "-o", "papers"]) == 0
-    assert [path.name for path in tmp_path.iterdir()] == ["papers"]
 
 
 def test_a_name_that_is_not_listed_is_refused_with_those_that_are(

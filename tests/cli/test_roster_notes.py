@@ -17,7 +17,7 @@ length = 20
 [people]
 roster = "names.csv"
 """
-SHEETS = ["sheets", "mine.dragon.toml", "--check", "--only", "overview", "-o", "papers"]
+SHEETS = ["sheets", "mine.dragon.toml", "--only", "overview", "-o", "papers.html"]
 LINES = [["check", "mine.dragon.toml"], SHEETS]
 
 
@@ -55,10 +55,10 @@ def test_of_many_mistakes_a_handful_is_told_and_the_benches_that_nobody_carries(
     assert f"and {21 - MOST_TOLD} more: see the overview" in told
 
 
-def test_a_list_that_is_not_there_is_told_and_refused_only_for_a_record(
+def test_a_list_that_is_not_there_is_told_and_refused_only_for_papers(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (folder / "names.csv").unlink()
     assert run(["check", "mine.dragon.toml"]) == 0
     assert "names.csv" in capsys.readouterr().err
-    assert run(["check", "mine.dragon.toml", "--record"]) == 3
+    assert run(SHEETS) == 3

@@ -7,7 +7,7 @@ import pytest
 
 from benchdragon.cli.main import run
 from benchdragon.errors import InputError
-from benchdragon.plans.schema import checked, read_plan
+from benchdragon.plans.schema import checked
 from benchdragon.plans.source import MOST_SIGNS, Fault
 from benchdragon.plans.toml import (
     MOST_DEPTH,
@@ -19,8 +19,6 @@ from benchdragon.plans.toml import (
     parsed,
     read_toml,
 )
-from benchdragon.rosters.roster import Roster
-from benchdragon.sheets.checked import read_record
 from benchdragon.sweeps.folder import ABOUT, read_about
 from tests.hostile import children
 from tests.hostile.children import PLAN_WRONG, asked
@@ -110,16 +108,10 @@ def test_of_a_long_key_the_beginning_is_shown() -> None:
 
 
 @pytest.mark.parametrize("made", [os.mkfifo, lambda path: path.symlink_to("/dev/zero")])
-def test_what_has_no_end_is_no_plan_no_record_and_no_sweep(tmp_path: Path, made: object) -> None:
+def test_what_has_no_end_is_no_plan_and_no_sweep(tmp_path: Path, made: object) -> None:
     path = tmp_path / ABOUT
     made(path)  # type: ignore[operator]
     assert run(["check", str(path), "--quiet"]) == PLAN_WRONG
-    plan = read_plan("turn")
-    with pytest.raises(
-        InputError,
-        match=r"is no record of a check: run benchdragon check p --record, or sheets with --check$",
-    ):
-        read_record(path, plan, Roster({}, ()), "p")
     with pytest.raises(InputError, match=r"holds no sweep$"):
         read_about(tmp_path)
 

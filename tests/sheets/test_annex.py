@@ -355,10 +355,11 @@ def test_what_is_wrong_with_the_crowd_is_said_in_the_terminal_and_on_the_first_p
     words = [
         "sheets",
         str(path),
-        "--check",
+        "-o",
+        str(tmp_path / "papers.html"),
         "--only",
         "annex",
-        "-o",
+        "--pdf",
         str(tmp_path / "papers"),
         "--lang",
         "en",

@@ -27,7 +27,6 @@ from benchdragon.rosters.roster import Person, Roster
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.cards import BLANK, LEAST_MAP, MORE, Block, _fewer, write_benches
 from benchdragon.sheets.chalk import chalk_drawing, list_rows
-from benchdragon.sheets.checked import read_record, record_check
 from benchdragon.sheets.options import Options
 from benchdragon.sheets.overview import overview, write_overview
 from benchdragon.sheets.small_map import Frame, SmallMap
@@ -129,16 +128,6 @@ def test_marks_that_cannot_be_laid_out_are_refused_whatever_papers_are_wanted(
 ) -> None:
     with pytest.raises(InputError, match=said):
         small(tmp_path, *settings)
-
-
-def test_papers_with_marks_of_another_spacing_bear_another_name(tmp_path: Path, ours: Briefing) -> None:
-    other = small(tmp_path, "route.at=[0.67,-1.5]", "chalk.every=2")
-    assert other.plan.sha256 == ours.plan.sha256, "the dance is the same"
-    assert other.foot != ours.foot
-    path = tmp_path / "ours.checked.json"
-    record_check(path, ours.report, ours.roster)
-    with pytest.raises(InputError, match="has changed since it was checked"):
-        read_record(path, other.plan, other.roster, "ours")
 
 
 @pytest.mark.parametrize(("paper", "count"), [("a4", 8), ("quarter", 2), ("lanyard", 4)])

@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from benchdragon.analysis.check import Report
     from benchdragon.plans.schema import Plan
     from benchdragon.progress import Progress
-    from benchdragon.rosters.roster import Roster
 
 
 @verb
@@ -40,11 +39,6 @@ if TYPE_CHECKING:
 )
 @files_option("xlsx,png", N_("What to write: xlsx, png, svg, pdf."))
 @click.option("--show-plan", is_flag=True, help=N_("Print the plan in effect too, as a plan file."))
-@click.option(
-    "--record",
-    is_flag=True,
-    help=N_("Record beside the plan file that it was checked and is safe, as `sheets` requires."),
-)
 @take("json", "brackets", "explain", "shared")
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Whether a walk is safe: no benches touch, margin and limits are kept, and all of the dance stays
@@ -56,10 +50,8 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     """
     from benchdragon.analysis.check import check as checked
     from benchdragon.explain.contact import check_lines
-    from benchdragon.sheets.checked import record_path
 
     only_with("-o", options["output"] is not None, "formats", "force")
-    record = record_path(plan) if options["record"] else None
     read = plan_to_walk(plan, settings, quiet)
     folder: Path | None = options["output"]
     files: list[Path] = []
@@ -81,10 +73,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
             progress(1.0, _("writing"))
             files = write_files(report, files)
     lines = check_lines(report) if options["explain"] else []
-    roster = _roster(read, needed=record is not None)
-    tell_names(roster.notes, quiet)
-    if record is not None:
-        _record(record, report, roster)
+    tell_names(_notes(read), quiet)
     if options["as_json"]:
         from benchdragon.analysis.records import verdict_of
 
@@ -123,33 +112,16 @@ def _shown(plan: "Plan", progress: "Progress") -> "Report":
         return replace(checked(plan, progress), unproved=(Unproved("contact", error),))
 
 
-def _roster(plan: "Plan", needed: bool) -> "Roster":
-    """Who carries the benches; an unreadable list is reported, or PlanError if it is needed."""
+def _notes(plan: "Plan") -> Sequence[str]:
+    """What is odd about the list of names; one that cannot be read is reported."""
     from benchdragon.plans.roster import roster_of
     from benchdragon.plans.toml import PlanError
-    from benchdragon.rosters.roster import Roster
 
     try:
-        return roster_of(plan)
+        return roster_of(plan).notes
     except PlanError as error:
-        if needed:
-            raise
         click.echo(str(error), err=True)
-        return Roster()
-
-
-def _record(path: Path, report: "Report", roster: "Roster") -> None:
-    """Record a check, if it found nothing; and say on standard error what was done."""
-    from benchdragon.sheets.checked import record_check
-
-    if report.safe:
-        record_check(path, report, roster)
-        click.echo(_("Recorded in {path}").format(path=path), err=True)
-    elif path.exists():
-        text = _("not recorded: only a plan that is safe is; the older {path} was left as it is")
-        click.echo(text.format(path=path), err=True)
-    else:
-        click.echo(_("not recorded: only a plan that is safe is"), err=True)
+        return ()
 
 
 def print_report(report: "Report", brackets: bool = False) -> None:

@@ -2,7 +2,6 @@
 
 import math
 import platform
-import shutil
 import time
 from dataclasses import dataclass
 from importlib import metadata, util
@@ -14,6 +13,7 @@ from benchdragon.hosts import compiled, native
 from benchdragon.hosts.serving import NATIVE, PLAIN, serving
 from benchdragon.hosts.trouble import EngineError
 from benchdragon.i18n import N_, _, language
+from benchdragon.planner.printing import find_browser
 from benchdragon.version import __version__
 
 LIBRARIES = (
@@ -25,7 +25,6 @@ EXTRAS = {
     N_("extra prove"): ("flint",),
     N_("extra video"): ("imageio_ffmpeg",),
 }
-PROGRAMS = {N_("browser"): ("chromium", "google-chrome", "firefox")}
 
 
 @dataclass(frozen=True)
@@ -60,10 +59,9 @@ def findings() -> list[Finding]:
     found += engine()
     ffmpeg = find_ffmpeg()
     found.append(Finding("ffmpeg", ffmpeg or _("not found: films become GIFs"), ffmpeg is not None))
-    for name, programs in PROGRAMS.items():
-        path = next((place for place in map(shutil.which, programs) if place), None)
-        found.append(Finding(name, path or _("not found (nothing needs it yet)"), path is not None))
-    return found
+    browser = find_browser()
+    without = _("not found (only sheets --pdf needs one)")
+    return [*found, Finding(N_("browser"), browser or without, browser is not None)]
 
 
 def advice() -> list[str]:

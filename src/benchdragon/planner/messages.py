@@ -28,6 +28,45 @@ class Preset(Record):
     plan: SentPlan
 
 
+class Bearer(Record):
+    """Someone who carries a bench: see `roster.Person`."""
+
+    model_config = ConfigDict(frozen=True, from_attributes=True)
+
+    name: str
+    household: str
+    phone: str
+    remarks: str
+    home_phone: str
+
+
+class NamesHeld(Record):
+    """A list of names that was read: the people of benches, by number, and what is odd about it."""
+
+    people: list[tuple[int, list[Bearer]]]
+    notes: list[str]
+
+
+class WantedPapers(Record):
+    """The papers on which a page opens.
+
+    Attributes:
+        only: their names; none: all.
+        paper: the size of benches' sheets.
+        households: whether benches of a household share a sheet.
+        night: whether the type is large.
+        phones: whether phone numbers are printed.
+        names: who carries; null: nobody is named.
+    """
+
+    only: list[str]
+    paper: Literal["a4", "quarter", "lanyard"]
+    households: bool
+    night: bool
+    phones: bool
+    names: NamesHeld | None
+
+
 class TurnFound(Record):
     """The best turn found, and the plan with it: see `turn.BestTurn`.
 

@@ -13,7 +13,7 @@ from benchdragon.hosts import built
 from benchdragon.i18n import language
 from benchdragon.inlining import WEB, chinese, html_page, inlined
 from benchdragon.planner.first_look import first_look
-from benchdragon.planner.messages import Preset
+from benchdragon.planner.messages import Preset, WantedPapers
 from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import Plan
 from benchdragon.version import __version__
@@ -27,18 +27,22 @@ ENGINE = built.ENGINE / built.MODULE
 NOTICES = (ENGINE.with_name("NOTICE.txt"), WEB / "carried.txt")
 
 
-def planner_page(plan: Plan | None = None, spoken: str | None = None) -> str:
+def planner_page(
+    plan: Plan | None = None, spoken: str | None = None, papers: WantedPapers | None = None
+) -> str:
     """The planner.
 
     Args:
         plan: what it opens with; None: what its browser keeps, else a preset.
         spoken: the language that it begins in, "en" or "zh"; None: that in use.
+        papers: of the plan, which it opens on.
     """
     held = {
         "version": __version__,
         "words": chinese(PAGE, WORKER),
         "presets": [Preset.model_validate(one).model_dump(mode="json") for one in presets()],
         "plan": None if plan is None else plan.data(),
+        "papers": None if papers is None else papers.model_dump(mode="json"),
         "worker": f'"use strict";\n{inlined(WORKER)}\nserve(globalThis);\n',
         "engine": _deflated(ENGINE.read_bytes()),
     }

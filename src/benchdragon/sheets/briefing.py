@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from datetime import date
 from functools import cached_property
 
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
@@ -16,7 +17,6 @@ from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.rosters.reading import first_notes
 from benchdragon.rosters.roster import Roster
-from benchdragon.sheets.checked import Record
 
 # People of another bench who are named on a sheet.
 MOST_NAMED = 4
@@ -31,7 +31,7 @@ class Briefing:
         roster: who carries which bench.
         benches: what each bench does, the head's first.
         checked_on: the day of the check, YYYY-MM-DD.
-        sha256: of all that the papers rest on: plan, people, cues and roster.
+        sha256: of the plan.
     """
 
     report: Report
@@ -143,14 +143,15 @@ def listed(names: Sequence[str], most: int) -> str:
     return _("{names} and {count} more").format(names=text, count=len(names) - most)
 
 
-def briefing_of(report: Report, roster: Roster, record: Record) -> Briefing:
-    """What papers are made from: a check that found nothing, the people, the check's record.
+def briefing_of(report: Report, roster: Roster) -> Briefing:
+    """What papers are made from: a check that found nothing, and the people.
 
     Raises:
         InputError: for a plan with too many marks, and for a peg that no tape reaches.
     """
     benches = bench_walks(report.plan, report.walk, (report.start, report.end))
-    briefing = Briefing(report, roster, benches, record.date.isoformat(), record.sha256)
+    today = date.today().isoformat()
+    briefing = Briefing(report, roster, benches, today, report.plan.sha256)
     if report.plan.chalk != ChalkTable():
         check_marks(briefing.trail, briefing.every, briefing.ground.peg)
     return briefing

@@ -26,6 +26,8 @@ const MOST_LINES = 2;
 const FEWER = [24, 12, 6, 3, 1];
 // The largest kind of QR code that there is.
 const LARGEST_CODE = 40;
+// A map is as tall as that, or there is none.
+const LEAST_MAP = "25mm";
 // Where names are written by hand.
 const BLANK = "_".repeat(22);
 // Type that is still too large shrinks by this share, so many times at most.
@@ -117,6 +119,8 @@ class Side {
           element.replaceChildren(make("p", { class: "few" }, listed(people, most)));
           yield;
         }
+    this.map?.style.setProperty("min-height", LEAST_MAP);
+    yield;
     this.map?.remove();
     yield;
     for (const _left of this.#leaving(
@@ -198,10 +202,11 @@ async function fitted(sheets, told) {
     }
     told(Math.min(n + AT_ONCE, sides.length) / sides.length);
   }
-  // Maps are as tall as the least of them.
+  // Maps are as tall as the least of them that had not to give way.
   const maps = sides.flatMap(({ map }) => (map?.isConnected ? [map] : []));
-  const tall = maps.reduce((least, map) => Math.min(least, map.clientHeight), Infinity);
-  for (const map of maps) map.style.maxHeight = `${tall}px`;
+  const usual = maps.filter((map) => !map.style.minHeight);
+  const tall = usual.reduce((least, map) => Math.min(least, map.clientHeight), Infinity);
+  for (const map of usual) map.style.maxHeight = `${tall}px`;
   for (const map of maps) readable(map);
 }
 

@@ -22,6 +22,15 @@ export interface ArcPart {
   angle: number;
 }
 
+/** Someone who carries a bench: see `roster.Person`. */
+export interface Bearer {
+  name: string;
+  household: string;
+  phone: string;
+  remarks: string;
+  home_phone: string;
+}
+
 /** The drum of a dance, by rule: see `beats.Score`. */
 export interface Beats {
   tempo: number;
@@ -422,6 +431,12 @@ export interface MetaTable {
   title_zh?: string;
   author?: string;
   notes?: string;
+}
+
+/** A list of names that was read: the people of benches, by number, and what is odd about it. */
+export interface NamesHeld {
+  people: Array<[number, Array<Bearer>]>;
+  notes: Array<string>;
 }
 
 /**
@@ -866,6 +881,26 @@ export interface WalkTable {
   start?: number | null;
   end?: number | null;
   position?: number | null;
+}
+
+/**
+ * The papers on which a page opens.
+ *
+ * Attributes:
+ *     only: their names; none: all.
+ *     paper: the size of benches' sheets.
+ *     households: whether benches of a household share a sheet.
+ *     night: whether the type is large.
+ *     phones: whether phone numbers are printed.
+ *     names: who carries; null: nobody is named.
+ */
+export interface WantedPapers {
+  only: Array<string>;
+  paper: "a4" | "quarter" | "lanyard";
+  households: boolean;
+  night: boolean;
+  phones: boolean;
+  names: NamesHeld | null;
 }
 
 /** Where and when the value of an answer occurs: see `answer.Witness`. */

@@ -10,7 +10,7 @@ import { _ } from "./words.js";
 /** @typedef {import("./made/roster.js").Numbering} Numbering */
 /** @typedef {import("./compute/roster_book.js").Sheet} Sheet */
 
-/** What was pasted, or a sheet of a file of some name. @typedef {{ text: string } | { name: string, sheet: Sheet }} List */
+/** What was pasted, a sheet of a file of some name, or what this page was made with. @typedef {{ text: string } | { name: string, sheet: Sheet } | import("./messages").NamesHeld} List */
 
 export class NameList {
   /** @param {() => void} changed what is done when there are other names */
@@ -31,6 +31,11 @@ export class NameList {
     this.open = false;
   }
 
+  /** Whether the page was made with the list. */
+  get held() {
+    return this.list !== null && "people" in this.list;
+  }
+
   /** Whether the list has phones. */
   get phones() {
     return [...this.people.values()].flat().some(({ phone, home_phone }) => phone || home_phone);
@@ -47,6 +52,10 @@ export class NameList {
     if (!this.list) return;
     this.refusal = "";
     this.#tried((list) => {
+      if ("people" in list) {
+        [this.people, this.notes] = [new Map(list.people), list.notes];
+        return;
+      }
       const name = "name" in list ? list.name : _("the list");
       const rows = "text" in list ? rowsOf(list.text, name) : list.sheet.rows;
       const { benches, notes } = rosterOf(rows, name, numbering);

@@ -4,7 +4,7 @@ import { addressed, chosenBefore, keptPlan } from "./address.js";
 import { Asking } from "./asking.js";
 import { TAP, held } from "./elements.js";
 import { readLink } from "./link.js";
-import { textPlan } from "./plan_form.js";
+import { planText, textPlan } from "./plan_form.js";
 import { Planner } from "./planner.js";
 import { WorkerAnswers } from "./working.js";
 import { _, speak, useWords } from "./words.js";
@@ -27,8 +27,9 @@ function inflated(packed) {
  * @param {Preset[]} presets
  * @param {Plan | null} plan the one given or kept
  * @param {Asking} asking
+ * @param {import("./messages").WantedPapers | null} wanted papers of the plan given
  */
-async function opened(answers, presets, plan, asking) {
+async function opened(answers, presets, plan, asking, wanted) {
   const text = addressed().get("plan");
   const told = text ? await readLink(text, presets) : null;
   const first = told?.plan ?? plan ?? presets[0].plan;
@@ -36,6 +37,8 @@ async function opened(answers, presets, plan, asking) {
   if (told && !told.plan) planner.refuse(told.says);
   else planner.show(planner.plan);
   if (!told && !plan) asking.open(true);
+  if (wanted && plan && planText(planner.plan) === planText(plan))
+    planner.sheets.open(planner.plan, wanted);
   Object.assign(globalThis, { benchdragon: planner }); // for the browser's console
 }
 
@@ -53,7 +56,9 @@ function markTyping(root) {
 export async function start() {
   const words = held("words");
   useWords(words);
-  const chosen = chosenBefore("lang");
+  const wanted = held("papers");
+  // Papers are in the language in which they were asked for.
+  const chosen = wanted ? addressed().get("lang") : chosenBefore("lang");
   speak(chosen === "en" || chosen === "zh" ? chosen : held("language"));
   const root = /** @type {HTMLElement} */ (document.getElementById("planner"));
   if (typeof DecompressionStream === "undefined") {
@@ -75,7 +80,7 @@ export async function start() {
     });
     await answers.start();
     markTyping(root);
-    await opened(answers, held("presets"), plan, asking);
+    await opened(answers, held("presets"), plan, asking, wanted);
   } catch (error) {
     if (!(error instanceof Error)) throw error;
     root.textContent = error.message;

@@ -2,6 +2,7 @@
 
 import { draw, make } from "./elements.js";
 import { Ground } from "./made/ground.js";
+import { arrange, naming } from "./map_names.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./compute/briefing.js").Briefing} Briefing */
@@ -21,6 +22,8 @@ const LEAST = (7 / 72) * 96;
 const [MOST_SIGNS, CROSS] = [16, 1.4];
 // Papers that were made: each has its own names for what is drawn once and used by all of its maps.
 let made = 0;
+/** The venue's edges on maps. @type {WeakMap<Element, Point[][]>} */
+const edges = new WeakMap();
 
 /** Of points the coordinates as the picture has them, with y downwards. @param {Point} point */
 function placed([x, y]) {
@@ -91,6 +94,8 @@ export class SheetMaps {
       ...this.#names(),
     );
     svg.style.setProperty("--digits", `${DIGITS * this.unit}px`);
+    const venues = this.briefing.ways.obstacles.filter(({ kind }) => kind === "venue");
+    edges.set(svg, venues.map(({ points }) => points.map(([x, y]) => [x, -y]))); // prettier-ignore
     return make("figure", { class: "map" }, svg, compass(this.briefing.ground));
   }
 
@@ -102,28 +107,30 @@ export class SheetMaps {
     const arm = CROSS * unit;
     const d = `M${x - arm} ${y}h${2 * arm}M${x} ${y - arm}v${2 * arm}`;
     const cross = draw("path", { class: "peg", d, "stroke-width": String(EDGE * unit) });
-    const found = [cross, this.#name(_("peg"), x, y - arm - 0.6 * unit)];
+    const found = [cross, this.#name(_("peg"), [x, y], [arm, arm])];
     for (const [n, [u, v]] of ways.entrances.entries()) {
       const at = { cx: u.toFixed(3), cy: (-v).toFixed(3), r: String(arm) };
       found.push(draw("circle", { ...at, class: "peg", "stroke-width": String(EDGE * unit) }));
-      found.push(this.#name(_("entrance {n}", { n: n + 1 }), u, -v - arm - 0.6 * unit));
+      found.push(this.#name(_("entrance {n}", { n: n + 1 }), [u, -v], [arm, arm]));
     }
     for (const { kind, points, radius, shown } of ways.obstacles) {
       if (kind === "venue") continue;
-      const top = points.reduce((most, point) => Math.max(most, point[1]), -Infinity) + radius;
-      const middle = points.reduce((sum, point) => sum + point[0], 0) / points.length;
+      const [low, high] = [Math.min, Math.max].map((most) =>
+        [0, 1].map((k) => most(...points.map((point) => point[k]))),
+      );
+      const [u, v] = [0, 1].map((k) => 0.5 * (low[k] + high[k]));
+      const [wide, tall] = [0, 1].map((k) => 0.5 * (high[k] - low[k]) + radius);
       const told = Array.from(shown[language()]).slice(0, MOST_SIGNS).join("");
-      found.push(this.#name(told, middle, -top - 0.8 * unit));
+      found.push(this.#name(told, [u, -v], [wide, tall]));
     }
     return found;
   }
 
-  /** A name above a place. @param {string} name @param {number} x @param {number} y */
-  #name(name, x, y) {
-    const at = { x: x.toFixed(3), y: y.toFixed(3) };
-    const text = draw("text", { ...at, class: "name" });
+  /** A name of what lies about a place of the picture. @param {string} name @param {Point} at @param {Point} half its width and height @param {string} [kind] */
+  #name(name, at, half, kind = "name") {
+    const text = draw("text", { x: at[0].toFixed(3), y: at[1].toFixed(3), class: kind });
     text.textContent = name;
-    return text;
+    return naming(text, at, half);
   }
 
   /** The tracks of benches (numbers, from 1): discs where they start, arrows' heads where they end; named where they are several. @param {{ bench: number, called: string }[]} benches */
@@ -142,12 +149,13 @@ export class SheetMaps {
         "stroke-width": String((BOLD + 0.9 * (benches.length - 1 - n)) * unit),
         "stroke-dasharray": `0 ${first - low} ${last - first} ${high - low}`,
       });
-      const name = this.#name(called, start[0], -start[1] - 1.8 * unit);
+      const mark = MARK * unit;
+      const name = this.#name(called, [start[0], -start[1]], [mark, mark]);
       const one = draw(
         "g",
         { class: n ? "other" : "own" },
         track,
-        disc(start, MARK * unit),
+        disc(start, mark),
         this.#arrow(end),
         ...(benches.length > 1 ? [name] : []),
       );
@@ -179,10 +187,9 @@ export class SheetMaps {
       const number = counted ? bench : bench - 1;
       const end = !counted && (bench === 1 || bench === briefing.benches.length);
       if (!end && number % each) return [dot];
-      const at = { x: (x + 0.9 * unit).toFixed(3), y: (-y - 0.6 * unit).toFixed(3) };
-      const text = draw("text", { ...at, class: "number" });
-      text.textContent = end ? called(bench) : String(number);
-      return [dot, text];
+      const dotted = 0.6 * unit;
+      const said = end ? called(bench) : String(number);
+      return [dot, this.#name(said, [x, -y], [dotted, dotted], "number")];
     });
     return this.#map(
       _("The square, the route, and where the front handle of each bench starts"),
@@ -191,11 +198,12 @@ export class SheetMaps {
   }
 }
 
-/** Have no letters on a map that stands in the page smaller than LEAST. @param {Element} map */
+/** Have no letters on a map that stands in the page smaller than LEAST, and names in their places. @param {Element} map */
 export function readable(map) {
   const svg = map.querySelector("svg");
   const scale = svg?.getScreenCTM()?.a;
   if (svg && scale) svg.style.setProperty("--least", `${LEAST / scale}px`);
+  if (svg) arrange(svg, edges.get(svg) ?? []);
 }
 
 /** @param {number[]} place @param {number} radius m */

@@ -4,15 +4,18 @@ import { benchSheets } from "./bench_sheet.js";
 import { planName } from "./names.js";
 import { choice, make, tick } from "./elements.js";
 import { deliver } from "./files.js";
+import { sha256 } from "./compute/sha256.js";
 import { called } from "./made/people.js";
 import { Numbering } from "./made/roster.js";
 import { overviewSheet, overviewTable } from "./overview_sheet.js";
 import { NameList } from "./name_list.js";
+import { planText } from "./plan_form.js";
 import { Sayings } from "./sayings.js";
 import { Refusal, samePlan } from "./standing.js";
 import { N_, _ } from "./words.js";
 
 /** @typedef {import("./compute/briefing.js").Briefing} Briefing */
+/** @typedef {import("./messages").WantedPapers} WantedPapers */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./standing.js").Answers} Answers */
 /** @typedef {import("./standing.js").Aside} Aside */
@@ -86,6 +89,8 @@ export class Sheets {
     this.chosen = ["benches"];
     /** Which showing of papers is the last: another one that is under way ends. */
     this.showing = 0;
+    /** How it stands: papers that are still being made are not printed. @type {{ busy: boolean, share: number, text: string } | null} */
+    this.state = null;
     this.section = make("section", { id: "sheets", class: "sheets", tabindex: "-1" });
     this.section.addEventListener("keydown", (event) => {
       if (event.key === "Escape") this.close();
@@ -109,10 +114,11 @@ export class Sheets {
     );
   }
 
-  /** Show the sheets of a plan. @param {Plan} plan */
-  async open(plan) {
+  /** Show the papers of a plan, as somebody wants them; else as they were chosen last. @param {Plan} plan @param {WantedPapers | null} [wanted] */
+  async open(plan, wanted = null) {
     this.close();
     this.plan = plan;
+    if (wanted) this.#want(wanted);
     this.opener = /** @type {HTMLElement | null} */ (document.activeElement);
     this.title = document.title;
     this.behind.inert = true;
@@ -131,7 +137,7 @@ export class Sheets {
     try {
       await work();
     } catch (error) {
-      if (error instanceof Refusal) this.#tell(error.message, false);
+      if (error instanceof Refusal) this.#tell(error.message);
       else if (!(error instanceof DOMException)) throw error;
     }
   }
@@ -140,9 +146,8 @@ export class Sheets {
   async #answer(question, plan) {
     const lane = this.answers.aside();
     this.lane = lane;
-    this.#tell(_("working ..."));
-    const told = (/** @type {number} */ share, /** @type {string} */ text) =>
-      this.#tell(`${Math.round(100 * share)} % ${text}`);
+    this.#tell(_("working ..."), 0);
+    const told = (/** @type {number} */ share, /** @type {string} */ text) => this.#tell(text, share);
     try {
       return await lane.ask({ question, plan }, undefined, told);
     } finally {
@@ -170,10 +175,18 @@ export class Sheets {
     if (this.plan && !samePlan(this.plan, plan)) this.close();
   }
 
-  /** Say how it stands. @param {string} text @param {boolean} [busy] whether papers are still being made: these are not printed */
-  #tell(text, busy = true) {
-    this.told.textContent = text;
-    this.section.ariaBusy = String(busy);
+  /** @param {WantedPapers} wanted */
+  #want({ only, names, ...looks }) {
+    this.chosen = only;
+    Object.assign(this.looks, looks);
+    this.names.list = names;
+  }
+
+  /** Say what is being done, and how far it is; without a share that it is over. @param {string} text @param {number | null} [share] */
+  #tell(text, share = null) {
+    this.state = { busy: share !== null, share: share ?? 1, text };
+    this.told.textContent = share === null ? text : `${Math.round(100 * share)} % ${text}`;
+    this.section.ariaBusy = String(share !== null);
   }
 
   /** The controls, in the language in use. */
@@ -303,24 +316,27 @@ export class Sheets {
       make(
         "p",
         {},
-        _(
-          "Names stay in this page: they come neither into its address nor into a plan file, and are gone when it is closed.",
-        ),
+        this.names.held
+          ? _("The list of names is in this file: who is sent the file is sent the names.")
+          : _(
+              "Names stay in this page: they come neither into its address nor into a plan file, and are gone when it is closed.",
+            ),
       ),
       make(
         "p",
         {},
         _(
-          "The command line sets the same sheets as PDF, and besides them chalk plan, timetable and permit annex: benchdragon sheets PLAN --check",
+          "The command line writes these papers as one page and as PDF files: benchdragon sheets PLAN --pdf DIR",
         ),
       ),
     );
   }
 
-  /** How papers are wanted now. @param {Briefing} briefing @returns {Looks} */
-  #wanted({ sha256 }) {
+  /** How papers are wanted now: at the foot of each stands what names the dance, and what names all else that papers say. @param {Briefing} briefing @param {Plan} plan @returns {Looks} */
+  #looks({ sha256: dance }, plan) {
     const date = today();
-    return { ...this.looks, date, foot: `${sha256.slice(0, 12)} · ${date}` };
+    const rest = sha256(planText(plan) + JSON.stringify([...this.names.people]));
+    return { ...this.looks, date, foot: `${dance.slice(0, 12)}-${rest.slice(0, 4)} · ${date}` };
   }
 
   /** Set what is chosen, in the language in use. */
@@ -340,21 +356,23 @@ export class Sheets {
         if (turn !== this.showing) return;
         facts.set(question, answer);
       }
-    const looks = this.#wanted(briefing);
+    const looks = this.#looks(briefing, plan);
     const built = this.papers.map((paper) => {
       const { pages, settle } = paper.build(briefing, names, looks, facts.get(paper.question ?? ""));
       return { paper, element: standing(paper, pages), settle };
     });
     this.pages.style.setProperty("--zoom", "1");
     this.pages.replaceChildren(...built.map(({ element }) => element));
-    for (const { paper, settle } of built) {
-      await settle?.((share) => {
-        if (turn === this.showing) this.#tell(`${Math.round(100 * share)} % ${_(paper.label)}`);
-      });
+    for (const [n, { paper, settle }] of built.entries()) {
+      const told = (/** @type {number} */ share) => {
+        if (turn === this.showing) this.#tell(_(paper.label), (n + share) / built.length);
+      };
+      told(0);
+      await settle?.(told);
       if (turn !== this.showing) return;
     }
     document.title = `${this.#name} ${this.label}`;
-    this.#tell("", false);
+    this.#tell("");
     this.#zoom();
   }
 
@@ -372,9 +390,9 @@ export class Sheets {
   /** The button that saves a file. @param {Saved} saved */
   #saving({ label, name, data }) {
     const save = () => {
-      const { briefing, names } = this;
-      if (!briefing) return;
-      const made = data(briefing, names, this.#wanted(briefing));
+      const { briefing, names, plan } = this;
+      if (!briefing || !plan) return;
+      const made = data(briefing, names, this.#looks(briefing, plan));
       const ending = made.type.split("/")[1];
       deliver({ name: `${this.#name}-${_(name)}.${ending}`, data: made });
     };

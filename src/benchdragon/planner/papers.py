@@ -1,0 +1,56 @@
+"""The papers of a plan as one page: the planner opened on them, with plan and list of names in it."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from benchdragon.errors import InputError
+from benchdragon.files import write_whole
+from benchdragon.i18n import _
+from benchdragon.planner.messages import Bearer, NamesHeld, WantedPapers
+from benchdragon.planner.page import planner_page
+from benchdragon.plans.schema import Plan
+from benchdragon.rosters.roster import Person, Roster
+
+# Those of web/sheets.js.
+PAPERS = ("benches", "overview")
+
+
+def chosen_papers(names: str | None, known: Sequence[str] = PAPERS) -> list[str]:
+    """The papers in a list with commas, "benches,overview"; all if it is None.
+
+    Raises:
+        InputError: for one that is not known.
+    """
+    if names is None:
+        return list(known)
+    chosen = list(dict.fromkeys(name.strip() for name in names.split(",")))
+    unknown = [name for name in chosen if name not in known]
+    if unknown:
+        text = _("--only: expected some of {known}, not {text}")
+        raise InputError(text.format(known=", ".join(known), text=repr(unknown[0])))
+    return chosen
+
+
+def wanted_papers(names: Sequence[str], roster: Roster, options: Mapping[str, Any]) -> WantedPapers:
+    """Papers as the options of `benchdragon sheets` want them; without `phones` they hold none."""
+    phones = bool(options["phones"])
+    people = [
+        (bench, [Bearer.model_validate(one if phones else _without_phones(one)) for one in there])
+        for bench, there in sorted(roster.benches.items())
+    ]
+    held = NamesHeld(people=people, notes=list(roster.notes)) if people or roster.notes else None
+    return WantedPapers(
+        only=[] if len(names) == len(PAPERS) else list(names), paper=options["paper"],
+        households=options["by"] == "household", night=options["night"], phones=phones, names=held,
+    )  # fmt: skip
+
+
+def _without_phones(person: Person) -> Person:
+    return replace(person, phone="", home_phone="")
+
+
+def write_papers(path: Path, plan: Plan, wanted: WantedPapers) -> None:
+    """Write a page that opens on papers of a plan, whole or not at all, in the language in use."""
+    write_whole(path, planner_page(plan, papers=wanted))
