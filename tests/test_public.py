@@ -146,6 +146,15 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "bench_offsets": (MOTION, 1),
     "Wishes": (2, 1.5, 0.15, 2.0, 0.15),
     "bench_walks": (PLAN, WALK, (0.0, 1.0)),
+    "plot_answer": (bd.least_clearance(WALK, 0.0, 2.0), WALK),
+    "plot_area": (bd.swept_area(WALK, 0.0, 2.0),),
+    "plot_clearance": (bd.clearance_curve(WALK, [0.0, 1.0, 2.0]),),
+    "plot_motion": (MOTION,),
+    "plot_plan": (PLAN,),
+    "plot_report": (bd.check(SHORT),),
+    "plot_route": (ROUTE,),
+    "plot_speeds": (MOTION,),
+    "plot_sweep": (bd.sweep(PLAN, {"route.pitch": [0.6]}, ["first_contact"]),),
     "placed_marks": (bd.Trail.of(WALK, 0.0, 1.0), 1.0, (0.0, 0.0)),
     "propose": (bd.Wishes(2, 1.5, 0.15, radius=9.0, kind="spiral-in"),),
     "roster_of": (PLAN,),
@@ -191,7 +200,7 @@ MADE = {
 
 
 def test_every_public_constructor_and_function_is_tried() -> None:
-    assert {*CALLS, *MADE, "compare", "read_plan", "read_points", "read_sweep"} == set(bd.__all__)
+    assert {*CALLS, *MADE, "animate", "compare", "read_plan", "read_points", "read_sweep"} == set(bd.__all__)
 
 
 @pytest.mark.parametrize("name", CALLS)

@@ -7,6 +7,7 @@ wait for NumPy.
 import lazy_loader
 
 from benchdragon.hosts.trouble import EngineError
+from benchdragon.methods import Method
 from benchdragon.version import __version__ as __version__
 
 _fetch, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
@@ -24,3 +25,6 @@ def __getattr__(name: str) -> object:
         from benchdragon.errors import engine_advice
 
         raise engine_advice(error) from None
+
+
+Method.fetch = __getattr__

@@ -37,6 +37,16 @@ from .errors import InputError as InputError
 from .errors import NoSolutionError as NoSolutionError
 from .errors import UnsureError as UnsureError
 from .errors import WalkError as WalkError
+from .export.film import animate as animate
+from .figures.plots import plot_answer as plot_answer
+from .figures.plots import plot_area as plot_area
+from .figures.plots import plot_clearance as plot_clearance
+from .figures.plots import plot_motion as plot_motion
+from .figures.plots import plot_plan as plot_plan
+from .figures.plots import plot_report as plot_report
+from .figures.plots import plot_route as plot_route
+from .figures.plots import plot_speeds as plot_speeds
+from .figures.plots import plot_sweep as plot_sweep
 from .kernels.status import Status as Status
 from .model.answer import Answer as Answer
 from .model.answer import Witness as Witness

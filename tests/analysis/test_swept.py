@@ -16,7 +16,6 @@ from benchdragon.analysis.swept import (
 from benchdragon.analysis.swept_steps import MOST_STEPS, merged, placed_steps
 from benchdragon.analysis.swept_width import _stretches
 from benchdragon.errors import InputError, UnsureError, WalkError
-from benchdragon.figures.walk import bench_corners
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.ground_covered import band_sides
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
@@ -48,7 +47,7 @@ def random_walk(seed: int) -> Walk:
 def sampled(walk: Walk, start: float, end: float, count: int) -> tuple[shapely.Geometry, float]:
     """The union of all benches at so many times, and at most how far one goes between two, m."""
     motion = walk.motion(np.linspace(start, end, count))
-    corners = np.array([bench_corners(motion, i) for i in range(count)])
+    corners = motion.corners()
     moved = np.hypot(*np.moveaxis(np.diff(corners, axis=0), -1, 0))
     union = shapely.union_all(shapely.polygons(corners.reshape(-1, 4, 2)))
     return union, 0.51 * float(moved.max(initial=0.0))
@@ -191,15 +190,15 @@ def test_no_section_is_wider_than_the_widest_place(seed: int) -> None:
     last = 0.9 * walk.time_at(walk.route.length)
     widest = swept_area(walk, 0.0, last, error=0.01).widest
     motion = walk.motion(np.linspace(0.0, last, 300))
-    seen = 0.0
+    seen, outlines = 0.0, motion.outlines()
     for s in np.linspace(0.0, 0.9 * walk.route.length, 60):
         point, heading = walk.route.point(s), float(walk.route.heading(s))
         square = np.array([-math.sin(heading), math.cos(heading)])
         line = shapely.LineString([point - 1.2 * square, point + 1.2 * square])
         times, benches = np.nonzero((motion.s[:, 1:] <= s) & (motion.s[:, :-1] >= s))
-        shapes = [bench_corners(motion, int(i))[j] for i, j in zip(times, benches, strict=True)]
-        if shapes:
-            cut = shapely.intersection(shapely.polygons(np.array(shapes)), line)
+        shapes = outlines[times, benches]
+        if len(shapes):
+            cut = shapely.intersection(shapes, line)
             aside = (shapely.get_coordinates(cut) - point) @ square
             seen = max(seen, float(np.ptp(np.append(aside, 0.0))))
     assert seen <= widest.width.upper

@@ -12,7 +12,6 @@ from pypdf import PdfReader
 from benchdragon import Dragon, InputError, Line, Route, Walk
 from benchdragon.figures.style import MissingGlyphWarning, drawable, write_picture
 from benchdragon.figures.walk import (
-    bench_corners,
     dragon_picture,
     head_angle_picture,
     speed_map,
@@ -29,7 +28,7 @@ WALK = PLAN.build()
 
 def test_benches_are_drawn_to_scale() -> None:
     walk = Walk(Dragon.uniform(benches=3), Route((Line(50.0),)), start=10.0)
-    corners = bench_corners(walk.motion([0.0]), 0)
+    corners = walk.motion([0.0]).corners()[0]
     assert corners[0, :, 0].max() == pytest.approx(10.275)
     assert np.ptp(corners[0, :, 0]) == pytest.approx(3.41)
     assert np.ptp(corners[1, :, 0]) == pytest.approx(2.20)

@@ -25,7 +25,6 @@ from benchdragon import (
     WalkError,
 )
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
-from benchdragon.figures.walk import bench_corners
 from benchdragon.model.curves import AnyCurve
 from benchdragon.model.obstacle import Obstacle
 
@@ -160,7 +159,7 @@ def distances(square: Square, times: Float) -> Float:
     shapely.prepare(solid)
     out = np.empty(len(times))
     for t in range(len(times)):
-        benches = np.asarray(shapely.polygons(bench_corners(motion, t)))
+        benches = motion[t].outlines()[0]
         out[t] = shapely.distance(benches, solid).min() - square.obstacle.radius
     return np.maximum(out, 0.0)
 

@@ -21,7 +21,6 @@ from benchdragon import (
     least_clearance,
 )
 from benchdragon.analysis.speed import greatest_speed
-from benchdragon.figures.walk import bench_corners
 from benchdragon.kernels.curve import FloatArray
 from tests.analysis.test_speed import with_room
 from tests.rounding import closing_rate, pair_off
@@ -77,7 +76,7 @@ def nearest(walk: Walk, times: FloatArray) -> FloatArray:
     i, j = np.triu_indices(len(walk.dragon), 2)
     least = np.full(len(times), math.inf)
     for t in range(len(times)):
-        corners = bench_corners(motion, t)
+        corners = motion[t].corners()[0]
         benches = np.asarray(shapely.polygons(corners))
         middles = corners.mean(axis=1)
         near = np.hypot(*(middles[i] - middles[j]).T) < 6.0

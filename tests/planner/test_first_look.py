@@ -8,7 +8,6 @@ import pytest
 
 from benchdragon.analysis.check import check
 from benchdragon.analysis.records import verdict_of
-from benchdragon.figures.walk import bench_corners
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.number_format import seconds
 from benchdragon.planner.first_look import SIDE, first_look
@@ -52,7 +51,7 @@ def test_the_picture_shows_each_bench_where_it_is_when_two_are_nearest() -> None
     assert near is not None
     assert near.time is not None
     assert seconds(near.time) in look.moment.en
-    corners = bench_corners(report.walk.motion([near.time]), 0)
+    corners = report.walk.motion([near.time]).corners()[0]
     drawn = np.array([chain(path) for path in re.findall("M[^M]*", look.head + look.benches)])
     length, told = look.bar
     scale = length / float(told.removesuffix(" m"))

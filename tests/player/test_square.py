@@ -5,7 +5,6 @@ import shapely
 
 from benchdragon.analysis.check import check
 from benchdragon.analysis.swept import drawn_ground, swept_area
-from benchdragon.figures.walk import bench_corners
 from benchdragon.model.curves import Arc, Line, Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
@@ -70,7 +69,7 @@ def test_a_page_of_a_square_gets_the_ground_that_the_dance_covers() -> None:
     walk = PLAN.build()
     motion = walk.motion(np.linspace(*PLAN.span(walk), 40))
     for n in range(40):
-        for corners in bench_corners(motion, n):
+        for corners in motion[n].corners()[0]:
             assert ground.buffer(1e-3).covers(shapely.Polygon(corners))
     assert ground.area < 1.2 * float(swept_area(walk, *PLAN.span(walk)).area)
     assert checked_dance(check(PLAN.without_square())).ground == []

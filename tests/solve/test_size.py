@@ -87,23 +87,15 @@ def test_a_margin_counts_distance_and_not_gap_by_shapelys_buffers(disc: Plan) ->
     apart = []
     for near in np.linspace(s - 0.5, s + 0.5, 201):
         motion = walk.motion([near])
-        first, second = (_polygon(motion, bench).buffer(0.05, quad_segs=256) for bench in (a, b))
+        first, second = shapely.buffer(motion.outlines()[0, [a - 1, b - 1]], 0.05, quad_segs=256)
         apart.append(
             first.distance(second) if first.disjoint(second) else -first.intersection(second).area
         )
     assert min(apart) == pytest.approx(0.0, abs=2e-5)
-    others = [_polygon(walk.motion([s]), bench) for bench in range(1, len(walk.dragon) + 1)]
+    others = list(walk.motion([s]).outlines()[0])
     tree = shapely.STRtree(others)
     first, second = tree.query(others, predicate="dwithin", distance=0.0999)
     assert all(abs(i - j) <= 1 for i, j in zip(first.tolist(), second.tolist(), strict=True))
-
-
-def _polygon(motion: object, bench: int) -> shapely.Polygon:
-    from benchdragon.figures.walk import bench_corners
-    from benchdragon.model.walk import Motion
-
-    assert isinstance(motion, Motion)
-    return shapely.Polygon(bench_corners(motion, 0)[bench - 1])
 
 
 def test_the_last_walk_of_a_family_is_kept_and_no_other_taken_for_it(disc: Plan) -> None:

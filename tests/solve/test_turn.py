@@ -12,7 +12,6 @@ import shapely
 from benchdragon import BenchDragonError, InputError
 from benchdragon.cli.main import run
 from benchdragon.errors import NoSolutionError
-from benchdragon.figures.walk import bench_corners
 from benchdragon.kernels.turn_peaks import TURN_MEASURES, TurnMeasure
 from benchdragon.model.answer import Answer
 from benchdragon.model.turns import TwoArcTurn
@@ -42,7 +41,7 @@ def sampled(best: BestTurn) -> tuple[float, float]:
     motion: Motion = walk.motion((at - walk.start) / best.plan.walk.speed)
     near = math.inf
     for t in range(0, len(at), 10):
-        benches = np.asarray(shapely.polygons(bench_corners(motion, t)))
+        benches = motion[t].outlines()[0]
         for i in range(len(benches) - 2):
             near = min(near, float(shapely.distance(benches[i], benches[i + 2 :]).min()))
     return float(np.asarray(motion.speed_ratio).max()), near

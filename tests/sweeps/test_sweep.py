@@ -278,7 +278,7 @@ def test_only_a_complete_grid_is_a_dataset() -> None:
 
 
 def test_a_data_frame_holds_the_table(whole: Sweep) -> None:
-    frame = whole.to_pandas()
+    frame = whole.to_dataframe()
     assert frame.index.name == "point"
     assert frame["route.pitch"].tolist() == whole.table["route.pitch"].to_pylist()
     assert list(frame.columns) == whole.table.column_names[1:]

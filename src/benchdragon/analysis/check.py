@@ -3,6 +3,7 @@
 import math
 import time as clock
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -33,12 +34,16 @@ from benchdragon.analysis.stops import Stop, stops_of
 from benchdragon.analysis.unfinished import Unfinished, unfinished
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import N_, _
+from benchdragon.methods import Method
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.number_format import seconds
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, Stage, silent, stages
+
+if TYPE_CHECKING:
+    from benchdragon.figures import plots
 
 # Samples of the clearance drawn, those of the last share of the time, where benches come nearest, and
 # seconds shown after a contact.
@@ -93,6 +98,8 @@ class Report:
     unproved: tuple[Unproved, ...] = ()
     unfinished: Unfinished | None = None
     not_looked_at: tuple[NotLookedAt, ...] = ()
+
+    plot = plots.plot_report if TYPE_CHECKING else Method("plot_report")
 
     @property
     def safe(self) -> bool:

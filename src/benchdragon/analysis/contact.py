@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -27,9 +28,13 @@ from benchdragon.kernels.contact_memory import ContactEnding, ContactGoal, Conta
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.time_of_impact import Ending, Goal
+from benchdragon.methods import Method
 from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
 from benchdragon.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from benchdragon.figures import plots
 
 # Grazes nearer than this to the end of a window, s, belong to it.
 FRAYED = 1e-5
@@ -72,6 +77,8 @@ class ClearanceCurve:
     clearance: FloatArray
     benches: IntArray
     minima: list[Answer]
+
+    plot = plots.plot_clearance if TYPE_CHECKING else Method("plot_clearance")
 
 
 @budget.question()

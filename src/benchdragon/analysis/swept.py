@@ -8,7 +8,7 @@ stray: motion bounds guarantee that it contains everything, not samples.
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -29,10 +29,14 @@ from benchdragon.errors import (
 )
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.methods import Method
 from benchdragon.model.answer import Answer
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
 from benchdragon.progress import Progress, part, silent
+
+if TYPE_CHECKING:
+    from benchdragon.figures import plots
 
 # The error that may be asked for, m, and what is taken unless one is.
 LEAST_ERROR, MOST_ERROR, ERROR = 1e-4, 1.0, 0.01
@@ -118,6 +122,8 @@ class SweptArea:
     polygon: Shape
     error: float
     steps: Steps = field(repr=False)
+
+    plot = plots.plot_area if TYPE_CHECKING else Method("plot_area")
 
     @property
     def area(self) -> float:

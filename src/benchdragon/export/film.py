@@ -12,11 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
-from benchdragon.errors import InputError, in_order, positive
+from benchdragon.errors import InputError, in_order, of_kind, positive
 from benchdragon.export.encoders import ENCODERS, Reel, find_ffmpeg
-from benchdragon.export.film_scene import Look, MovingScene, Place, Scene, sheet
+from benchdragon.export.film_scene import SPAN, Look, MovingScene, Place, Scene, sheet
 from benchdragon.figures.style import write_picture
-from benchdragon.files import whole_file
+from benchdragon.files import refuse_existing, whole_file
 from benchdragon.i18n import _, language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.walk import Motion, Walk
@@ -204,6 +204,44 @@ def write_film(film: Film, path: Path, look: Look, progress: Progress = silent) 
     name = "".join(sign for sign in title if sign.isprintable())
     with whole_file(path) as temporary:
         ENCODERS[path.suffix](temporary, Reel(look.size, film.fps, len(times), frames(), name, about))
+
+
+def animate(
+    plan: Plan, path: Path | str, *, start: float | None = None, end: float | None = None,
+    fps: int | None = None, speed_up: float = 1.0, size: tuple[int, int] | None = None,
+    theme: str = "light", follow: int | None = None, span: float = SPAN, force: bool = False,
+    progress: Progress = silent,
+) -> Path:  # fmt: skip
+    """Write the dance of a plan as a film; the ending of the path says which: .mp4 or .gif.
+
+    Args:
+        plan: what is danced.
+        path: of the film.
+        start: s of the dance; None: where the plan's walk starts.
+        end: s of the dance; None: where it ends. No frame comes after it.
+        fps: frames a second; None: 30, for a GIF 20.
+        speed_up: seconds of the dance in a second of the film.
+        size: width and height, pixels, even numbers; None: 1920 by 1080, for a GIF 960 by 540.
+        theme: "light" or "dark".
+        follow: number of a bench, 1..N, that stays in the middle; None: all is seen at once.
+        span: metres across the picture where a bench is followed.
+        force: whether a file that is there already is replaced.
+        progress: is called for each frame.
+
+    Returns:
+        Where the film is: a GIF beside `path`, with a warning, where MP4 lacks its ffmpeg.
+
+    Raises:
+        InputError: for what cannot be, and a file that is there already.
+        WalkError: if the dragon cannot stand at the first frame.
+    """
+    of_kind("plan", plan, Plan)
+    path = film_path(Path(path))
+    look = Look(size or SIZES[path.suffix], theme, follow, span)
+    film = Film(plan, start, end, fps or RATES[path.suffix], speed_up)
+    refuse_existing([path], force)
+    write_film(film, path, look, progress)
+    return path
 
 
 def _check_gif(film: Film, look: Look) -> None:

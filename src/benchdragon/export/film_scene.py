@@ -28,7 +28,7 @@ from benchdragon.errors import InputError, positive
 from benchdragon.figures.framing import Area, Framing, framing, inset
 from benchdragon.figures.square import draw_square, square_corners
 from benchdragon.figures.style import BODY, DISC, HEAD, ROUTE, STYLE, drawable, named_figure
-from benchdragon.figures.walk import MOST_BENCHES, Overview, bench_corners, disc_corners, route_points
+from benchdragon.figures.walk import MOST_BENCHES, Overview, disc_corners, route_points
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
@@ -245,7 +245,7 @@ class Panel:
         Raises:
             WalkError: if it cannot stand then.
         """
-        corners: Any = bench_corners(motion, index)
+        corners: Any = motion[index].corners()[0]
         nearest = next(iter(tightest_pairs(motion, index)), None)
         meet = np.zeros(len(corners), dtype=bool)
         if nearest is not None and nearest.distance <= TOUCHING:

@@ -1,7 +1,7 @@
 """The ground that a dance covers, drawn to scale on a sheet of paper."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -105,10 +105,10 @@ def _drawn_on(sheet: Sheet, drawing: AreaDrawing, paper: str, spots: Sequence[Po
         return figure
 
 
-def _outline(sheet: Sheet, shape: Shape) -> Path:
-    """The rings of an area as one path: what its holes hold is outside."""
+def outline(shape: Shape, place: Callable[[FloatArray], FloatArray] = np.asarray) -> Path:
+    """The rings of an area, put in their place, as one path: what its holes hold is outside."""
     paths = [
-        Path(sheet.place(np.asarray(ring.coords)), closed=True)
+        Path(place(np.asarray(ring.coords)), closed=True)
         for part in shapely.get_parts(shapely.orient_polygons(shape))
         for ring in (part.exterior, *part.interiors)
     ]
@@ -119,7 +119,7 @@ def _draw_ground(axes: Axes, sheet: Sheet, drawing: AreaDrawing) -> None:
     swept = drawing.swept
     axes.add_patch(
         PathPatch(
-            _outline(sheet, swept.polygon), fc=BODY, ec="black", lw=0.4, alpha=0.6, zorder=2,
+            outline(swept.polygon, sheet.place), fc=BODY, ec="black", lw=0.4, alpha=0.6, zorder=2,
             gid="swept", label=_("ground covered"),
         )
     )  # fmt: skip
@@ -127,7 +127,7 @@ def _draw_ground(axes: Axes, sheet: Sheet, drawing: AreaDrawing) -> None:
         text = _("spectators' line, {margin} m from it").format(margin=f"{swept.margin:g}")
         axes.add_patch(
             PathPatch(
-                _outline(sheet, swept.spectators), fill=False, ec=HEAD, lw=0.9, ls="--", zorder=3,
+                outline(swept.spectators, sheet.place), fill=False, ec=HEAD, lw=0.9, ls="--", zorder=3,
                 gid="spectators", label=text,
             )
         )  # fmt: skip

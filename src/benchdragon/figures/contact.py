@@ -13,12 +13,13 @@ from benchdragon.analysis.contact import ClearanceCurve
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.findings import named
 from benchdragon.analysis.obstacle_distance import box_distances, nearest_points
+from benchdragon.errors import InputError
 from benchdragon.figures.square import draw_square, square_corners
 from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, drawable, drawn_panel, drawn_panels
-from benchdragon.figures.walk import bench_corners, draw_dragon, framing_of, name_below
+from benchdragon.figures.walk import draw_dragon, framing_of, name_below
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.answer import Answer, Witness
+from benchdragon.model.answer import Answer
 from benchdragon.model.base_curve import Point
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Motion
@@ -41,25 +42,32 @@ def moment_picture(
     That is two benches, or a bench and one of `obstacles`: see `Plan.obstacles`.
 
     Raises:
-        ValueError: for an answer without a witness.
+        InputError: for an answer whose witness tells of nothing that meets, or that has none.
     """
-    if answer.witness is None:
-        raise ValueError("an answer without a witness has no moment")
-    shown = _meeting(motion, answer.witness, obstacles)
+    shown = _meeting(motion, answer, obstacles)
     with drawn_panels(PAGE_WIDTH, 3.9, title, 1, 2) as (figure, (whole, close)):
         middle = np.mean(shown.points, axis=0)
         kept = [tuple(middle), *square_corners(obstacles)]
         draw_dragon(whole, motion, 0, disc, framing_of(motion, [0], disc, kept), obstacles)
         whole.plot(*middle, "s", ms=9, mfc="none", mec=TOUCH, mew=1.5, zorder=5)
         whole.set_title(_("t = {t} s").format(t=f"{motion.times[0]:.9g}".replace("-", "−")))
-        draw_square(close, obstacles, size=None)
-        _draw_close(close, motion, shown.benches, middle, CLOSE + 0.5 * max(shown.distance, 0.0))
-        (ax, ay), (bx, by) = shown.points
-        close.plot([ax, bx], [ay, by], color="black", lw=1.2, zorder=6)
-        close.plot([ax, bx], [ay, by], "o", color="black", ms=4, zorder=6)
-        close.set_title(shown.text)
+        draw_meeting(close, motion, answer, obstacles)
         name_below(figure, whole, close)
         return figure
+
+
+def draw_meeting(
+    panel: Axes, motion: Motion, answer: Answer, obstacles: Sequence[Obstacle] = ()
+) -> None:
+    """Draw what an answer's witness tells of, close by, and the distance: see `moment_picture`."""
+    shown = _meeting(motion, answer, obstacles)
+    middle = np.mean(shown.points, axis=0)
+    draw_square(panel, obstacles, size=None)
+    _draw_close(panel, motion, shown.benches, middle, CLOSE + 0.5 * max(shown.distance, 0.0))
+    (ax, ay), (bx, by) = shown.points
+    panel.plot([ax, bx], [ay, by], color="black", lw=1.2, zorder=6)
+    panel.plot([ax, bx], [ay, by], "o", color="black", ms=4, zorder=6)
+    panel.set_title(shown.text)
 
 
 @dataclass(frozen=True)
@@ -73,8 +81,11 @@ class _Meeting:
     obstacle: str | None = None
 
 
-def _meeting(motion: Motion, witness: Witness, obstacles: Sequence[Obstacle]) -> _Meeting:
+def _meeting(motion: Motion, answer: Answer, obstacles: Sequence[Obstacle]) -> _Meeting:
     """What a witness tells of, as it stands at the first time of `motion`."""
+    witness = answer.witness
+    if witness is None or not (witness.obstacle or len(witness.benches) == 2):
+        raise InputError(_("this answer names no benches that meet, so there is no moment to draw"))
     found = [one for one in obstacles if one.name == witness.obstacle]
     if not found:
         i, j = (number - 1 for number in witness.benches)
@@ -106,7 +117,7 @@ def _distance_text(distance: float) -> str:
 def _draw_close(
     panel: Axes, motion: Motion, shown: tuple[int, ...], middle: FloatArray, half: float
 ) -> None:
-    corners = bench_corners(motion, 0)
+    corners = motion[0].corners()[0]
     others = [corners[n] for n in range(len(corners)) if n not in shown]
     panel.add_collection(PolyCollection(others, fc="#DDDDDD", ec="#888888", lw=0.5, zorder=2))
     for n, face, hatch in zip(shown, (HEAD, BODY), ("////", ""), strict=False):
@@ -125,21 +136,26 @@ def clearance_picture(curve: ClearanceCurve, margin: float = 0.0, title: str = "
 
     Valleys that come within NEAR_MISS of the limit are drawn once more, enlarged and with their depths.
     """
-    valleys = _valleys(curve)
     with drawn_panel(PAGE_WIDTH, 3.4, title) as (figure, panel):
-        _draw_clearance(panel, curve, valleys, 100.0)
-        panel.axhline(0.0, color=TOUCH, lw=1.4, label=_("touching"))
-        if margin > 0.0:
-            panel.axhline(100.0 * margin, color=DISC, lw=1.4, ls="--", label=_("margin"))
-        panel.set_xlabel(_("time (s)"))
-        panel.set_ylabel(_("clearance (cm)"))
-        panel.set_title(_("Least clearance of non-adjacent benches"))
-        near = valleys[(valleys[:, 1] > 0.0) & (valleys[:, 1] < margin + NEAR_MISS)]
-        crowded = len(near) and near[-1, 0] - near[0, 0] < 0.2 * np.ptp(curve.times)
-        if crowded:
-            _draw_near_misses(panel, curve, near)
-        panel.legend(loc="upper right" if crowded else "best", framealpha=0.9)
+        draw_clearances(panel, curve, margin)
         return figure
+
+
+def draw_clearances(panel: Axes, curve: ClearanceCurve, margin: float = 0.0) -> None:
+    """Draw clearance over time: see `clearance_picture`."""
+    valleys = _valleys(curve)
+    _draw_clearance(panel, curve, valleys, 100.0)
+    panel.axhline(0.0, color=TOUCH, lw=1.4, label=_("touching"))
+    if margin > 0.0:
+        panel.axhline(100.0 * margin, color=DISC, lw=1.4, ls="--", label=_("margin"))
+    panel.set_xlabel(_("time (s)"))
+    panel.set_ylabel(_("clearance (cm)"))
+    panel.set_title(_("Least clearance of non-adjacent benches"))
+    near = valleys[(valleys[:, 1] > 0.0) & (valleys[:, 1] < margin + NEAR_MISS)]
+    crowded = len(near) and near[-1, 0] - near[0, 0] < 0.2 * np.ptp(curve.times)
+    if crowded:
+        _draw_near_misses(panel, curve, near)
+    panel.legend(loc="upper right" if crowded else "best", framealpha=0.9)
 
 
 def _valleys(curve: ClearanceCurve) -> FloatArray:

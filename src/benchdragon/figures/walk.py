@@ -9,7 +9,9 @@ import matplotlib
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
 
@@ -54,7 +56,7 @@ MOST_PLACES = 10_000_000
 
 def dragon_picture(
     motion: Motion, title: str = "", indices: Sequence[int] = (0,), disc: float | None = None,
-    obstacles: Sequence[Obstacle] = (), ground: Sequence[FloatArray] = (),
+    obstacles: Sequence[Obstacle] = (), ground: Sequence[FloatArray] = (), *, by_speed: bool = False,
 ) -> Figure:  # fmt: skip
     """The dragon on its route, benches to scale, head marked, at times number `indices`.
 
@@ -65,19 +67,32 @@ def dragon_picture(
         disc: radius of a circle to draw about the first spiral's centre, m.
         obstacles: on the square, the venue's edge included: see `Plan.obstacles`.
         ground: outlines of the ground that the dance covers: see `swept.drawn_ground`.
+        by_speed: whether a bench's colour tells how fast its front handle is.
     """
     columns = min(len(indices), 2)
     panels = -(-len(indices) // columns)
     side = PAGE_WIDTH / 2 if columns > 1 else 0.62 * PAGE_WIDTH
     size = side * columns, side * panels + 0.3
     with drawn_panels(*size, title, panels, columns) as (figure, axes):
-        framed = framing_of(motion, indices, disc, square_corners(obstacles))
-        for panel, index in zip(axes, indices, strict=False):
-            draw_dragon(panel, motion, index, disc, framed, obstacles, ground)
+        draw_dragons(axes, motion, indices, disc, obstacles, ground, by_speed=by_speed)
         for panel in axes[len(indices) :]:
             panel.set_axis_off()
         name_below(figure, axes[0])
         return figure
+
+
+def draw_dragons(
+    axes: Sequence[Axes], motion: Motion, indices: Sequence[int], disc: float | None = None,
+    obstacles: Sequence[Obstacle] = (), ground: Sequence[FloatArray] = (), *, by_speed: bool = False,
+) -> None:  # fmt: skip
+    """Draw the dragon at times number `indices`, one panel each, all to one scale: `dragon_picture`."""
+    framed = framing_of(motion, indices, disc, square_corners(obstacles))
+    colours = speed_colours(motion.speed[list(indices)]) if by_speed else None
+    shown = list(zip(axes, indices, strict=False))
+    for panel, index in shown:
+        draw_dragon(panel, motion, index, disc, framed, obstacles, ground, colours)
+    if colours is not None:
+        _add_bar(colours, [panel for panel, _index in shown])
 
 
 def name_below(figure: Figure, *panels: Axes) -> None:
@@ -112,23 +127,15 @@ def disc_corners(route: Route, disc: float | None) -> list[tuple[float, float]]:
     return [(x - disc, y - disc), (x + disc, y + disc)]
 
 
-def bench_corners(motion: Motion, index: int) -> FloatArray:
-    """Corners of every bench at time number `index`, m, (N, 4, 2): front left first, going round."""
-    dragon = motion.walk.dragon
-    front = np.stack([motion.x[index, :-1], motion.y[index, :-1]], axis=-1)
-    heading = motion.heading[index]
-    along = np.stack([np.cos(heading), np.sin(heading)], axis=-1)
-    side = np.stack([-along[:, 1], along[:, 0]], axis=-1) * 0.5 * dragon.width[:, np.newaxis]
-    nose = front + along * dragon.front_inset[:, np.newaxis]
-    end = nose - along * dragon.length[:, np.newaxis]
-    return np.stack([nose + side, end + side, end - side, nose - side], axis=1)
-
-
 def draw_dragon(
     panel: Axes, motion: Motion, index: int, disc: float | None, framed: Framing,
     obstacles: Sequence[Obstacle] = (), covered: Sequence[FloatArray] = (),
+    colours: ScalarMappable | None = None,
 ) -> None:  # fmt: skip
-    """Draw benches, route, disc and square into one panel, and an inset where not all is shown."""
+    """Draw benches, route, disc and square into one panel, and an inset where not all is shown.
+
+    With `colours`, benches have those of their front handles' speeds.
+    """
     tail = float(np.nanmin(motion.s[index], initial=0.0))
     front = float(np.nanmax(motion.s[index], initial=0.0))
     end = min(motion.walk.route.length, front + 1.5 * (front - tail) + 20.0)
@@ -138,7 +145,10 @@ def draw_dragon(
         ring = {"fill": False, "ec": DISC, "lw": 1.2, "ls": "--", "zorder": 2}
         panel.add_patch(Circle(motion.walk.route.centre, disc, label=_("disc"), **ring))
     draw_square(panel, obstacles, ground=covered)
-    _draw_benches(panel, bench_corners(motion, index))
+    speed = motion.speed[index, :-1]
+    _draw_benches(
+        panel, motion[index].corners()[0], None if colours is None else colours.to_rgba(speed)
+    )
     panel.set(aspect="equal", xlabel=_("x (m)"), ylabel=_("y (m)"))
     clock = f"{motion.times[index]:g}".replace("-", "\N{MINUS SIGN}")
     panel.set_title(_("t = {t} s").format(t=clock))
@@ -152,16 +162,17 @@ def draw_dragon(
         axes.text(0.03, 0.94, text, fontsize=LEAST_TEXT, va="top", transform=axes.transAxes)
 
 
-def _draw_benches(panel: Axes, corners: FloatArray) -> None:
+def _draw_benches(panel: Axes, corners: FloatArray, colours: FloatArray | None) -> None:
     """Draw the benches that stand, the head hatched."""
     sound = np.asarray(~np.isnan(corners).any(axis=(1, 2)))
+    first, others = (HEAD, BODY) if colours is None else (colours[0], colours[1:][sound[1:]])
     body = PolyCollection(
-        list(corners[1:][sound[1:]]), fc=BODY, ec="black", lw=0.25, zorder=3, label=_("benches")
+        list(corners[1:][sound[1:]]), fc=others, ec="black", lw=0.25, zorder=3, label=_("benches")
     )
     panel.add_collection(body)
     if sound[0]:
         head = PolyCollection(
-            [corners[0]], fc=HEAD, ec="black", lw=0.6, hatch="////", zorder=4, label=_("head")
+            [corners[0]], fc=first, ec="black", lw=0.6, hatch="////", zorder=4, label=_("head")
         )
         panel.add_collection(head)
 
@@ -208,29 +219,43 @@ def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> 
     faster or slower than the rest, the colours tell the rest apart, and the extremes are named.
     """
     with drawn_panel(0.85 * PAGE_WIDTH, 3.3, title) as (figure, panel):
-        panel.grid(False)
-        times = cell_edges(motion.times)
-        handles = np.arange(motion.x.shape[1] + 1) - 0.5
-        low, high = speed_scale(motion.speed)
-        colours = matplotlib.colormaps["cividis"].with_extremes(under=BELOW, over=ABOVE)
-        mesh = panel.pcolormesh(
-            times, handles, motion.speed.T, cmap=colours, vmin=low, vmax=high, rasterized=True
-        )
-        for n, joint in enumerate(joints):
-            passed = [np.interp(joint, s, motion.times, np.nan, np.nan) for s in motion.s.T]
-            name = _("passing a joint of the route") if n == 0 else None
-            panel.plot(passed, range(len(passed)), color="white", lw=0.8, ls="--", label=name)
-        if joints:
-            panel.legend(loc="lower left", facecolor="#555555", labelcolor="white")
-        panel.invert_yaxis()
-        panel.set(xlabel=_("time (s)"), ylabel=_("handle (0: the head's front)"))
-        beyond = _beyond(motion, low, high)
-        panel.set_title("\n".join([_("Speed of every handle"), *beyond.values()]), linespacing=1.5)
-        extend = {0: "neither", 1: next(iter(beyond), "neither"), 2: "both"}[len(beyond)]
-        bar = figure.colorbar(mesh, ax=panel, pad=0.02, extend=extend)
-        bar.set_label(_("speed (m/s)"))
-        bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
+        draw_speeds(panel, motion, joints)
         return figure
+
+
+def draw_speeds(panel: Axes, motion: Motion, joints: Sequence[float] = ()) -> None:
+    """Draw a map of speeds, with its scale beside it: see `speed_map`."""
+    panel.grid(False)
+    times = cell_edges(motion.times)
+    handles = np.arange(motion.x.shape[1] + 1) - 0.5
+    colours = speed_colours(motion.speed)
+    panel.pcolormesh(
+        times, handles, motion.speed.T, cmap=colours.cmap, norm=colours.norm, rasterized=True
+    )
+    for n, joint in enumerate(joints):
+        passed = [np.interp(joint, s, motion.times, np.nan, np.nan) for s in motion.s.T]
+        name = _("passing a joint of the route") if n == 0 else None
+        panel.plot(passed, range(len(passed)), color="white", lw=0.8, ls="--", label=name)
+    if joints:
+        panel.legend(loc="lower left", facecolor="#555555", labelcolor="white")
+    panel.set_ylim(handles[-1], handles[0])
+    panel.set(xlabel=_("time (s)"), ylabel=_("handle (0: the head's front)"))
+    beyond = _beyond(motion, *colours.get_clim())
+    panel.set_title("\n".join([_("Speed of every handle"), *beyond.values()]), linespacing=1.5)
+    _add_bar(colours, [panel], {0: "neither", 1: next(iter(beyond), "neither"), 2: "both"}[len(beyond)])
+
+
+def speed_colours(speed: FloatArray) -> ScalarMappable:
+    """The colours of a table of speeds, m/s, (T, N + 1)."""
+    colours = matplotlib.colormaps["cividis"].with_extremes(under=BELOW, over=ABOVE)
+    return ScalarMappable(Normalize(*speed_scale(speed)), colours)
+
+
+def _add_bar(colours: ScalarMappable, panels: Sequence[Axes], extend: str = "neither") -> None:
+    """Add a scale of speeds beside panels of one figure."""
+    bar = panels[0].figure.colorbar(colours, ax=list(panels), pad=0.02, extend=extend)
+    bar.set_label(_("speed (m/s)"))
+    bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
 
 
 def speed_scale(speed: FloatArray) -> tuple[float, float]:

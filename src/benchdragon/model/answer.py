@@ -2,9 +2,13 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
+from benchdragon.methods import Method
 from benchdragon.number_format import at_most, finite_or_none, known
+
+if TYPE_CHECKING:
+    from benchdragon.figures import plots
 
 # What exceeds a limit by less than this share keeps to it: bounds leave a tenth of it for rounding.
 ROUNDING = 1e-11
@@ -65,6 +69,8 @@ class Answer:
     assumptions: tuple[str, ...] = ()
     evaluations: int = 0
     seconds: float = 0.0
+
+    plot = plots.plot_answer if TYPE_CHECKING else Method("plot_answer")
 
     @property
     def vanishing(self) -> bool:

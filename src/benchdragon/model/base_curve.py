@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -16,7 +16,11 @@ from benchdragon.kernels import route_parts
 from benchdragon.kernels.curve import MOST_METRES, FloatArray, RouteRow
 from benchdragon.kernels.route import evaluate
 from benchdragon.kernels.route_parts import Pose
+from benchdragon.methods import Method
 from benchdragon.model.arrays import as_numbers
+
+if TYPE_CHECKING:
+    from benchdragon.figures import plots
 
 Point = tuple[float, float]
 # A row of the kernels' table of parts: kind, x, y, angle, size, first, last and hand.
@@ -35,6 +39,7 @@ class Curve:
     """
 
     called: ClassVar[str]
+    plot = plots.plot_route if TYPE_CHECKING else Method("plot_route")
 
     @property
     def parts(self) -> FloatArray:

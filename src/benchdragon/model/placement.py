@@ -1,7 +1,10 @@
 """The dragon with its head at route positions: where every handle is, with no time in it."""
 
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from copy import copy
 from functools import cached_property
+from typing import Any, Self, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -22,12 +25,16 @@ from benchdragon.model.dragon import Dragon
 PLACE = 40
 # Of the tables of places, what marching leaves out.
 NO_TANGENTS = np.empty((0, 0))
+Table = TypeVar("Table", bound=npt.NDArray[Any])
+# One row, some, or all of them, as NumPy takes them.
+Rows = int | slice | npt.ArrayLike
 
 
 class Placement:
     """A dragon on its route with the head at T route positions; every table has one row a position.
 
-    A placement that fails holds its status, and NaN from the handle that found no place on.
+    A placement that fails holds its status, and NaN from the handle that found no place on. As a
+    sequence it holds T placements of one position each; a slice of it is another. Tables are read-only.
 
     Args:
         dragon: the benches.
@@ -57,7 +64,7 @@ class Placement:
         self._row = np.empty(shape, dtype=np.int64)
         self._failed = np.empty((2, shape[1]), dtype=np.int64)
         self._u, self._x, self._y, self._ratio = (np.empty(shape) for _array in range(4))
-        self.status, self.failed_bench = self._failed
+        self.status, self.failed_bench = map(frozen, self._failed)
         if workers == 1 or shape[1] <= LANES:
             self._march(0, shape[1])
             return
@@ -86,20 +93,39 @@ class Placement:
         handles, count = self._x.shape
         return f"<Placement of {handles} handles at {count} positions of the head>"
 
+    def __len__(self) -> int:
+        """Number of positions, T."""
+        return self.head_s.size
+
+    def __getitem__(self, rows: Rows) -> Self:
+        """The same at some of its positions: by number, from 0, by slice, by a list or a mask."""
+        chosen, part = np.atleast_1d(np.arange(len(self))[rows]), copy(self)
+        for name in _cached(type(self)) & vars(part).keys():
+            del vars(part)[name]
+        part.head_s, part._failed = self.head_s[chosen], self._failed[:, chosen]
+        part.status, part.failed_bench = map(frozen, part._failed)
+        for name in ("_row", "_u", "_x", "_y", "_ratio"):
+            setattr(part, name, np.ascontiguousarray(getattr(self, name)[:, chosen]))
+        return part
+
+    def __iter__(self) -> Iterator[Self]:
+        """The positions, one at a time."""
+        return (self[n] for n in range(len(self)))
+
     @property
     def x(self) -> FloatArray:
         """x of every handle, m, (T, N + 1)."""
-        return self._x.T
+        return frozen(self._x.T)
 
     @property
     def y(self) -> FloatArray:
         """y of every handle, m, (T, N + 1)."""
-        return self._y.T
+        return frozen(self._y.T)
 
     @property
     def speed_ratio(self) -> FloatArray:
         """Speed of every handle over the head's, (T, N + 1): exact, from the rigid benches."""
-        return self._ratio.T
+        return frozen(self._ratio.T)
 
     @cached_property
     def s(self) -> FloatArray:
@@ -109,7 +135,7 @@ class Placement:
         found = np.empty(int(sound.sum()))
         positions(self.route.rows, self._row[sound], self._u[sound], found)
         out[sound] = found
-        return out.T
+        return frozen(out.T)
 
     @property
     def tables(self) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
@@ -123,7 +149,26 @@ class Placement:
     @cached_property
     def heading(self) -> FloatArray:
         """Heading of every bench, rear handle to front handle, rad, (T, N), in -pi..pi."""
-        return np.arctan2(-np.diff(self._y, axis=0), -np.diff(self._x, axis=0)).T
+        return frozen(np.arctan2(-np.diff(self._y, axis=0), -np.diff(self._x, axis=0)).T)
+
+    def corners(self) -> FloatArray:
+        """Corners of every bench, m, (T, N, 4, 2): front left first, going round counter-clockwise."""
+        along = np.stack([np.cos(self.heading), np.sin(self.heading)], axis=-1)
+        left = np.stack([-along[..., 1], along[..., 0]], axis=-1)
+        length, width, front, _rear = self.dragon.sizes[:, :, np.newaxis]
+        nose = np.stack([self.x[:, :-1], self.y[:, :-1]], axis=-1) + along * front
+        end, side = nose - along * length, 0.5 * left * width
+        return np.stack([nose + side, end + side, end - side, nose - side], axis=-2)
+
+    def outlines(self) -> npt.NDArray[np.object_]:
+        """Every bench as a polygon of shapely, (T, N); None where it does not stand."""
+        import shapely  # what only outlines need
+
+        corners = self.corners()
+        stands = ~np.isnan(corners).any(axis=(2, 3))
+        out = np.full(stands.shape, None)
+        out[stands] = shapely.polygons(corners[stands])
+        return out
 
     @property
     def ratio_rate(self) -> FloatArray:
@@ -143,7 +188,7 @@ class Placement:
             self.route.rows, self.dragon.links,
             self._row, self._u, self._x, self._y, self._ratio, ratio_rate, turn,
         )  # fmt: skip
-        return ratio_rate.T, turn.T
+        return frozen(ratio_rate.T), frozen(turn.T)
 
     @cached_property
     def chord_error(self) -> float:
@@ -172,3 +217,20 @@ class Placement:
             )
             s, size = float(out[0]), float(self.dragon.links[bench - 1])
         return WalkError(status, bench, s, head, f"{size:.6g} m")
+
+
+def frozen(table: Table) -> Table:
+    """A view of a table that cannot be written."""
+    seen = table.view()
+    seen.flags.writeable = False
+    return seen
+
+
+def _cached(kind: type) -> set[str]:
+    """Names of what a class keeps once it is asked for."""
+    return {
+        name
+        for one in kind.__mro__
+        for name, of in vars(one).items()
+        if isinstance(of, cached_property)
+    }

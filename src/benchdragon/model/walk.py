@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -24,15 +24,18 @@ from benchdragon.kernels.local_minima import head_where_tail
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
+from benchdragon.methods import Method
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
-from benchdragon.model.placement import Placement
+from benchdragon.model.placement import Placement, Rows, frozen
 from benchdragon.model.profile import SpeedProfile
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+    from benchdragon.figures import plots
 
 # Handles times times that one Motion may hold: 40 bytes each at first, 100 when all is asked for.
 MOST_PLACES = 50_000_000
@@ -192,9 +195,18 @@ class Motion(Placement):
         times: s, (T,).
     """
 
+    plot = plots.plot_motion if TYPE_CHECKING else Method("plot_motion")
+    plot_speeds = plots.plot_speeds if TYPE_CHECKING else Method("plot_speeds")
+
     def __init__(self, walk: Walk, times: FloatArray, head_s: FloatArray, *, workers: int = 1) -> None:
         super().__init__(walk.dragon, walk.route, head_s, workers=workers)
-        self.walk, self.times = walk, times
+        self.walk, self.times = walk, frozen(times)
+
+    def __getitem__(self, rows: Rows) -> Self:
+        """The same at some of its times: by number, from 0, by slice, by a list or a mask."""
+        part = super().__getitem__(rows)
+        part.times = np.atleast_1d(self.times[rows])
+        return part
 
     def __repr__(self) -> str:
         handles, times = self._x.shape
@@ -203,12 +215,12 @@ class Motion(Placement):
     @cached_property
     def head_speed(self) -> FloatArray:
         """Speed of the head's handle, m/s, (T,)."""
-        return self.walk.profile.speed(self.times)
+        return frozen(self.walk.profile.speed(self.times))
 
     @cached_property
     def speed(self) -> FloatArray:
         """Speed of every handle along the route, m/s, (T, N + 1)."""
-        return self.speed_ratio * self.head_speed[:, np.newaxis]
+        return frozen(self.speed_ratio * self.head_speed[:, np.newaxis])
 
     @cached_property
     def acceleration(self) -> FloatArray:
@@ -218,12 +230,13 @@ class Motion(Placement):
         """
         head_rate = self.walk.profile.acceleration(self.times)
         speed2 = np.square(self.head_speed)
-        return self._ratio.T * head_rate[:, np.newaxis] + self.ratio_rate * speed2[:, np.newaxis]
+        rate = self._ratio.T * head_rate[:, np.newaxis] + self.ratio_rate * speed2[:, np.newaxis]
+        return frozen(rate)
 
     @cached_property
     def turning_rate(self) -> FloatArray:
         """Turning rate of every bench, rad/s, left positive, (T, N)."""
-        return self.turn_rate * self.head_speed[:, np.newaxis]
+        return frozen(self.turn_rate * self.head_speed[:, np.newaxis])
 
     def failure(self, i: int) -> WalkError:
         """The WalkError that describes how time number i failed."""

@@ -12,7 +12,7 @@ from matplotlib.patches import Arc as Curved
 from matplotlib.patches import Polygon
 
 from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, ROUTE, drawn_panel
-from benchdragon.figures.walk import bench_corners, name_below, route_points
+from benchdragon.figures.walk import name_below, route_points
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.turns import TwoArcTurn
@@ -139,7 +139,7 @@ def axes_picture(motion: Motion, pair: Sequence[int]) -> Figure:
         pair: numbers of the benches, from 1; the picture is turned so that the second lies level.
     """
     turned = cmath.exp(-1j * float(motion.heading[0, pair[1] - 1]))
-    corners = bench_corners(motion, 0)
+    corners = motion[0].corners()[0]
     shapes = [turned * (corners[n - 1] @ np.array([1.0, 1.0j])) for n in pair]
     middle = shapes[1].mean()
     shapes = [shape - middle for shape in shapes]

@@ -6,12 +6,13 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, PrivateAttr, ValidationError
+from pydantic import ConfigDict, Field, PrivateAttr, ValidationError
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
+from benchdragon.methods import Method
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
@@ -38,6 +39,10 @@ from benchdragon.plans.tables import (
 )
 from benchdragon.plans.toml import PlanError, read_toml, set_value, with_base
 
+if TYPE_CHECKING:
+    from benchdragon.export import film
+    from benchdragon.figures import plots
+
 # Tables of a plan that its hash ignores, or counts only if given; those about the square.
 ASIDE = ("meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event")
 SQUARE = ("venue", "obstacle")
@@ -45,6 +50,8 @@ SQUARE = ("venue", "obstacle")
 
 class Plan(Table):
     """A whole plan."""
+
+    model_config = ConfigDict(ignored_types=(Method,))
 
     schema_: Annotated[Literal[1], Field(alias="schema")]
     meta: MetaTable = MetaTable()
@@ -65,6 +72,9 @@ class Plan(Table):
     event: EventTable = EventTable()
     base: Annotated[str, Field(exclude=True)] = ""
     _source: Source = PrivateAttr(default=Source())
+
+    animate = film.animate if TYPE_CHECKING else Method()
+    plot = plots.plot_plan if TYPE_CHECKING else Method("plot_plan")
 
     @property
     def source(self) -> Source:

@@ -9,7 +9,7 @@ from concurrent.futures import Executor
 from contextlib import closing, nullcontext
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from benchdragon.errors import InputError, MachineError, MissingExtraError, of_k
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
+from benchdragon.methods import Method
 from benchdragon.parallel import Lost, Place, in_blocks, kept, place_of, processes
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
@@ -26,6 +27,9 @@ from benchdragon.sweeps.points import Points, Value, grid_points
 from benchdragon.sweeps.questions import QUESTIONS, Question, RandomDances, questions
 from benchdragon.sweeps.refine import ROUND, Refinement, Refiner, adaptive_version
 from benchdragon.sweeps.rows import FIELDS, TIMED, Ask, Numbered, arrow, made_by
+
+if TYPE_CHECKING:
+    from benchdragon.figures import plots
 
 FORMAT = 1
 # Between two values, as a share of the way; no whole number of benches lies there.
@@ -146,6 +150,8 @@ class Sweep:
     about: Mapping[str, Any]
     table: Any
 
+    plot = plots.plot_sweep if TYPE_CHECKING else Method("plot_sweep")
+
     @property
     def plan(self) -> Plan:
         """The plan in which keys were varied."""
@@ -180,7 +186,7 @@ class Sweep:
         """The table without what differs each time it is computed: seconds."""
         return self.table.drop_columns([f"{name}.{TIMED}" for name in self.about["ask"]])
 
-    def to_pandas(self) -> Any:
+    def to_dataframe(self) -> Any:
         """The table as a data frame, with the point for index.
 
         Raises:
@@ -190,7 +196,7 @@ class Sweep:
             import pandas  # noqa: F401 - pyarrow needs it
         except ImportError:
             raise MissingExtraError("data") from None
-        return self.table.to_pandas().set_index("point")
+        return self.table.to_dataframe().set_index("point")
 
     def to_xarray(self) -> Any:
         """The grid as a dataset: each key a dimension, each column a variable, units included.
