@@ -1,5 +1,6 @@
 """The public names as others use them: listed, equal, hashable, sequences, typed at the door."""
 
+import inspect
 import json
 import pickle
 import subprocess
@@ -110,7 +111,7 @@ def test_a_dragon_cannot_be_changed() -> None:
             "index must be a whole number from 0 to 1, not -1",
         ),
         (lambda any_: bd.tightest_pairs(MOTION, 0, any_), "count must be a whole number from 1 to"),
-        (lambda any_: bd.first_contact(any_, 0.0, 1.0), "walk must be a Walk, not 1.0"),
+        (lambda any_: bd.first_contact(any_, 0.0, 1.0), "walk must be a Plan or a Walk, not 1.0"),
         (lambda any_: WALK.motion([0.0], workers=any_), "workers must be a whole number from 1 to 64"),
         (lambda any_: bd.three_pieces(1.7, 4.5, 4.5, any_), "radii must be a pair, not 1.0"),
         (lambda any_: bd.Turn(1.7, 4.5, 4.5, any_), "pieces must be triples (length, curvature, curv"),
@@ -159,6 +160,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "propose": (bd.Wishes(2, 1.5, 0.15, radius=9.0, kind="spiral-in"),),
     "roster_of": (PLAN,),
     "timetable": (PLAN, WALK, 0.0, 1.0),
+    "as_html": (DRAGON,),
     "best_place": (HALL,),
     "best_turn": (TURN,),
     "check": (PLAN,),
@@ -195,20 +197,25 @@ MADE = {
     "Connection", "Enclosing", "Formation", "Motion", "Nearness", "Obstacle", "Offsets", "PlacedDance",
     "Plan", "Points", "Report", "Rings", "Status", "Sweep", "SweptArea", "Tolerance", "Widest",
     "Window", "Witness",
-    "BenchDragonError", "InputError", "NoSolutionError", "UnsureError", "WalkError",
+    "BenchDragonError", "InputError", "NoSolutionError", "PlanError", "UnsureError", "WalkError",
 }  # fmt: skip
 
 
 def test_every_public_constructor_and_function_is_tried() -> None:
-    assert {*CALLS, *MADE, "animate", "compare", "read_plan", "read_points", "read_sweep"} == set(bd.__all__)
+    assert {*CALLS, *MADE, "animate", "compare", "read_plan", "read_points", "read_sweep"} == set(
+        bd.__all__
+    )
 
 
 @pytest.mark.parametrize("name", CALLS)
 def test_wrong_types_are_refused_as_input(name: str) -> None:
     make, sound = getattr(bd, name), CALLS[name]
     make(*sound)
-    for i in range(len(sound)):
+    parameters = inspect.signature(make).parameters.values()
+    for i, parameter in zip(range(len(sound)), parameters, strict=False):
         for wrong in ("x", None, object(), [[1.0, 2.0], "x"]):
+            if wrong is None is parameter.default:
+                continue
             with pytest.raises(bd.InputError):
                 make(*sound[:i], wrong, *sound[i + 1 :])
 

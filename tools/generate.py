@@ -14,6 +14,7 @@ from tools import (
     make_keys,
     make_map,
     make_messages,
+    make_methods,
     make_plan_keys,
     make_twins,
     make_types,
@@ -30,6 +31,7 @@ class Tool(Protocol):
 # In this order: constants are those that scripts name, texts are those of all scripts, and the manual's
 # tables are told by the catalogue.
 TOOLS: dict[str, Tool] = {
+    "types of methods": make_methods,
     "modules of pages": make_twins,
     "keys of plans": make_plan_keys,
     "types of messages": make_types,

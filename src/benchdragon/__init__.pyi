@@ -38,6 +38,7 @@ from .errors import NoSolutionError as NoSolutionError
 from .errors import UnsureError as UnsureError
 from .errors import WalkError as WalkError
 from .export.film import animate as animate
+from .figures.glance import as_html as as_html
 from .figures.plots import plot_answer as plot_answer
 from .figures.plots import plot_area as plot_area
 from .figures.plots import plot_clearance as plot_clearance
@@ -78,6 +79,7 @@ from .paper.compare import compare as compare
 from .plans.roster import roster_of as roster_of
 from .plans.schema import Plan as Plan
 from .plans.schema import read_plan as read_plan
+from .plans.toml import PlanError as PlanError
 from .player.page import show as show
 from .rosters.roster import Person as Person
 from .rosters.roster import Roster as Roster

@@ -16,7 +16,12 @@ MOST_SHOWN = 80
 
 
 class BenchDragonError(Exception):
-    """The base of all errors; `exit_code` is that of the command line."""
+    """The base of all errors; `exit_code` is that of the command line.
+
+    Examples:
+        >>> issubclass(bd.PlanError, bd.BenchDragonError)
+        True
+    """
 
     exit_code = 2
 
@@ -34,7 +39,14 @@ def _made_again(
 
 
 class InputError(BenchDragonError, ValueError):
-    """A value that cannot be used: what was expected, and what was given."""
+    """A value that cannot be used: what was expected, and what was given.
+
+    Examples:
+        >>> bd.Line(-1.0)
+        Traceback (most recent call last):
+            ...
+        benchdragon.errors.InputError: length must be positive, not -1.0 m
+    """
 
 
 class WalkError(BenchDragonError):
@@ -47,6 +59,12 @@ class WalkError(BenchDragonError):
         head: route position of the head's handle, m.
         size: of the route, or of the bench's link, in words.
         t: time, s; None where no walk says when.
+
+    Examples:
+        >>> bd.read_plan("spiral-in").motion(450.0)
+        Traceback (most recent call last):
+            ...
+        benchdragon.errors.WalkError: at t = 450 s the head would walk past the end of the rou...
     """
 
     exit_code = 4
@@ -82,11 +100,21 @@ class OpenError(BenchDragonError):
 
 
 class UnsureError(OpenError):
-    """A question that could not be decided within the budget."""
+    """A question that could not be decided within the budget.
+
+    Examples:
+        >>> issubclass(bd.UnsureError, bd.BenchDragonError)
+        True
+    """
 
 
 class NoSolutionError(InputError):
-    """There is no solution."""
+    """There is no solution.
+
+    Examples:
+        >>> issubclass(bd.NoSolutionError, bd.InputError)
+        True
+    """
 
     exit_code = 4
 

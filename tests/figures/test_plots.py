@@ -12,6 +12,7 @@ from matplotlib.collections import PolyCollection, QuadMesh
 from matplotlib.figure import Figure
 
 import benchdragon as bd
+from benchdragon.figures.style import STYLE
 from benchdragon.figures.walk import MOST_PANELS
 
 PLAN = bd.read_plan("turn", ["dragon.benches=30", "walk.start=-5", "walk.end=20"])
@@ -50,11 +51,11 @@ def test_what_is_drawn_on_axes_of_a_reader_stays_in_his_figure(
     draw: Callable[[Axes], Figure], says: str
 ) -> None:
     (panel,) = axes_of()
-    before = matplotlib.rcParams.copy()
+    before = {name: matplotlib.rcParams[name] for name in STYLE}
     assert draw(panel) is panel.figure
     assert panel.get_xlabel() == says
     assert panel.has_data()
-    assert matplotlib.rcParams == before
+    assert {name: matplotlib.rcParams[name] for name in STYLE} == before
     drawn: Any = draw
     own = drawn(None)
     assert own.axes[0].get_xlabel() == says
@@ -122,7 +123,7 @@ def test_a_route_is_drawn_along_its_points_with_its_joints() -> None:
     (panel,) = axes_of()
     route.plot(panel, label="loop")
     drawn, behind, start, joints = panel.lines
-    line = shapely.LineString(drawn.get_xydata())
+    line = shapely.LineString(np.asarray(drawn.get_xydata()))
     assert line.length == pytest.approx(route.length, rel=1e-4)
     assert behind.get_xdata()[0] == -10.0  # type: ignore[index]
     assert start.get_xydata().tolist() == [[0.0, 0.0]]  # type: ignore[union-attr]
@@ -144,5 +145,5 @@ def test_the_ground_covered_and_its_line_are_drawn_as_they_are() -> None:
     (panel,) = axes_of()
     area.plot(panel)
     for patch, shape in zip(panel.patches, (area.polygon, area.spectators), strict=True):
-        box = patch.get_path().get_extents().extents  # type: ignore[attr-defined]
+        box = patch.get_path().get_extents().extents
         assert np.allclose(box, shape.bounds)

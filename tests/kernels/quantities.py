@@ -36,7 +36,7 @@ def size_of(
     across = one.speed_ratio**2 * route.curvature(one.s) * square
     found = {
         "speed": one.speed_ratio * np.sqrt(square),
-        "turning": one.turn_rate * np.sqrt(square),
+        "turning": one.turning_ratio * np.sqrt(square),
         "across": across,
         "total": np.hypot(along, across),
         "along": along,

@@ -86,9 +86,9 @@ def test_a_bench_does_in_each_cell_what_that_says_and_hardly_less(name: str) -> 
             assert ratio.max() <= told[Cell.FAST] + 1e-12
             assert told[Cell.FADE] <= growth.min() + 1e-9
             assert growth.max() <= told[Cell.GROW] + 1e-9
-            assert np.abs(one.turn_rate).max() <= told[Cell.SWAY] + 1e-12
+            assert np.abs(one.turning_ratio).max() <= told[Cell.SWAY] + 1e-12
             assert told[Cell.FAST] <= ratio.max() + 0.05
-            assert told[Cell.SWAY] <= np.abs(one.turn_rate).max() + 0.5
+            assert told[Cell.SWAY] <= np.abs(one.turning_ratio).max() + 0.5
             for n, s in enumerate(at):
                 back, front = cells.rear_range(made.benches, made.borders, g, c, c, s, s)
                 assert back <= one.s[n, 1] <= front

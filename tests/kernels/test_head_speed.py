@@ -137,7 +137,7 @@ def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
     found = hulls[np.arange(3000) // 100]
     growth = one.ratio_rate / one.speed_ratio
     assert (one.speed_ratio <= found[..., HandleHull.FAST]).all()
-    assert (np.abs(one.turn_rate) <= found[:, 1:, HandleHull.TURNING_RATE]).all()
+    assert (np.abs(one.turning_ratio) <= found[:, 1:, HandleHull.TURNING_RATE]).all()
     assert (np.abs(route.curvature(one.s)) <= found[..., HandleHull.BEND] + 1e-12).all()
     assert (found[..., HandleHull.GROWTH_LOW] <= growth + 1e-12).all()
     assert (growth <= found[..., HandleHull.GROWTH_HIGH] + 1e-12).all()

@@ -297,7 +297,9 @@ def test_the_curve_to_copy_stands_in_the_files_that_the_manual_names() -> None:
 
 
 def test_a_gap_is_refused_and_names_the_joint_and_its_size() -> None:
-    wanted = r"^curves 2 and 3 do not meet: they are 0.05 m apart$"
+    wanted = (
+        r"^curves 2 and 3 do not meet: they are 0.05 m apart; Route.joined moves each to where the one "
+    )
     with pytest.raises(InputError, match=wanted):
         Route((Line(1.0), Line(1.0, (1.0, 0.0)), Line(1.0, (2.0, 0.05))))
     with pytest.raises(InputError, match=wanted):
@@ -305,7 +307,7 @@ def test_a_gap_is_refused_and_names_the_joint_and_its_size() -> None:
 
 
 def test_a_kink_is_refused_and_names_the_joint_and_its_size() -> None:
-    wanted = r"^curves 1 and 2 meet at a kink of 90 degrees; allow kinks or rotate one of them$"
+    wanted = r"^curves 1 and 2 meet at a kink of 90 degrees; allow kinks or rotate one of them, as "
     with pytest.raises(InputError, match=wanted):
         Route((Line(1.0), Line(1.0, (1.0, 0.0), 0.5 * math.pi)))
 

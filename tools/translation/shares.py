@@ -163,6 +163,7 @@ GIVEN = {
 }
 # Functions that check what Python is called with, and what they give where pages call.
 UNASKED = {
+    "analysis.asked.asked_of": "(walk, start, end) => [walk, start, end]",
     "analysis.proof.prove_obstacle": "() => null",
     "analysis.room._proved": "() => null",
     "errors.as_number": "(_name, value) => value",
@@ -173,7 +174,10 @@ UNASKED = {
     "model.arrays.as_table": "(rows) => rows",
     "model.connections._check": "() => null",
     "model.connections._check_steps": "() => null",
+    "model.curves._check_turns": "() => null",
+    "model.obstacle._drawn_points": "(_name, points) => points",
     "model.curves._checked_curves": "(curves) => curves",
+    "plans.toml._plain": "(value) => value",
     "plans.source._place": "(source) => source.name",
     "plans.source.lines_of": "() => null",
 }
@@ -197,6 +201,7 @@ LEFT_OUT = {
     "analysis.marks.Trail": ("of",),
     "analysis.obstacle_search.ObstacleSearch": ("ways",),
     "analysis.ground.Ground": ("of", "seen"),
+    "analysis.check.Report": ("__str__",),
     "model.answer.Answer": ("as_json", *AS_FUNCTIONS),
     "model.obstacle.Obstacle": ("__eq__", "__hash__"),
     "model.curves.Route": ("__getitem__", "__iter__", "__len__"),
@@ -212,7 +217,17 @@ LEFT_OUT = {
     "solve.turn_goal.TurnFamily": ("turn",),
     "plans.answers.Question": ("shown",),
     "plans.routes.Drawn": ("line",),
-    "plans.schema.Plan": ("_changed", "own", "said", "source", "toml", "whole", "with_table"),
+    "plans.schema.Plan": (
+        "__init__",
+        "_changed",
+        "motion",
+        "own",
+        "said",
+        "source",
+        "toml",
+        "whole",
+        "with_table",
+    ),
     "plans.source.Source": ("beside",),
     "plans.square": ("about", "keys"),
     "plans.tables": ("about", "keys"),

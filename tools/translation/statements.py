@@ -17,6 +17,8 @@ from tools.translation.names import WAITED, UntranslatableError, camel
 
 # What methods may be marked with.
 DECORATORS = {"cached_property", "classmethod", "property", "staticmethod"}
+# Classes that records are built on in Python alone.
+PLAIN = {"AskedPlan", "Table"}
 # Methods that have another name there; what an error says is its message.
 MADE = {"__init__": "constructor", "__str__": "get message"}
 
@@ -206,8 +208,10 @@ class Code(Calls):
         kind = self.kind(node.name)
         base = self._base(node)
         told = [one for one in node.body if isinstance(one, ast.AnnAssign)]
+        told = [one for one in told if not ast.unparse(one.annotation).startswith("InitVar")]
         shared = [one for one in told if ast.unparse(one.annotation).startswith("ClassVar")]
         functions = [one for one in node.body if isinstance(one, ast.FunctionDef)]
+        functions = [one for one in functions if one.name != "__repr__"]
         self.of_class = {one.name for one in functions if _is_of_class(one)}
         lines = [line for one in shared for line in self._shared(one)]
         if not hasattr(kind, "model_fields"):
@@ -221,7 +225,7 @@ class Code(Calls):
 
     def _base(self, node: ast.ClassDef) -> str:
         """The class of the package that another is built on; of several the one that does something."""
-        names = [one.id for one in node.bases if isinstance(one, ast.Name) and one.id != "Table"]
+        names = [one.id for one in node.bases if isinstance(one, ast.Name) and one.id not in PLAIN]
         found = [name for name in names if self.kind(name)]
         if len(found) > 1:
             found = [name for name in found if _does(self.kind(name))]
@@ -244,7 +248,8 @@ class Code(Calls):
         if own or not fields:
             return
         keys = [one.target.id for one in fields if isinstance(one.target, ast.Name)]
-        if base and list(self.parameters(node.name) or keys) != keys:
+        taken = list(self.parameters(node.name) or keys)
+        if base and taken[: len(keys)] != keys:
             raise UntranslatableError(node, "with fields of its own besides those of another")
         names = [camel(key) for key in keys]
         given = ", ".join(

@@ -98,6 +98,12 @@ class BenchWalk:
         behind: number of the bench behind it; None for the tail.
         left: number of the bench on its left at the end; None where none is near.
         right: the same on its right.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"dragon.benches": 5, "walk.end": 10.0})
+        >>> first, *others = plan.bench_walks()
+        >>> first.bench, first.behind
+        (1, 2)
     """
 
     bench: int
@@ -114,25 +120,32 @@ class BenchWalk:
 
 @budget.question()
 def bench_walks(
-    plan: Plan, walk: Walk, span: tuple[float, float], *, apart: float = 0.0,
-    progress: Progress = silent,
+    plan: Plan, walk: Walk | None = None, span: tuple[float, float] | None = None, *,
+    apart: float = 0.0, progress: Progress = silent,
 ) -> tuple[BenchWalk, ...]:  # fmt: skip
     """What each bench of a plan's walk does over a span, s, the head's first.
 
-    Turnings change where the front handle passes a place at which the route changes its side, paces
-    where its speed passes STILL, `people.hurry_from` and `people.run_from` between times STEP apart:
-    both to `kernels.bench_walks.TIME_TOLERANCE` seconds. A threshold that is crossed and crossed back
-    between two samples is missed. Stretches shorter than SHORTEST are joined to a neighbour. `apart`,
-    m, is what no two benches that are not neighbours come nearer than, if that is known: see `Tightest`
-    for what is established without.
+    The walk, if it is not built yet, and the whole span are the plan's unless given. Turnings change
+    where the front handle passes a place at which the route changes its side, paces where its speed
+    passes STILL, `people.hurry_from` and `people.run_from` between times STEP apart: both to
+    `kernels.bench_walks.TIME_TOLERANCE` seconds. A threshold that is crossed and crossed back between
+    two samples is missed. Stretches shorter than SHORTEST are joined to a neighbour. `apart`, m, is
+    what no two benches that are not neighbours come nearer than, if that is known: see `Tightest` for
+    what is established without.
 
     Raises:
         InputError: if `plan` is not a Plan, or the end comes before the start.
         WalkError: if the dragon cannot stand at some time.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"dragon.benches": 5, "walk.end": 10.0})
+        >>> len(bd.bench_walks(plan))
+        5
     """
     of_kind("plan", plan, Plan)
+    walk = plan.build() if walk is None else walk
     of_kind("walk", walk, Walk)
-    start, end = _span(span)
+    start, end = _span(plan.span(walk) if span is None else span)
     times, bends = _times(walk, start, end), Bends.of(walk.route)
     rows, dragon = walk.route.rows, walk.dragon
     line = kernel.Line(rows, dragon.links, dragon.sizes, bends.at, bends.sides, _gates(plan))

@@ -78,6 +78,13 @@ class Report:
         unproved: the answers whose proof failed, and why.
         not_looked_at: what the check did not consider because the plan does not give it.
         unfinished: what the walk lacks where it ends before the tail is out of the turn; else None.
+
+    Examples:
+        >>> report = bd.read_plan("turn", {"dragon.benches": 30, "walk.end": 40.0}).check()
+        >>> report.safe, [one.code for one in report.findings]
+        (True, [])
+        >>> round(report.greatest_speed.value, 6)
+        1.604793
     """
 
     plan: Plan
@@ -100,6 +107,15 @@ class Report:
     not_looked_at: tuple[NotLookedAt, ...] = ()
 
     plot = plots.plot_report if TYPE_CHECKING else Method("plot_report")
+    _repr_html_ = Method("as_html")
+
+    def __repr__(self) -> str:
+        told = "safe" if self.safe else "not safe" if self.decided else "undecided"
+        return f"<Report of {self.plan!r}: {told}, {len(self.findings)} findings>"
+
+    def __str__(self) -> str:
+        """The verdict in one sentence, in the language in use."""
+        return sentence(self)
 
     @property
     def safe(self) -> bool:
@@ -130,6 +146,11 @@ def check(plan: Plan, progress: Progress = silent, *, prove: bool = False) -> Re
         MissingExtraError: for a proof without python-flint.
         WalkError: if no contact comes before the dragon cannot walk on.
         UnsureError: if it could not be decided whether it can.
+
+    Examples:
+        >>> report = bd.check(bd.read_plan("spiral-in", {"disc.radius": 4.5, "dragon.benches": 40}))
+        >>> report.safe, str(report)[:24]
+        (True, 'Safe: tightest 0.099 m, ')
     """
     of_kind("plan", plan, Plan)
     walk = plan.build()

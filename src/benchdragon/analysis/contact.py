@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon import budget
+from benchdragon.analysis.asked import asked_of
 from benchdragon.analysis.contact_search import (
     REFINING,
     REFINING_ON,
@@ -22,7 +23,7 @@ from benchdragon.analysis.contact_search import (
 )
 from benchdragon.analysis.distance import tightest_pairs
 from benchdragon.budget import OverBudgetError
-from benchdragon.errors import InputError, of_kind
+from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.contact_memory import ContactEnding, ContactGoal, ContactTold
 from benchdragon.kernels.curve import FloatArray
@@ -31,6 +32,7 @@ from benchdragon.kernels.time_of_impact import Ending, Goal
 from benchdragon.methods import Method
 from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -43,7 +45,7 @@ NONE = Answer(math.inf, math.inf, math.inf, "m", "found")
 # Number of grazes that are skipped to reach a sure contact.
 MOST_GRAZES = 100
 # Samples of a clearance curve: each takes a millisecond for 223 benches.
-MOST_SAMPLES = 1_000_000
+MOST_SAMPLES, USUAL_SAMPLES = 1_000_000, 301
 
 # Seeks a first contact, as `first_contact` does: of a walk, from start to end, s, within a margin, m.
 Search = Callable[[Walk, float, float, float, Progress], Answer | None]
@@ -56,6 +58,11 @@ class Window:
     Attributes:
         opens: when it begins; status "undecided" for a graze within rounding.
         closes: when it ends; None if it lasts to the end of what was searched.
+
+    Examples:
+        >>> (window,) = bd.read_plan("spiral-in").contact_windows(405.0, 408.0, margin=0.003)
+        >>> round(window.opens.value, 3), round(window.closes.value, 3)
+        (406.773, 406.92)
     """
 
     opens: Answer
@@ -71,6 +78,11 @@ class ClearanceCurve:
         clearance: of all pairs of non-adjacent benches, the least, m, (T,); negative: overlap.
         benches: the pair, (T, 2).
         minima: for each sample that is lower than those beside it, the least clearance between these.
+
+    Examples:
+        >>> curve = bd.read_plan("spiral-in").clearance_curve(np.arange(0.0, 301.0, 100.0))
+        >>> curve.clearance.round(4)
+        array([0.1693, 0.1579, 0.165 , 0.1207])
     """
 
     times: FloatArray
@@ -83,10 +95,12 @@ class ClearanceCurve:
 
 @budget.question()
 def contact_windows(
-    walk: Walk, start: float, end: float, *, margin: float = 0.0, most: int = 1000,
-    progress: Progress = silent,
+    walk: Walk | Plan, start: float | None = None, end: float | None = None, *,
+    margin: float = 0.0, most: int = 1000, progress: Progress = silent,
 ) -> list[Window]:  # fmt: skip
     """All spans of time in start..end (s) in which two non-adjacent benches are nearer than margin.
+
+    Of a plan or a walk: over the whole of it unless start and end are given.
 
     Never late and none left out, whatever the speed: what lies outside of all windows is clear by
     bounds. A window whose opening is "undecided" is a graze: there a pair comes within rounding of the
@@ -96,7 +110,13 @@ def contact_windows(
         InputError: for a negative margin or an end before the start.
         WalkError: if the dragon cannot stand at some time, and no windows fill `most` before.
         UnsureError: if it could not be shown that it can.
+
+    Examples:
+        >>> windows = bd.contact_windows(bd.read_plan("spiral-in"), 400.0, 413.0)
+        >>> round(windows[0].opens.value, 6), windows[0].closes
+        (412.473838, None)
     """
+    walk, start, end = asked_of(walk, start, end)
     with contact_search(walk, start, end, margin, progress, whole=True) as search:
         return _windows(search, most)
 
@@ -143,19 +163,27 @@ def _widened(window: Window, graze: Answer) -> Window:
 
 @budget.question()
 def first_contact(
-    walk: Walk, start: float, end: float, *, margin: float = 0.0, progress: Progress = silent,
+    walk: Walk | Plan, start: float | None = None, end: float | None = None, *,
+    margin: float = 0.0, progress: Progress = silent,
 ) -> Answer | None:  # fmt: skip
     """The first time in start..end, s, at which two non-adjacent benches touch; None if never.
 
-    With a margin (m), the first time at which two are nearer than that. The answer's bracket: all is
-    clear up to `lower`, and at `upper` a pair surely touches.
-    Status "undecided" means a graze within rounding in the bracket (and clear up to it).
+    Of a plan or a walk: over the whole of it unless start and end are given. With a margin (m), the
+    first time at which two are nearer than that. The answer's bracket: all is clear up to `lower`, and
+    at `upper` a pair surely touches. Status "undecided" means a graze within rounding in the bracket
+    (and clear up to it).
 
     Raises:
         InputError: for a negative margin or an end before the start.
         WalkError: if no contact comes before a time at which the dragon cannot stand.
         UnsureError: if that could not be decided.
+
+    Examples:
+        >>> contact = bd.first_contact(bd.read_plan("spiral-in"))
+        >>> round(contact.value, 9), contact.witness.benches
+        (412.473837682, (1, 9))
     """
+    walk, start, end = asked_of(walk, start, end)
     with contact_search(walk, start, end, margin, progress) as search:
         windows = _windows(search, 1)
     return windows[0].opens if windows else None
@@ -186,21 +214,28 @@ def first_sure_contact(
 
 @budget.question()
 def least_clearance(
-    walk: Walk, start: float, end: float, *, within: float = math.inf,
-    tolerances: Sequence[float] = TOLERANCES, progress: Progress = silent,
+    walk: Walk | Plan, start: float | None = None, end: float | None = None, *,
+    within: float = math.inf, tolerances: Sequence[float] = TOLERANCES, progress: Progress = silent,
 ) -> Answer:  # fmt: skip
     """The least clearance, m, of any two non-adjacent benches from start to end (s).
 
-    0 where benches overlap; infinite for a dragon of one or two benches. The bracket is as wide as the
-    first of `tolerances`, m, or where benches keep one distance for a while as one of the others, or
-    wider yet where that takes too much work. Nothing beyond `within` metres is searched: if no pair is
-    nearer, the upper end is infinite, and the lower one `within` less the tolerance.
+    Of a plan or a walk: over the whole of it unless start and end are given. 0 where benches overlap;
+    infinite for a dragon of one or two benches. The bracket is as wide as the first of `tolerances`, m,
+    or where benches keep one distance for a while as one of the others, or wider yet where that takes
+    too much work. Nothing beyond `within` metres is searched: if no pair is nearer, the upper end is
+    infinite, and the lower one `within` less the tolerance.
 
     Raises:
         InputError: for an end before the start.
         WalkError: if the dragon cannot stand at some time.
         UnsureError: if that could not be decided.
+
+    Examples:
+        >>> near = bd.least_clearance(bd.read_plan("spiral-in"), 405.0, 408.0)
+        >>> round(1000.0 * near.value, 4), near.witness.benches
+        (2.9573, (1, 10))
     """
+    walk, start, end = asked_of(walk, start, end)
     with contact_search(walk, start, end, 0.0, progress, tolerances=tolerances) as search:
         if len(walk.dragon) < 3:
             return NONE
@@ -251,17 +286,25 @@ def upper_end(gap: float, off: float) -> float:
 
 
 @budget.question()
-def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
+def clearance_curve(walk: Walk | Plan, times: npt.ArrayLike | None = None) -> ClearanceCurve:
     """Clearance at increasing `times` (s, T of them, at least 3), and its local minima between them.
 
-    A minimum narrower than the distance of two times can be missed; `least_clearance` misses none.
+    Of a plan or a walk: at 301 times over the whole of it unless `times` are given. A minimum narrower
+    than the distance of two times can be missed; `least_clearance` misses none.
 
     Raises:
         InputError: for fewer than 3 times, too many, or times that do not increase.
         WalkError: if the dragon cannot stand at some time.
+
+    Examples:
+        >>> plan = bd.read_plan("turn", {"dragon.benches": 20, "walk.end": 20.0})
+        >>> curve = bd.clearance_curve(plan)
+        >>> curve.times.shape, curve.benches.shape
+        ((301,), (301, 2))
     """
-    of_kind("walk", walk, Walk)
-    motion = walk.motion(times)
+    known = None if times is None else 0.0
+    walk, start, end = asked_of(walk, known, known)
+    motion = walk.motion(np.linspace(start, end, USUAL_SAMPLES) if times is None else times)
     at = motion.times
     if not 3 <= len(at) <= MOST_SAMPLES or not (np.diff(at) > 0.0).all():
         raise InputError(

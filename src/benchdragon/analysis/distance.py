@@ -51,6 +51,11 @@ class Nearness:
             deepest corner twice.
         features: what meets: the corner of one bench, and the side or the corner of the other, each
             with the number of its bench.
+
+    Examples:
+        >>> (near,) = bd.tightest_pairs(bd.read_plan("spiral-in").motion(300.0))
+        >>> near.benches, round(near.distance, 4)
+        ((1, 22), 0.1207)
     """
 
     benches: tuple[int, int]
@@ -118,6 +123,11 @@ def tightest_pairs(placed: Placement, index: int = 0, count: int = 1) -> list[Ne
     Raises:
         InputError: for a count outside 1..MOST_PAIRS.
         WalkError: if the dragon cannot stand there.
+
+    Examples:
+        >>> pairs = bd.tightest_pairs(bd.read_plan("spiral-in").motion([0.0, 300.0]), 1, count=2)
+        >>> [near.benches for near in pairs]
+        [(1, 22), (3, 24)]
     """
     whole("count", count, 1, MOST_PAIRS)
     table = boxes(placed, index)
@@ -203,6 +213,10 @@ def clearances(placed: Placement, indices: Sequence[int] | None = None) -> Float
 
     Negative where benches overlap (the gap then), infinite for a dragon of one or two benches. A
     check with room for people asks for at least that room.
+
+    Examples:
+        >>> bd.clearances(bd.read_plan("spiral-in").motion([0.0, 300.0])).round(4)
+        array([0.1693, 0.1207])
     """
     of_kind("placed", placed, Placement)
     chosen = range(len(placed.head_s)) if indices is None else indices

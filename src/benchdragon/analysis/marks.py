@@ -50,6 +50,12 @@ class Trail:
         low: where the tail's last handle stands at first, m along the route.
         start: where the head's first handle stands then, m along the route.
         high: where that comes to, m along the route.
+
+    Examples:
+        >>> walk = bd.read_plan("spiral-in", {"dragon.benches": 5}).build()
+        >>> trail = bd.Trail.of(walk, 0.0, 10.0)
+        >>> trail.start, trail.high
+        (0.0, 10.0)
     """
 
     route: Route
@@ -145,6 +151,12 @@ class Marks:
         ground: the peg and the base line that they are measured from.
         bases: the base points, m, (2, 2), as far from the peg as `reach`.
         reach: m.
+
+    Examples:
+        >>> walk = bd.read_plan("spiral-in", {"dragon.benches": 5}).build()
+        >>> marks = bd.placed_marks(bd.Trail.of(walk, 0.0, 10.0), 1.0, (0.0, 0.0))
+        >>> marks.points.shape[1]
+        2
     """
 
     s: FloatArray
@@ -302,6 +314,12 @@ def placed_marks(
     Raises:
         InputError: if `trail` is not a Trail, the peg is no point or too far away, and as
             `Trail.marked`.
+
+    Examples:
+        >>> walk = bd.read_plan("spiral-in", {"dragon.benches": 5}).build()
+        >>> marks = bd.placed_marks(bd.Trail.of(walk, 0.0, 10.0), 1.0, (0.0, 0.0))
+        >>> marks.kinds[-1]
+        'end'
     """
     of_kind("trail", trail, Trail, "Trail.of(walk, start, end) makes one")
     check_every(as_number("every", every))

@@ -38,6 +38,11 @@ class Offsets:
         y: the same.
         s: route position of the point of the route that is nearest, m, (T, P).
         offset: signed distance from there, m, (T, P); positive to the left of the walking direction.
+
+    Examples:
+        >>> walk = bd.Walk(bd.Dragon.uniform(3), bd.Route((bd.Arc(9.0, 2.0),)), start=12.0)
+        >>> bd.bench_offsets(walk.motion(0.0)).offset.round(3)
+        array([[ 0.099,  0.099, -0.195, -0.195]])
     """
 
     x: FloatArray
@@ -62,6 +67,11 @@ def bench_offsets(placed: Placement, bench: int = 1, points: npt.ArrayLike | Non
         InputError: for points that are not pairs or farther away than a bench may be long, for more
             than MOST_POINTS, and where a point lies beyond an end of the route.
         WalkError: if the dragon cannot stand at one of the positions.
+
+    Examples:
+        >>> walk = bd.Walk(bd.Dragon.uniform(3), bd.Route((bd.Arc(9.0, 2.0),)), start=12.0)
+        >>> bd.bench_offsets(walk.motion(0.0), points=[(0.0, 0.0)]).offset.round(4)
+        array([[0.1143]])
     """
     of_kind("placed", placed, Placement)
     whole("bench", bench, 1, len(placed.dragon))

@@ -11,9 +11,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from benchdragon import budget
+from benchdragon.analysis.asked import asked_of
 from benchdragon.analysis.contact import MOST_GRAZES, contact_windows
 from benchdragon.analysis.obstacles import ObstacleAnswers, touching
-from benchdragon.errors import MissingExtraError, UnsureError, in_order, of_kind
+from benchdragon.errors import MissingExtraError, UnsureError, in_order
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
@@ -75,23 +76,30 @@ def require_flint() -> None:
 
 @budget.question()
 def prove_contact(
-    walk: Walk, start: float, end: float, *, margin: float = 0.0, progress: Progress = silent,
-    claims: list[Claim] | None = None, plan: Plan | None = None,
+    walk: Walk | Plan, start: float | None = None, end: float | None = None, *,
+    margin: float = 0.0, progress: Progress = silent, claims: list[Claim] | None = None,
+    plan: Plan | None = None,
 ) -> Answer | None:  # fmt: skip
     """`first_contact`, proved: clear up to `lower`, and a pair nearer than the margin by `upper`.
 
     None is proved as well: no pair comes nearer than the margin from start to end. A graze that cannot
-    be decided is "undecided". The proved claim is added to `claims`. With the `plan` of which the walk
-    is built all numbers, times and margin too, count as they are written, else as the doubles that they
-    are.
+    be decided is "undecided". The proved claim is added to `claims`. Of a plan, or with the `plan` of
+    which the walk is built, all numbers, times and margin too, count as they are written, else as the
+    doubles that they are. It is about the whole walk unless start and end are given.
 
     Raises:
         InputError: for a number that the plan holds rounded, or a route that cannot be enclosed.
         MissingExtraError: without python-flint.
         UnsureError: if it could not be shown.
         WalkError: as `first_contact`.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"dragon.benches": 4, "walk.end": 1.0})
+        >>> bd.prove_contact(plan) is None
+        True
     """
-    of_kind("walk", walk, Walk)
+    plan = walk if isinstance(walk, Plan) else plan
+    walk, start, end = asked_of(walk, start, end)
     in_order(start, end)
     require_flint()
     found: list[Answer] = []

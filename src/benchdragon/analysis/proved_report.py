@@ -25,6 +25,12 @@ def prove_report(report: Report, progress: Progress = silent) -> Report:
     Raises:
         InputError: for a number that the plan holds rounded, or a route that cannot be enclosed.
         MissingExtraError: without python-flint.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"dragon.benches": 4, "route.pitch": 1.2,
+        ...                                   "route.start_turn": 4, "walk.end": 2.0})
+        >>> bd.prove_report(plan.check(prove=True)).clearance.status
+        'proved'
     """
     of_kind("report", report, Report)
     require_flint()

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchdragon import budget
+from benchdragon.analysis.asked import asked_of
 from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.rounds import Rounds, Span, repeats
 from benchdragon.budget import OverBudgetError
@@ -92,16 +93,23 @@ class Peak:
 
 
 def greatest_speed(
-    walk: Walk, start: float, end: float, *, tolerance: float = TOLERANCE, progress: Progress = silent,
+    walk: Walk | Plan, start: float | None = None, end: float | None = None, *,
+    tolerance: float = TOLERANCE, progress: Progress = silent,
 ) -> Answer:  # fmt: skip
     """The greatest speed of any handle from start to end (s), m/s, over continuous time.
 
-    See `greatest`.
+    Of a plan or a walk: over the whole of it unless start and end are given. See `greatest`.
 
     Raises:
         InputError: for an end before the start, or a tolerance that is not between 1e-12 and 1.
         WalkError: if the dragon cannot stand at some time that was sampled.
+
+    Examples:
+        >>> speed = bd.greatest_speed(bd.read_plan("turn"), 0.0, 20.0)
+        >>> round(speed.value, 6), speed.witness.handle
+        (1.604793, 3)
     """
+    walk, start, end = asked_of(walk, start, end)
     return greatest(walk, QUANTITIES["speed"], start, end, tolerance=tolerance, progress=progress)
 
 

@@ -16,6 +16,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from benchdragon import budget
+from benchdragon.analysis.asked import asked_of
 from benchdragon.analysis.swept_steps import Steps, walked_steps
 from benchdragon.analysis.swept_width import Widest, widest_place
 from benchdragon.errors import (
@@ -25,7 +26,6 @@ from benchdragon.errors import (
     finite,
     in_order,
     not_negative,
-    of_kind,
 )
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
@@ -33,6 +33,7 @@ from benchdragon.methods import Method
 from benchdragon.model.answer import Answer
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, part, silent
 
 if TYPE_CHECKING:
@@ -56,7 +57,13 @@ Shape = BaseGeometry
 
 
 class Rings(NamedTuple):
-    """Closed lines, m, (n, 2) each, the last point the first: around the outside, and around holes."""
+    """Closed lines, m, (n, 2) each, the last point the first: around the outside, and around holes.
+
+    Examples:
+        >>> area = bd.read_plan("spiral-in", {"dragon.benches": 5}).swept_area(0.0, 10.0)
+        >>> len(area.outlines.outer), len(area.outlines.holes)
+        (1, 0)
+    """
 
     outer: tuple[FloatArray, ...]
     holes: tuple[FloatArray, ...]
@@ -72,6 +79,11 @@ class BoundingRectangle:
         height: its shorter side, m.
         angle: of the longer side to the x axis, rad, 0 to pi.
         area: m2, with a bracket for what the smallest one that holds the ground covered has.
+
+    Examples:
+        >>> held = bd.read_plan("spiral-in", {"dragon.benches": 5}).enclosing(0.0, 10.0)
+        >>> held.rectangle.width >= held.rectangle.height
+        True
     """
 
     corners: FloatArray
@@ -88,6 +100,11 @@ class BoundingCircle:
     Attributes:
         centre: m.
         radius: m; the circle of its upper end holds all that is covered.
+
+    Examples:
+        >>> held = bd.read_plan("spiral-in", {"dragon.benches": 5}).enclosing(0.0, 10.0)
+        >>> round(held.circle.radius.value, 2)
+        8.15
     """
 
     centre: Point
@@ -95,7 +112,13 @@ class BoundingCircle:
 
 
 class Enclosing(NamedTuple):
-    """What holds a whole dance, tail included."""
+    """What holds a whole dance, tail included.
+
+    Examples:
+        >>> held = bd.read_plan("spiral-in", {"dragon.benches": 5}).enclosing(0.0, 10.0)
+        >>> sorted(held._fields)
+        ['circle', 'rectangle']
+    """
 
     rectangle: BoundingRectangle
     circle: BoundingCircle
@@ -113,6 +136,12 @@ class SweptArea:
         polygon: contains all that any bench covers from start to end, m.
         error: m; nothing of the polygon is farther from what is covered.
         steps: what it is made of.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"dragon.benches": 5})
+        >>> area = plan.swept_area(0.0, 10.0, margin=1.0)
+        >>> area.error <= 0.02, area.spectators.area > area.area
+        (True, True)
     """
 
     walk: Walk
@@ -162,15 +191,15 @@ class SweptArea:
 
 @budget.question()
 def swept_area(
-    walk: Walk, start: float, end: float, *, margin: float = 0.0, error: float = ERROR,
-    progress: Progress = silent,
+    walk: Walk | Plan, start: float | None = None, end: float | None = None, *,
+    margin: float = 0.0, error: float = ERROR, progress: Progress = silent,
 ) -> SweptArea:  # fmt: skip
     """The ground that benches cover from start to end, s, both included.
 
     Args:
-        walk: the walk.
-        start: s.
-        end: s; the same as start for one instant.
+        walk: of which walk, or plan.
+        start: s; None: where it starts.
+        end: s; None: where it ends. The same as start for one instant.
         margin: how far spectators keep from it, m, 0 to 1000.
         error: of the polygon, m, 0.0001 to 1: see `SweptArea`.
         progress: is called with the share done.
@@ -180,8 +209,14 @@ def swept_area(
             `swept_steps.MOST_STEPS` steps.
         WalkError: where the dragon cannot stand.
         UnsureError: where it is not sure that a bench follows its route without a leap.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"dragon.benches": 5})
+        >>> area = bd.swept_area(plan, 0.0, 10.0, margin=1.0)
+        >>> round(area.area)
+        9
     """
-    of_kind("walk", walk, Walk)
+    walk, start, end = asked_of(walk, start, end)
     in_order(start, end)
     if not_negative("margin", margin, "m") > MOST_MARGIN:
         raise InputError(_("margin must be at most 1000 m, not {value} m").format(value=f"{margin:g}"))
@@ -203,12 +238,20 @@ def swept_area(
 
 @budget.question()
 def enclosing(
-    walk: Walk, start: float, end: float, *, error: float = ERROR, progress: Progress = silent
-) -> Enclosing:
+    walk: Walk | Plan, start: float | None = None, end: float | None = None, *,
+    error: float = ERROR, progress: Progress = silent,
+) -> Enclosing:  # fmt: skip
     """The smallest rectangle, at any angle, and circle that hold all benches from start to end, s.
+
+    Of a plan or a walk: over the whole of it unless start and end are given.
 
     Raises:
         InputError, WalkError, UnsureError: as `swept_area`.
+
+    Examples:
+        >>> held = bd.enclosing(bd.read_plan("spiral-in", {"dragon.benches": 5}), 0.0, 10.0)
+        >>> held.rectangle.corners.shape
+        (4, 2)
     """
     return swept_area(walk, start, end, error=error, progress=progress).enclosing
 

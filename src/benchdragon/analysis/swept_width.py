@@ -33,6 +33,11 @@ class Widest:
         point: of the route there, m.
         left: how far the band reaches to the left of the route there, m.
         right: to the right.
+
+    Examples:
+        >>> area = bd.read_plan("spiral-in", {"dragon.benches": 5}).swept_area(0.0, 10.0)
+        >>> round(area.widest.width.value, 3)
+        0.465
     """
 
     width: Answer

@@ -11,6 +11,7 @@ from scipy.optimize import minimize_scalar
 from shapely.geometry.base import BaseGeometry
 
 from benchdragon import budget
+from benchdragon.analysis.asked import asked_of
 from benchdragon.analysis.bends import Bends, Turning
 from benchdragon.analysis.findings import named
 from benchdragon.errors import in_order, of_kind
@@ -54,6 +55,11 @@ class Passing:
         head: when the head passes, s; None if not in the dance.
         until: when it goes on, s, where a cue holds it there; else `head`.
         tail: when the tail passes, s; None if not in the dance.
+
+    Examples:
+        >>> passings = bd.read_plan("turn", {"walk.end": 60.0}).timetable()
+        >>> passings[0].kind, round(passings[1].head, 3)
+        ('start', 0.0)
     """
 
     kind: Kind
@@ -67,17 +73,24 @@ class Passing:
 
 
 @budget.question()
-def timetable(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Passing, ...]:
+def timetable(
+    plan: Plan, walk: Walk | None = None, start: float | None = None, end: float | None = None
+) -> tuple[Passing, ...]:
     """All places of a plan's walk over a span, s, in the order in which the head comes to them.
 
-    Names are in the language in use.
+    The walk, if it is not built yet, and the whole span are the plan's unless given. Names are in the
+    language in use.
 
     Raises:
         InputError: if `plan` is not a Plan, or the end comes before the start.
         WalkError: if the dragon cannot stand at some time.
+
+    Examples:
+        >>> [passing.kind for passing in bd.timetable(bd.read_plan("turn", {"walk.end": 60.0}))][:2]
+        ['start', 'joint']
     """
     of_kind("plan", plan, Plan)
-    of_kind("walk", walk, Walk)
+    walk, start, end = asked_of(plan, start, end, walk)
     in_order(start, end)
     first, last = walk.head_position([start, end]).tolist()
     rows = [_passing(walk, (start, end), "start", _("the head sets out"), first)]

@@ -174,7 +174,7 @@ def _deciding(plan: Plan, walk: Walk, answer: Answer, near: Witness) -> tuple[st
     bend = walk.route.curvature(one.s) * one.speed_ratio**2
     sizes = {
         "speed": one.speed_ratio,
-        "turning_rate": one.turn_rate,
+        "turning_rate": one.turning_ratio,
         "lateral_acceleration": bend,
         "total_acceleration": np.hypot(one.ratio_rate, bend),
         "acceleration": one.ratio_rate,

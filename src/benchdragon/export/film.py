@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from benchdragon.analysis.asked import asked_of
 from benchdragon.errors import InputError, in_order, of_kind, positive
 from benchdragon.export.encoders import ENCODERS, Reel, find_ffmpeg
 from benchdragon.export.film_scene import SPAN, Look, MovingScene, Place, Scene, sheet
@@ -83,7 +84,9 @@ class Film:
     @cached_property
     def asked_span(self) -> tuple[float, float]:
         """First and last second that was asked for."""
-        return asked_span(self.plan, self.walk, self.start, self.end)
+        _walk, start, end = asked_of(self.plan, self.start, self.end, self.walk)
+        in_order(start, end)
+        return start, end
 
     @property
     def asked_frames(self) -> float:
@@ -100,19 +103,6 @@ class Film:
         """
         seconds = np.arange(self.asked_frames, dtype=np.float64) * (self.speed_up / self.fps)
         return sound_times(self.walk, self.asked_span[0] + seconds)
-
-
-def asked_span(plan: Plan, walk: Walk, start: float | None, end: float | None) -> tuple[float, float]:
-    """From `start` to `end`, s; what is None is as the plan says.
-
-    Raises:
-        InputError: if the end comes before the start.
-    """
-    if start is None or end is None:
-        first, last = plan.span(walk)
-        start, end = first if start is None else start, last if end is None else end
-    in_order(start, end)
-    return start, end
 
 
 def sound_times(walk: Walk, times: FloatArray) -> FloatArray:
@@ -146,8 +136,8 @@ def spread_times(plan: Plan, start: float | None, end: float | None, count: int)
         InputError: if the end comes before the start.
         WalkError: if the dragon cannot stand at the start.
     """
-    walk = plan.build()
-    first, last = asked_span(plan, walk, start, end)
+    walk, first, last = asked_of(plan, start, end)
+    in_order(first, last)
     sound = sound_times(walk, np.linspace(first, last, SAMPLES))
     return np.linspace(first, float(sound[-1]), count)
 
@@ -234,6 +224,12 @@ def animate(
     Raises:
         InputError: for what cannot be, and a file that is there already.
         WalkError: if the dragon cannot stand at the first frame.
+
+    Examples:
+        >>> plan = bd.read_plan("turn", {"dragon.benches": 5})
+        >>> film = plan.animate(folder / "turn.gif", start=0.0, end=0.2, size=(160, 90))
+        >>> film.name
+        'turn.gif'
     """
     of_kind("plan", plan, Plan)
     path = film_path(Path(path))

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, Literal, cast
+from typing import Any, Literal
 
 import matplotlib
 import numpy as np
@@ -60,7 +60,7 @@ def _on(ax: Axes | None, width: float, height: float) -> Iterator[Axes]:
 
 def _figure(panel: Axes) -> Figure:
     """The whole figure that axes stand in."""
-    return cast("Figure", panel.figure.figure)
+    return panel.figure.figure
 
 
 def plot_route(route: Curve, ax: Axes | None = None, *, label: str | None = None) -> Figure:
@@ -76,12 +76,17 @@ def plot_route(route: Curve, ax: Axes | None = None, *, label: str | None = None
         The figure.
 
     Raises:
-        InputError: for what is no route, or no axes.
+        InputError: if it is not a route, or not axes.
+
+    Examples:
+        >>> figure = bd.Route.joined([bd.Line(20.0), bd.Arc(6.0, degrees=180)]).plot()
+        >>> figure.axes[0].get_xlabel()
+        'x (m)'
     """
     of_kind("route", route, Curve)
     with _on(ax, 0.62 * PAGE_WIDTH, 0.62 * PAGE_WIDTH) as panel:
         line = panel.plot(*route.point(route_positions(0.0, route.length)).T, lw=1.2, label=label)[0]
-        look = {"color": line.get_color()}
+        look: dict[str, Any] = {"color": line.get_color()}
         if route.extension:
             panel.plot(*route.point(route_positions(-BEHIND, 0.0)).T, ":", lw=1.2, **look)
         panel.plot(*route.point(0.0), "o", ms=5.0, **look)
@@ -113,6 +118,14 @@ def plot_motion(
 
     Raises:
         InputError: for axes that are none, more times than axes, or another colour.
+
+    Examples:
+        >>> import matplotlib.pyplot as plt
+        >>> motion = bd.read_plan("turn").motion(np.arange(0.0, 60.0))
+        >>> figure, panels = plt.subplots(1, 2)
+        >>> motion.plot(panels, at=[14.0, 40.0], colour="speed") is figure
+        True
+        >>> plt.close(figure)
     """
     of_kind("motion", motion, Motion)
     if colour not in (None, "speed"):
@@ -122,7 +135,7 @@ def plot_motion(
         of_kind("ax", one, Axes)
     if at is not None:
         motion = motion.walk.motion(at, throw=False)
-    indices = range(len(motion))
+    indices = list(range(len(motion)))
     if at is None:
         indices = spread_over(len(motion), len(axes) or MOST_PANELS)
     drawn = disc, obstacles
@@ -152,6 +165,11 @@ def plot_plan(
     Raises:
         InputError: as `plot_motion`.
         PlanError: for a plan whose walk cannot be.
+
+    Examples:
+        >>> figure = bd.read_plan("turn").plot(at=[0.0, 14.0])
+        >>> [panel.get_title() for panel in figure.axes]
+        ['t = 0 s', 't = 14 s']
     """
     of_kind("plan", plan, Plan)
     motion = plan.build().motion(plan.start if at is None else at, throw=False)
@@ -177,6 +195,10 @@ def plot_speeds(motion: Motion, ax: Axes | None = None, *, joints: bool = False)
 
     Raises:
         InputError: for times that do not increase.
+
+    Examples:
+        >>> motion = bd.read_plan("turn").motion(np.linspace(-20.0, 60.0, 161))
+        >>> figure = motion.plot_speeds(joints=True)
     """
     of_kind("motion", motion, Motion)
     if len(motion) < 2 or not (np.diff(motion.times) > 0.0).all():
@@ -199,6 +221,12 @@ def plot_answer(answer: Answer, of: Plan | Walk, ax: Axes | None = None) -> Figu
 
     Raises:
         InputError: for an answer whose witness tells of nothing that meets, or that has none.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in")
+        >>> figure = plan.first_contact().plot(plan)
+        >>> figure.axes[1].get_title()
+        'benches 1 and 9: they touch'
     """
     of_kind("answer", answer, Answer)
     walk = of.build() if isinstance(of, Plan) else of
@@ -221,9 +249,14 @@ def plot_report(report: Report, ax: Axes | None = None) -> Figure:
 
     Raises:
         InputError: for a dragon without pairs that count, and without obstacles that it touches.
+
+    Examples:
+        >>> figure = bd.read_plan("turn", {"dragon.benches": 20, "walk.end": 20.0}).check().plot()
     """
     of_kind("report", report, Report)
-    return _plot_moment(*moment(report), ax, *_about(report.plan))
+    motion, answer = moment(report)
+    title, disc, obstacles = _about(report.plan)
+    return _plot_moment(motion, answer, ax, title, disc, obstacles)
 
 
 def plot_clearance(curve: ClearanceCurve, ax: Axes | None = None, *, margin: float = 0.0) -> Figure:
@@ -236,6 +269,10 @@ def plot_clearance(curve: ClearanceCurve, ax: Axes | None = None, *, margin: flo
 
     Returns:
         The figure.
+
+    Examples:
+        >>> curve = bd.read_plan("turn", {"dragon.benches": 20, "walk.end": 20.0}).clearance_curve()
+        >>> figure = curve.plot(margin=0.05)
     """
     of_kind("curve", curve, ClearanceCurve)
     with _on(ax, PAGE_WIDTH, 3.4) as panel:
@@ -252,6 +289,10 @@ def plot_area(area: SweptArea, ax: Axes | None = None) -> Figure:
 
     Returns:
         The figure.
+
+    Examples:
+        >>> area = bd.read_plan("spiral-in", {"dragon.benches": 5}).swept_area(0.0, 10.0)
+        >>> figure = area.plot()
     """
     of_kind("area", area, SweptArea)
     with _on(ax, 0.62 * PAGE_WIDTH, 0.62 * PAGE_WIDTH) as panel:
@@ -284,6 +325,11 @@ def plot_sweep(sweep: Sweep, name: str | None = None) -> Figure:
 
     Raises:
         InputError: for a question that the sweep did not ask.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in")
+        >>> found = bd.sweep(plan, {"route.pitch": [0.5, 0.6]}, executor=threads)
+        >>> figure = found.plot()
     """
     of_kind("sweep", sweep, Sweep)
     asked = sweep.about["ask"][0] if name is None else name
@@ -291,7 +337,7 @@ def plot_sweep(sweep: Sweep, name: str | None = None) -> Figure:
 
 
 def _about(plan: Plan) -> tuple[str, float | None, tuple[Obstacle, ...]]:
-    """The title of a plan's dance, and what stands on its square."""
+    """The title of a plan's dance, its disc and its obstacles."""
     route = plan.route
     disc = route.disc(plan) if isinstance(route, TurnRoute) else plan.disc.radius
     return plan.title(language()), disc, plan.obstacles()

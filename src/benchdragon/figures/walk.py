@@ -229,8 +229,9 @@ def draw_speeds(panel: Axes, motion: Motion, joints: Sequence[float] = ()) -> No
     times = cell_edges(motion.times)
     handles = np.arange(motion.x.shape[1] + 1) - 0.5
     colours = speed_colours(motion.speed)
-    panel.pcolormesh(
-        times, handles, motion.speed.T, cmap=colours.cmap, norm=colours.norm, rasterized=True
+    low, high = colours.get_clim()
+    mesh = panel.pcolormesh(
+        times, handles, motion.speed.T, cmap=colours.cmap, vmin=low, vmax=high, rasterized=True
     )
     for n, joint in enumerate(joints):
         passed = [np.interp(joint, s, motion.times, np.nan, np.nan) for s in motion.s.T]
@@ -240,9 +241,9 @@ def draw_speeds(panel: Axes, motion: Motion, joints: Sequence[float] = ()) -> No
         panel.legend(loc="lower left", facecolor="#555555", labelcolor="white")
     panel.set_ylim(handles[-1], handles[0])
     panel.set(xlabel=_("time (s)"), ylabel=_("handle (0: the head's front)"))
-    beyond = _beyond(motion, *colours.get_clim())
+    beyond = _beyond(motion, *speed_scale(motion.speed))
     panel.set_title("\n".join([_("Speed of every handle"), *beyond.values()]), linespacing=1.5)
-    _add_bar(colours, [panel], {0: "neither", 1: next(iter(beyond), "neither"), 2: "both"}[len(beyond)])
+    _add_bar(mesh, [panel], {0: "neither", 1: next(iter(beyond), "neither"), 2: "both"}[len(beyond)])
 
 
 def speed_colours(speed: FloatArray) -> ScalarMappable:

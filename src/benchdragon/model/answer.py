@@ -30,6 +30,11 @@ class Witness:
         handle: of an answer about a handle its number, 0..N: the first of those that come to the same;
             the bench is the one that it leads, the last bench for handle N.
         obstacle: of an answer about an obstacle its name; the gap is then the distance from it, m.
+
+    Examples:
+        >>> near = bd.read_plan("spiral-in").first_contact().witness
+        >>> near.benches, near.features, round(near.time, 3)
+        ((1, 9), ((1, 'front left'), (9, 'right')), 412.474)
     """
 
     time: float | None
@@ -58,6 +63,13 @@ class Answer:
         assumptions: of the bracket.
         evaluations: how many times the dragon was placed to find it.
         seconds: how long that took.
+
+    Examples:
+        >>> bd.read_plan("spiral-in").first_contact()
+        <Answer 412.473837682 s, found, bracket 8e-12 s wide>
+        >>> answer = bd.read_plan("turn").greatest_head_speed()
+        >>> answer.lower <= answer.value <= answer.upper
+        True
     """
 
     value: float
@@ -71,6 +83,11 @@ class Answer:
     seconds: float = 0.0
 
     plot = plots.plot_answer if TYPE_CHECKING else Method("plot_answer")
+    _repr_html_ = Method("as_html")
+
+    def __repr__(self) -> str:
+        wide = f"{self.upper - self.lower:.1g} {self.unit}"
+        return f"<Answer {self.value:.12g} {self.unit}, {self.status}, bracket {wide} wide>"
 
     @property
     def vanishing(self) -> bool:

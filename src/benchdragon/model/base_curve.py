@@ -40,6 +40,7 @@ class Curve:
 
     called: ClassVar[str]
     plot = plots.plot_route if TYPE_CHECKING else Method("plot_route")
+    _repr_html_ = Method("as_html")
 
     @property
     def parts(self) -> FloatArray:

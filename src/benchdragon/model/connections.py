@@ -29,6 +29,11 @@ class Connection:
     Attributes:
         word: its pieces, L an arc to the left, S a line, R an arc to the right.
         curves: the pieces that have a length, in place; none where the poses are the same.
+
+    Examples:
+        >>> first, *others = bd.connections(((0.0, 0.0), 0.0), ((9.0, 0.0), 1.0), 2.0)
+        >>> first.word, round(first.length, 3)
+        ('RSL', 9.376)
     """
 
     word: str
@@ -49,6 +54,11 @@ def connections(start: Pose, end: Pose, radius: float) -> list[Connection]:
         start: point, m, and heading, rad.
         end: point, m, and heading, rad.
         radius: of the arcs, m.
+
+    Examples:
+        >>> ways = bd.connections(((0.0, 0.0), 0.0), ((9.0, 0.0), 1.0), 2.0)
+        >>> [way.word for way in ways]
+        ['RSL', 'LRL', 'LRL', 'LSR', 'LSL', 'RSR']
     """
     for pose in (start, end):
         _check(pose)
@@ -85,6 +95,10 @@ class Step:
         formation: what is danced.
         at: where its centre lies, m; None where it begins as the one before it ends.
         turned: by how much it is turned about its centre, rad.
+
+    Examples:
+        >>> bd.Step(bd.formation("coil-in"), at=(5.0, 0.0), turned=1.0).turned
+        1.0
     """
 
     formation: Formation
@@ -113,6 +127,12 @@ def programme(steps: Sequence[Step], radius: float) -> Route:
 
     Raises:
         InputError: without steps, and for invalid ones.
+
+    Examples:
+        >>> coil, swing = bd.formation("coil-in"), bd.formation("tail-swing")
+        >>> steps = [bd.Step(coil), bd.Step(swing, at=(40.0, 0.0))]
+        >>> bd.programme(steps, 3.0).length > 100.0
+        True
     """
     _check_steps(steps)
     positive("radius", radius, "m")

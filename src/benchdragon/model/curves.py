@@ -6,7 +6,7 @@ radians; x right, y up, counter-clockwise positive, so that a left turn has posi
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import InitVar, dataclass, field
 from functools import cached_property
 from typing import ClassVar, Self
 
@@ -33,6 +33,8 @@ from benchdragon.model.base_curve import (
 # Ends that lie nearer than this, m and rad, count as joined: far above rounding, far below a hand.
 JOINT_GAP = 1e-9
 JOINT_KINK = 1e-9
+# Arcs that turn more often are taken for a mistake unless they say that they are none.
+FEW_TURNS = 4
 # The curvatures at both ends of a logarithmic spiral differ by at most this factor: near its pole,
 # rounding of lengths would blur its curvature.
 MOST_WINDING = 1e4
@@ -46,6 +48,11 @@ class Line(OneCurve):
         length_m: its length, m.
         start: (x, y) of its start, m.
         start_heading: rad.
+
+    Examples:
+        >>> bd.Line(5.0).point([0.0, 2.5])
+        array([[0. , 0. ],
+               [2.5, 0. ]])
     """
 
     called: ClassVar[str] = N_("a line")
@@ -70,25 +77,43 @@ class Line(OneCurve):
 
 @dataclass(frozen=True)
 class Arc(OneCurve):
-    """A circular arc.
+    """A circular arc: Arc(9.0, degrees=90), or Arc(9.0, 0.5 * math.pi).
 
     Args:
         radius: m.
-        sweep: angle turned through, rad, left positive; beyond a full turn is allowed.
+        sweep: angle turned through, rad, left positive.
         start: (x, y) of its start, m.
         start_heading: rad.
+        degrees: the sweep, in degrees instead of rad.
+        many: whether a sweep in rad of more than FEW_TURNS is meant, and not degrees.
+
+    Raises:
+        InputError: for a radius or a sweep that cannot be, and a sweep that was meant in degrees.
+
+    Examples:
+        >>> round(bd.Arc(9.0, degrees=90).length, 6), round(bd.Arc(9.0, 0.5 * np.pi).length, 6)
+        (14.137167, 14.137167)
+        >>> bd.Arc(9.0, 90.0)
+        Traceback (most recent call last):
+            ...
+        benchdragon.errors.InputError: an angle of 90 rad is 14.3 turns: say degrees=90 if the...
     """
 
     called: ClassVar[str] = N_("an arc")
     kind: ClassVar[float] = CurveKind.ARC
 
     radius: float
-    sweep: float
+    sweep: float = 0.0
     start: Point = (0.0, 0.0)
     start_heading: float = 0.0
+    degrees: InitVar[float | None] = field(default=None, kw_only=True)
+    many: InitVar[bool] = field(default=False, kw_only=True)
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, degrees: float | None, many: bool) -> None:
         checked_bend("radius", self.radius)
+        _check_turns(self.sweep, degrees, many)
+        if degrees is not None:
+            object.__setattr__(self, "sweep", math.radians(finite("degrees", degrees)))
         if finite("sweep", self.sweep, "rad") == 0.0:
             raise InputError(_("the angle of an arc must not be 0"))
         checked_size("length", self.radius * abs(self.sweep))
@@ -107,7 +132,20 @@ class Arc(OneCurve):
     @classmethod
     def _from(cls, part: PartNumbers) -> Self:
         _kind, x, y, heading, radius, sweep, *_rest = part
-        return cls(radius, sweep, (x, y), heading)
+        return cls(radius, sweep, (x, y), heading, many=True)
+
+
+def _check_turns(sweep: float, degrees: float | None, many: bool) -> None:
+    """Refuse an arc's sweep, rad, that was meant in degrees, and one said twice."""
+    if degrees is not None and sweep != 0.0:
+        raise InputError(_("an arc has an angle in rad, or degrees, not both"))
+    if not many and abs(finite("sweep", sweep, "rad")) > 2.0 * math.pi * FEW_TURNS:
+        raise InputError(
+            _(
+                "an angle of {angle} rad is {turns} turns: say degrees={angle} if these are degrees, "
+                "else many=True"
+            ).format(angle=f"{sweep:g}", turns=f"{sweep / (2.0 * math.pi):.1f}")
+        )
 
 
 @dataclass(frozen=True)
@@ -122,6 +160,11 @@ class Spiral(OneCurve):
         rotation: direction of the polar axis theta = 0, rad.
         mirrored: whether the polar angle falls, not grows, with theta. Unmirrored, the walk inward
             is clockwise and the walk outward counter-clockwise.
+
+    Examples:
+        >>> coil = bd.Spiral.between(0.55, 8.8, 2.0)
+        >>> round(coil.length, 3), coil.point(0.0).round(6) + 0.0
+        (419.553, array([8.8, 0. ]))
     """
 
     called: ClassVar[str] = N_("a spiral")
@@ -234,6 +277,11 @@ class Clothoid(BentCurve):
         end_curvature: 1/m.
         start: (x, y) of its start, m.
         start_heading: rad.
+
+    Examples:
+        >>> bend = bd.Clothoid(10.0, 0.0, 0.2)
+        >>> round(float(bend.heading(10.0)), 6)
+        1.0
     """
 
     called: ClassVar[str] = N_("a clothoid")
@@ -258,6 +306,10 @@ class LogSpiral(BentCurve):
     Raises:
         InputError: for curvatures of different signs, or of which one is over MOST_WINDING times the
             other; and if it turns by more than kernels.curve.MOST_TURN.
+
+    Examples:
+        >>> bd.LogSpiral(5.0, 0.2, 0.1).curvature([0.0, 5.0]).round(6)
+        array([0.2, 0.1])
     """
 
     called: ClassVar[str] = N_("a logarithmic spiral")
@@ -324,6 +376,13 @@ class Route(Curve):
 
     Raises:
         InputError: for a gap, or a kink that was not asked for, naming the joint and its size.
+
+    Examples:
+        >>> route = bd.Route.joined([bd.Line(20.0), bd.Arc(6.0, degrees=180), bd.Line(20.0)])
+        >>> route
+        <Route of 3 curves, 58.8496 m>
+        >>> route.point(30.0).round(4), float(route.curvature(30.0).round(4))
+        (array([25.9724,  6.5743]), 0.1667)
     """
 
     curves: tuple[AnyCurve, ...]
@@ -344,6 +403,9 @@ class Route(Curve):
     def __iter__(self) -> Iterator[AnyCurve]:
         """The curves in walking order."""
         return iter(self.curves)
+
+    def __repr__(self) -> str:
+        return f"<Route of {len(self)} curves, {self.length:.6g} m>"
 
     @classmethod
     def joined(cls, curves: Sequence[AnyCurve]) -> Self:
@@ -395,14 +457,15 @@ class Route(Curve):
         for i, (gap, kink) in enumerate(off.tolist(), start=1):
             if gap > JOINT_GAP:
                 raise InputError(
-                    _("curves {first} and {second} do not meet: they are {gap} m apart").format(
-                        first=i, second=i + 1, gap=f"{gap:.6g}"
-                    )
+                    _(
+                        "curves {first} and {second} do not meet: they are {gap} m apart; "
+                        "Route.joined moves each to where the one before it ends"
+                    ).format(first=i, second=i + 1, gap=f"{gap:.6g}")
                 )
             if kink > JOINT_KINK and not self.kinks:
                 raise InputError(
                     _(
                         "curves {first} and {second} meet at a kink of {kink} degrees; allow kinks "
-                        "or rotate one of them"
+                        "or rotate one of them, as Route.joined does"
                     ).format(first=i, second=i + 1, kink=f"{math.degrees(kink):.6g}")
                 )

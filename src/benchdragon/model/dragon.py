@@ -14,6 +14,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.links import link_length, links_of
+from benchdragon.methods import Method
 from benchdragon.model.arrays import as_numbers
 
 MOST_BENCHES = 1_000_000
@@ -30,6 +31,10 @@ class Bench:
         width: across it.
         front_inset: from the front edge to the front hole.
         rear_inset: from the rear edge to the rear hole.
+
+    Examples:
+        >>> round(bd.Bench(3.41).link, 9)
+        2.86
     """
 
     length: float
@@ -69,12 +74,19 @@ class Dragon:
 
     Raises:
         InputError: naming the first bench whose sizes cannot be.
+
+    Examples:
+        >>> bd.Dragon.uniform()
+        <Dragon of 223 benches, 369.16 m from handle to handle>
+        >>> bd.Dragon([bd.Bench(3.41), bd.Bench(2.2), bd.Bench(1.8, width=0.4)])[-1].link
+        1.25
     """
 
     length: FloatArray
     width: FloatArray
     front_inset: FloatArray
     rear_inset: FloatArray
+    _repr_html_ = Method("as_html")
 
     def __init__(self, benches: Iterable[Bench]) -> None:
         if not isinstance(benches, Iterable):

@@ -83,6 +83,10 @@ class Formation:
         sizes: what each size means, by its name.
         smaller: which of them must be smaller than others.
         tightest: the sizes of which the smallest makes its tightest bend; none where it has no bend.
+
+    Examples:
+        >>> bd.formation("figure-eight").chinese
+        '8字'
     """
 
     name: ClassVar[str]
@@ -381,6 +385,10 @@ def formation(name: str, **sizes: Any) -> Formation:
 
     Raises:
         InputError: for a name that none has, and for sizes that it has not or that cannot be.
+
+    Examples:
+        >>> bd.formation("coil-in", pitch=0.7).pitch
+        0.7
     """
     if not isinstance(name, str) or name not in FORMATIONS:
         raise InputError(

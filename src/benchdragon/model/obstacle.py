@@ -8,7 +8,7 @@ dragon stands at first, it is asked besides on which side.
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +21,9 @@ from benchdragon.kernels.curve import MOST_METRES, FloatArray
 from benchdragon.kernels.obstacle import ObstacleKind
 from benchdragon.model.arrays import as_numbers, as_table
 from benchdragon.model.base_curve import Point, checked_size
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
 
 Kind = Literal["circle", "rectangle", "polygon", "line", "venue"]
 # What kinds are to the kernels.
@@ -73,7 +76,8 @@ class Standing:
 class Obstacle(Standing):
     """Something that stands still, and that no bench may touch; or the edge of the venue.
 
-    Use `circle`, `rectangle`, `polygon`, `line` and `venue`, which check what they are given.
+    Use `circle`, `rectangle`, `polygon`, `line` and `venue`, which check what they are given: points
+    as lists, as an array, or as a polygon or a line of shapely.
 
     Attributes:
         name: of the obstacle.
@@ -82,6 +86,11 @@ class Obstacle(Standing):
             circle the centre.
         radius: of a circle, m; else 0.
         margin: the distance that benches must keep, m.
+
+    Examples:
+        >>> well = bd.Obstacle.circle("well", (3.0, 4.0), 0.5, margin=0.3)
+        >>> bd.Obstacle.polygon("stage", [(0, 0), (4, 0), (4, 2)]).outline.shape
+        (3, 2)
     """
 
     name: str
@@ -92,6 +101,7 @@ class Obstacle(Standing):
 
     def __post_init__(self) -> None:
         not_negative("margin", self.margin, "m")
+        object.__setattr__(self, "outline", as_numbers(f"{self.name}: outline", self.outline))
         self.outline.flags.writeable = False
 
     def __eq__(self, other: object) -> bool:
@@ -127,7 +137,7 @@ class Obstacle(Standing):
         return cls(name, "rectangle", rectangle_outline(name, centre, size, angle), 0.0, margin)
 
     @classmethod
-    def polygon(cls, name: str, points: npt.ArrayLike, margin: float = 0.0) -> Self:
+    def polygon(cls, name: str, points: "npt.ArrayLike | BaseGeometry", margin: float = 0.0) -> Self:
         """Any polygon that does not cross itself, its corners in order; it closes by itself.
 
         Raises:
@@ -136,7 +146,7 @@ class Obstacle(Standing):
         return cls(name, "polygon", closed_outline(name, points), 0.0, margin)
 
     @classmethod
-    def line(cls, name: str, points: npt.ArrayLike, margin: float = 0.0) -> Self:
+    def line(cls, name: str, points: "npt.ArrayLike | BaseGeometry", margin: float = 0.0) -> Self:
         """A chain of straight lines: a rope, a kerb. It may cross itself.
 
         Raises:
@@ -145,7 +155,7 @@ class Obstacle(Standing):
         return cls(name, "line", _points(name, points, 2), 0.0, margin)
 
     @classmethod
-    def venue(cls, name: str, points: npt.ArrayLike, margin: float = 0.0) -> Self:
+    def venue(cls, name: str, points: "npt.ArrayLike | BaseGeometry", margin: float = 0.0) -> Self:
         """The edge of the venue, which no bench may cross: a polygon.
 
         Raises:
@@ -175,7 +185,7 @@ def rectangle_outline(name: str, centre: Point, size: tuple[float, float], angle
     return _points(name, ends, 4, closed=True)
 
 
-def closed_outline(name: str, points: npt.ArrayLike) -> FloatArray:
+def closed_outline(name: str, points: "npt.ArrayLike | BaseGeometry") -> FloatArray:
     """The corners of a polygon, m, (P, 2); a last one that repeats the first is left out.
 
     Raises:
@@ -198,9 +208,11 @@ def closed_outline(name: str, points: npt.ArrayLike) -> FloatArray:
     return corners
 
 
-def _points(name: str, points: npt.ArrayLike, least: int, *, closed: bool = False) -> FloatArray:
+def _points(
+    name: str, points: "npt.ArrayLike | BaseGeometry", least: int, *, closed: bool = False
+) -> FloatArray:
     """Points as an array, (P, 2); repeated ones refused, except a closed outline's last."""
-    table = as_numbers(f"{name}: points", points).tolist()
+    table = as_numbers(f"{name}: points", _drawn_points(name, points)).tolist()
     if np.shape(table)[1:] != (2,):
         raise InputError(
             _("{name}: expected a list of points [x, y], not {value}").format(
@@ -226,6 +238,22 @@ def _points(name: str, points: npt.ArrayLike, least: int, *, closed: bool = Fals
                 )
             )
     return as_table(table)
+
+
+def _drawn_points(name: str, points: Any) -> Any:
+    """The points of a polygon or a line of shapely; anything else as it is.
+
+    Raises:
+        InputError: for a polygon with holes, and shapes of several parts.
+    """
+    if not hasattr(points, "geom_type"):
+        return points
+    if points.geom_type not in ("Polygon", "LineString", "LinearRing") or len(
+        getattr(points, "interiors", ())
+    ):
+        text = _("{name}: expected a polygon without holes, or a line, not {value}")
+        raise InputError(text.format(name=name, value=brief(points)))
+    return np.asarray(getattr(points, "exterior", points).coords)[:, :2]
 
 
 def _crossing(corners: FloatArray) -> tuple[int, int] | None:

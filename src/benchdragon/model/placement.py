@@ -48,6 +48,12 @@ class Placement:
         head_s: as given, (T,).
         status: how each placement ended, a `Status`, (T,).
         failed_bench: the bench that found no place, (T,); 0 where none, or the head, failed.
+
+    Examples:
+        >>> walk = bd.read_plan("spiral-in").build()
+        >>> placed = bd.Placement(walk.dragon, walk.route, [0.0, 10.0])
+        >>> placed.speed_ratio.shape, placed.chord_error < 1e-12
+        ((2, 224), True)
     """
 
     def __init__(
@@ -99,7 +105,7 @@ class Placement:
 
     def __getitem__(self, rows: Rows) -> Self:
         """The same at some of its positions: by number, from 0, by slice, by a list or a mask."""
-        chosen, part = np.atleast_1d(np.arange(len(self))[rows]), copy(self)
+        chosen, part = np.atleast_1d(np.arange(len(self))[chosen_by(rows)]), copy(self)
         for name in _cached(type(self)) & vars(part).keys():
             del vars(part)[name]
         part.head_s, part._failed = self.head_s[chosen], self._failed[:, chosen]
@@ -176,7 +182,7 @@ class Placement:
         return self._rates[0]
 
     @property
-    def turn_rate(self) -> FloatArray:
+    def turning_ratio(self) -> FloatArray:
         """Turn of every bench per metre of the head's way, rad/m, left positive, (T, N)."""
         return self._rates[1]
 
@@ -217,6 +223,11 @@ class Placement:
             )
             s, size = float(out[0]), float(self.dragon.links[bench - 1])
         return WalkError(status, bench, s, head, f"{size:.6g} m")
+
+
+def chosen_by(rows: Rows) -> Any:
+    """Rows as NumPy takes them."""
+    return rows if isinstance(rows, int | slice) else np.asarray(rows)
 
 
 def frozen(table: Table) -> Table:

@@ -63,6 +63,11 @@ class SpeedProfile:
     Args:
         times: of the knots, s, increasing.
         speeds: at the knots, m/s, not negative: 0 is a stop.
+
+    Examples:
+        >>> profile = bd.SpeedProfile((0.0, 5.0), (1.0, 0.5))
+        >>> profile.speed([0.0, 2.5, 9.0])
+        array([1.  , 0.75, 0.5 ])
     """
 
     times: tuple[float, ...]

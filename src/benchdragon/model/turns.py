@@ -42,6 +42,11 @@ class TwoArcTurn:
         ratio: r1 : r2.
 
     Source: the paper's equations (1) and (2), with alpha = pi / 2 - psi.
+
+    Examples:
+        >>> turn = bd.TwoArcTurn(1.7, 4.5, ratio=2.0)
+        >>> [round(radius, 6) for radius in turn.radii], round(turn.length, 6)
+        ([3.005418, 1.502709], 13.621245)
     """
 
     pitch: float
@@ -130,6 +135,10 @@ class Turn:
         entry_radius: where it leaves the inward spiral, m.
         exit_radius: where it joins the outward spiral, m.
         pieces: in walking order.
+
+    Examples:
+        >>> bd.Turn(1.7, 4.5, 4.5, ((1.0, 0.2, 0.2),)).length
+        1.0
     """
 
     pitch: float
@@ -229,6 +238,10 @@ def two_arcs(
 
     Raises:
         InputError: if there is no such turn, with the reason.
+
+    Examples:
+        >>> round(bd.two_arcs(1.7, 4.5, 4.5, 2.0).length, 6)
+        13.621245
     """
     joints = _checked_joints(pitch, entry_radius, exit_radius)
     ease = not_negative("ease", ease, "m")
@@ -257,6 +270,10 @@ def three_pieces(
 
     Raises:
         InputError: if there is no such turn, with the reason.
+
+    Examples:
+        >>> bd.three_pieces(1.7, 4.5, 4.5, (2.0, 2.0)).length < bd.TwoArcTurn(1.7).length
+        True
     """
     joints = _checked_joints(pitch, entry_radius, exit_radius)
     if np.shape(as_numbers("radii", radii)) != (2,):

@@ -1,5 +1,6 @@
 """A dragon on a route: where every handle is and how fast, at any time."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -26,9 +27,10 @@ from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
 from benchdragon.methods import Method
 from benchdragon.model.arrays import as_numbers
+from benchdragon.model.asked import Asked
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
-from benchdragon.model.placement import Placement, Rows, frozen
+from benchdragon.model.placement import Placement, Rows, chosen_by, frozen
 from benchdragon.model.profile import SpeedProfile
 
 if TYPE_CHECKING:
@@ -50,14 +52,20 @@ FAILURE_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True)
-class Walk:
-    """A dragon, the route it walks, and the head's speed.
+class Walk(Asked):
+    """A dragon, the route it walks, and the head's speed; what is asked of walks are its methods, too.
 
     Args:
         dragon: the benches.
         route: what every handle stays on.
         profile: the head's speed over time.
         start: route position of the head's handle at time 0, m.
+
+    Examples:
+        >>> route = bd.Route((bd.Spiral.between(0.55, 8.8, 0.0),))
+        >>> walk = bd.Walk(bd.Dragon.uniform(), route)
+        >>> walk.first_contact(0.0, 430.0).witness.benches
+        (1, 9)
     """
 
     dragon: Dragon
@@ -80,6 +88,17 @@ class Walk:
     def time_at(self, s: float) -> float:
         """When the head comes to route position s, m; infinite where it never does."""
         return self.profile.time(s - self.start)
+
+    def span(self) -> tuple[float, float]:
+        """From time 0 until the head comes to the end of its route, s.
+
+        Raises:
+            InputError: if it never does.
+        """
+        end = self.time_at(self.route.length)
+        if not math.isfinite(end):
+            raise InputError(_("the head never comes to the end of its route: say start and end"))
+        return 0.0, end
 
     def placement(self, s: npt.ArrayLike, *, throw: bool = True) -> Placement:
         """The dragon with its head at route positions s, m, whenever that may be.
@@ -193,10 +212,18 @@ class Motion(Placement):
     Attributes:
         walk: what moved.
         times: s, (T,).
+
+    Examples:
+        >>> motion = bd.read_plan("spiral-in").motion([0.0, 300.0])
+        >>> motion.x.shape, motion.heading.shape, motion.corners().shape
+        ((2, 224), (2, 223), (2, 223, 4, 2))
+        >>> motion.x[:, 0].round(6), motion[1].times
+        (array([8.8     , 4.420274]), array([300.]))
     """
 
     plot = plots.plot_motion if TYPE_CHECKING else Method("plot_motion")
     plot_speeds = plots.plot_speeds if TYPE_CHECKING else Method("plot_speeds")
+    _repr_html_ = Method("as_html")
 
     def __init__(self, walk: Walk, times: FloatArray, head_s: FloatArray, *, workers: int = 1) -> None:
         super().__init__(walk.dragon, walk.route, head_s, workers=workers)
@@ -205,7 +232,7 @@ class Motion(Placement):
     def __getitem__(self, rows: Rows) -> Self:
         """The same at some of its times: by number, from 0, by slice, by a list or a mask."""
         part = super().__getitem__(rows)
-        part.times = np.atleast_1d(self.times[rows])
+        part.times = np.atleast_1d(self.times[chosen_by(rows)])
         return part
 
     def __repr__(self) -> str:
@@ -236,7 +263,7 @@ class Motion(Placement):
     @cached_property
     def turning_rate(self) -> FloatArray:
         """Turning rate of every bench, rad/s, left positive, (T, N)."""
-        return frozen(self.turn_rate * self.head_speed[:, np.newaxis])
+        return frozen(self.turning_ratio * self.head_speed[:, np.newaxis])
 
     def failure(self, i: int) -> WalkError:
         """The WalkError that describes how time number i failed."""

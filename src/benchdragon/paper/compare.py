@@ -104,6 +104,11 @@ class Comparison:
         places: cells of positions.
         speeds: cells of speeds.
         tolerance: of cells, m and m/s.
+
+    Examples:
+        >>> found = bd.compare(folder / "result2.xlsx")
+        >>> found.largest_place < 1e-6
+        True
     """
 
     result: Result
@@ -138,6 +143,11 @@ def compare(path: str | Path, *, result: Result | None = None, tolerance: float 
     Raises:
         InputError: for a file that is no such workbook, or too large for one, or holds no number that
             can be compared.
+
+    Examples:
+        >>> found = bd.compare(folder / "result2.xlsx")
+        >>> found.result, found.mistake
+        ('result2', None)
     """
     path = Path(path) if isinstance(path, str) else path
     of_kind("path", path, Path)

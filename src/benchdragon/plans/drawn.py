@@ -64,7 +64,7 @@ class PieceTable(Table):
             return Line(self.length, self.start, heading)
         if abs(a - b) > SAME_BEND or abs(a) * MOST_METRES < 1.0:
             return Clothoid(self.length, a, b, self.start, heading)
-        return Arc(1.0 / abs(a), self.length * a, self.start, heading)
+        return Arc(1.0 / abs(a), self.length * a, self.start, heading, many=True)
 
 
 def piece_of(curve: AnyCurve) -> dict[str, Any]:

@@ -17,6 +17,10 @@ def roster_of(plan: Plan) -> Roster:
     Raises:
         InputError: if `plan` is not a Plan.
         PlanError: for a list that cannot be read, and for a dragon that cannot be.
+
+    Examples:
+        >>> bd.roster_of(bd.read_plan("spiral-in")).benches
+        {}
     """
     of_kind("plan", plan, Plan)
     people, source = plan.people, plan._source

@@ -6,18 +6,20 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from pathlib import Path
+from typing import Annotated, Any, Literal
 
-from pydantic import ConfigDict, Field, PrivateAttr, ValidationError
+import numpy.typing as npt
+from pydantic import Field, PrivateAttr, ValidationError
 
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, brief
 from benchdragon.i18n import _
-from benchdragon.methods import Method
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.profile import SpeedProfile
-from benchdragon.model.walk import Walk
+from benchdragon.model.walk import Motion, Walk
+from benchdragon.plans.asked import AskedPlan
 from benchdragon.plans.chalk import ChalkTable
 from benchdragon.plans.cues import CuesTable, Moment, Paced, outside, paced
 from benchdragon.plans.drawn import SurveyTable, with_drawings
@@ -37,21 +39,15 @@ from benchdragon.plans.tables import (
     TurnTable,
     WalkTable,
 )
-from benchdragon.plans.toml import PlanError, read_toml, set_value, with_base
-
-if TYPE_CHECKING:
-    from benchdragon.export import film
-    from benchdragon.figures import plots
+from benchdragon.plans.toml import PlanError, Setting, read_toml, set_value, with_base
 
 # Tables of a plan that its hash ignores, or counts only if given; those about the square.
 ASIDE = ("meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event")
 SQUARE = ("venue", "obstacle")
 
 
-class Plan(Table):
+class Plan(Table, AskedPlan):
     """A whole plan."""
-
-    model_config = ConfigDict(ignored_types=(Method,))
 
     schema_: Annotated[Literal[1], Field(alias="schema")]
     meta: MetaTable = MetaTable()
@@ -73,8 +69,24 @@ class Plan(Table):
     base: Annotated[str, Field(exclude=True)] = ""
     _source: Source = PrivateAttr(default=Source())
 
-    animate = film.animate if TYPE_CHECKING else Method()
-    plot = plots.plot_plan if TYPE_CHECKING else Method("plot_plan")
+    def __init__(self, **tables: Any) -> None:
+        """A plan of tables, as a file says them: Plan(dragon={"benches": 40}, route={...}).
+
+        Raises:
+            PlanError: for all that is wrong, a line each.
+
+        Examples:
+            >>> bd.Plan(dragon={"benches": 40}, route={"kind": "spiral-in", "pitch": 0.6})
+            <Plan 'plan': spiral-in, 40 benches>
+            >>> plan = bd.read_plan("spiral-in")
+            >>> plan.with_value("route.pitch", 0.6).motion(100.0)
+            <Motion of 224 handles at 1 times>
+        """
+        _fill(self, {"schema": 1, **tables}, Source())
+
+    def __repr__(self) -> str:
+        name = self.meta.title or self.source.name
+        return f"<Plan {name!r}: {self.route.kind}, {len(self.chain or ())} benches>"
 
     @property
     def source(self) -> Source:
@@ -218,16 +230,18 @@ class Plan(Table):
         data.get("limits", {}).pop("venue_margin", None)
         return self._changed(data)
 
-    def span(self, walk: Walk) -> tuple[float, float]:
+    def span(self, walk: Walk | None = None) -> tuple[float, float]:
         """Start and end of the whole walk, s: as the plan says, else as its route's kind says.
 
-        Where a cue stops the head for good, and the plan says no end, that is the end.
+        `walk` is that of the plan, if it is built already. Where a cue stops the head for good, and the
+        plan says no end, that is the end.
 
         Raises:
             PlanError: if the head never comes to the end, or cues lie outside the dance.
         """
         end, pace = self.walk.end, self.pace()
         if end is None:
+            walk = self.build() if walk is None else walk
             end = walk.time_at(self.route.last_position(walk))
             end = min(end, pace.end) if self.cues.cue else end
         if not math.isfinite(end):
@@ -314,6 +328,10 @@ class Plan(Table):
             raise self._wrong(faults.found)
         return walk
 
+    def motion(self, times: npt.ArrayLike, *, throw: bool = True, workers: int = 1) -> Motion:
+        """Where every handle is at `times`, s, on the walk, built for it: see `Walk.motion`."""
+        return self.build().motion(times, throw=throw, workers=workers)
+
     def obstacles(self) -> tuple[Obstacle, ...]:
         """The venue's edge, if the plan says one, then the obstacles in it.
 
@@ -344,13 +362,35 @@ def _hashed(data: dict[str, Any]) -> str:
     return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
 
 
-def read_plan(source: str, settings: Sequence[str] = ()) -> Plan:
-    """The plan of a file or of a built-in name, with "KEY=VALUE" settings laid over it.
+def read_plan(
+    source: str | Path, settings: str | Sequence[str] | Mapping[str, object] = (), **tables: object
+) -> Plan:
+    """The plan of a file or of a built-in name, with settings laid over it.
+
+    Args:
+        source: path of the file, or the name.
+        settings: {"disc.radius": 4.5}, or "disc.radius=4.5", or a list of such texts.
+        tables: of further settings: disc={"radius": 4.5}.
 
     Raises:
         PlanError: naming the place, what was expected and what was given.
+
+    Examples:
+        >>> bd.read_plan("spiral-in", {"disc.radius": 4.5, "dragon.benches": 40})
+        <Plan 'Coiling in': spiral-in, 40 benches>
+        >>> bd.read_plan("turn", dragon={"benches": 40}).dragon.benches
+        40
     """
-    return checked(*read_toml(source, settings))
+    if isinstance(settings, str):
+        settings = [settings]
+    if not isinstance(settings, Mapping | Sequence):
+        text = _("settings must be like {example}, not {value}")
+        raise PlanError(text.format(example='{"disc.radius": 4.5}', value=brief(settings)))
+    said = list[Setting](settings.items() if isinstance(settings, Mapping) else settings)
+    for name, table in tables.items():
+        inner = table if isinstance(table, Mapping) else {"": table}
+        said += [(f"{name}.{key}".rstrip("."), value) for key, value in inner.items()]
+    return checked(*read_toml(str(source), said))
 
 
 def checked(data: dict[str, Any], source: Source | str) -> Plan:
@@ -359,7 +399,13 @@ def checked(data: dict[str, Any], source: Source | str) -> Plan:
     Raises:
         PlanError: for all that is wrong, a line each.
     """
-    where = Source(source) if isinstance(source, str) else source
+    plan = Plan.__new__(Plan)
+    _fill(plan, data, Source(source) if isinstance(source, str) else source)
+    return plan
+
+
+def _fill(plan: Plan, data: dict[str, Any], where: Source) -> None:
+    """Make a plan that is nothing yet that of parsed TOML: see `checked`."""
     if "base" in data:
         data = with_base(data, None, where.name)
     route = data.get("route")
@@ -369,7 +415,7 @@ def checked(data: dict[str, Any], source: Source | str) -> Plan:
     where = replace(where, passed=(*where.passed, *passed))
     faults, others = [Fault(idle.key, idle.text) for idle in idle_keys(data)], 0
     try:
-        plan = Plan.model_validate(data)
+        plan.__pydantic_validator__.validate_python(data, self_instance=plan)
     except ValidationError as error:
         wrong = error.errors()
         faults = [fault_of(each, data, Plan) for each in wrong[:MOST_FAULTS]] + faults
@@ -377,4 +423,3 @@ def checked(data: dict[str, Any], source: Source | str) -> Plan:
     if faults:
         raise PlanError(where.sentences(faults, others))
     plan._source = where
-    return plan

@@ -69,7 +69,8 @@ class Source:
     Args:
         name: of the file, or of a built-in plan.
         text: of the file, without which lines have no numbers.
-        settings: keys that were set on the command line.
+        settings: keys that were set besides, on the command line or in Python.
+        set_by: where they were set, as errors say it.
         folder: of the file, in which others that the plan names lie; None: nothing lies beside it.
         rounded: numbers that the plan holds rounded: as written, and as held.
         passed: what was passed over in drawings that the plan names, a sentence each.
@@ -81,6 +82,7 @@ class Source:
     folder: Path | None = field(default=None, compare=False)
     rounded: Sequence[tuple[str, str]] = field(default=(), compare=False)
     passed: Sequence[str] = field(default=(), compare=False)
+    set_by: str = field(default="--set", compare=False)
 
     def sentences(self, faults: Sequence[Fault], others: int = 0) -> str:
         """What is wrong, a line each, with its place; `others` are too many to be listed."""
@@ -109,7 +111,7 @@ class Source:
 def _place(source: Source, key: str, lines: dict[str, int]) -> str:
     for setting in source.settings:
         if f"{key}.".startswith(f"{setting}.") or setting.startswith(f"{key}."):
-            return "--set"
+            return source.set_by
     while key and key not in lines:
         key = key.rpartition(".")[0]
     return f"{source.name}:{lines[key]}" if key else source.name

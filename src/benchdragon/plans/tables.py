@@ -228,7 +228,7 @@ class ArcPart(CurvePart):
 
     def build(self) -> AnyCurve:
         """The curve, at the origin."""
-        return Arc(self.radius, math.radians(self.angle))
+        return Arc(self.radius, math.radians(self.angle), many=True)
 
 
 class ClothoidPart(CurvePart):

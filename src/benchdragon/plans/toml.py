@@ -36,6 +36,8 @@ MOST_DEPTH, MOST_DIGITS = 30, 200
 WORD = r"""(?:[A-Za-z0-9_-]++|"(?:\\.|[^"\\\n])*+"|'[^'\n]*+')[ \t]*+"""
 DEEP = re.compile(rf"(?<![\\A-Za-z0-9_-])(?:{WORD}\.[ \t]*+){{{MOST_DEPTH}}}")
 LONG = re.compile(rf"(?<![A-Za-z0-9_])0[box][0-9A-Fa-f_]{{{MOST_DIGITS}}}")
+# "KEY=VALUE", or a key and its value.
+Setting = str | tuple[str, object]
 # Bases that stand on one another.
 MOST_BASES = 8
 
@@ -71,7 +73,14 @@ TOML_FAULTS = (
 
 
 class PlanError(BenchDragonError):
-    """A plan that cannot be read or used: where, what was expected, and what was given."""
+    """A plan that cannot be read or used: where, what was expected, and what was given.
+
+    Examples:
+        >>> bd.read_plan("spiral-in", {"route.pitch": -1.0})
+        Traceback (most recent call last):
+            ...
+        benchdragon.plans.toml.PlanError: settings: route.pitch: expected more than 0.0, not -1.0
+    """
 
     exit_code = 3
 
@@ -82,8 +91,8 @@ def built_in_names() -> list[str]:
     return [*CONTEST, *(name for name in names if name not in CONTEST)]
 
 
-def read_toml(source: str, settings: Sequence[str] = ()) -> tuple[dict[str, Any], Source]:
-    """The tables of a plan file or of a built-in name, with "KEY=VALUE" settings laid over them.
+def read_toml(source: str, settings: Sequence[Setting] = ()) -> tuple[dict[str, Any], Source]:
+    """The tables of a plan file or of a built-in name, with settings laid over them.
 
     And where they were read.
 
@@ -96,7 +105,9 @@ def read_toml(source: str, settings: Sequence[str] = ()) -> tuple[dict[str, Any]
     path, text = _path(source), read_text(source)
     data = with_base(parsed(text, source), path.parent, source)
     keys = lay_over(data, settings)
-    return data, Source(source, text, keys, path.parent, rounded_numbers(data, QUANTITY, UNITS))
+    rounded = rounded_numbers(data, QUANTITY, UNITS)
+    said = "--set" if all(isinstance(one, str) for one in settings) else "settings"
+    return data, Source(source, text, keys, path.parent, rounded, set_by=said)
 
 
 def read_text(source: str) -> str:
@@ -193,8 +204,8 @@ def _another(name: str, before: dict[str, Any], table: dict[str, Any]) -> bool:
     return name == "venue" or own not in (None, below)
 
 
-def lay_over(data: dict[str, Any], settings: Sequence[str]) -> tuple[str, ...]:
-    """Lay "KEY=VALUE" settings over a plan's tables; the keys that they name.
+def lay_over(data: dict[str, Any], settings: Sequence[Setting]) -> tuple[str, ...]:
+    """Lay settings over a plan's tables; the keys that they name.
 
     Raises:
         PlanError: for what cannot be set.
@@ -295,9 +306,12 @@ def toml_fault(error: tomllib.TOMLDecodeError, text: str = "") -> str:
     )
 
 
-def _lay_over(data: dict[str, Any], setting: str) -> str:
+def _lay_over(data: dict[str, Any], setting: Setting) -> str:
     """Set what a setting says; the key that it names."""
-    key, equals, text = setting.partition("=")
+    if isinstance(setting, tuple) and isinstance(setting[0], str):
+        set_value(data, *setting)
+        return setting[0]
+    key, equals, text = setting.partition("=") if isinstance(setting, str) else ("", "", "")
     if key.count(".") >= MOST_DEPTH:
         raise PlanError(_("{source} is nested too deeply").format(source=brief(key)))
     if not equals or not key.strip():
@@ -323,7 +337,12 @@ def set_value(data: dict[str, Any], key: str, value: object) -> None:
         at = at[slot] if isinstance(at, list) else at.setdefault(slot, {})
         if not isinstance(at, dict | list):
             raise _nowhere(key)
-    at[_slot(at, names[-1], key)] = value
+    at[_slot(at, names[-1], key)] = _plain(value)
+
+
+def _plain(value: object) -> object:
+    """A value, or what an array or a number of NumPy's holds."""
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def _slot(at: Any, name: str, key: str) -> Any:

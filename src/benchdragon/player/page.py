@@ -9,14 +9,17 @@ from pathlib import Path
 
 import numpy as np
 
-from benchdragon.errors import BenchDragonError, InputError, of_kind
+from benchdragon.analysis.asked import asked_of
+from benchdragon.analysis.check import check
+from benchdragon.errors import BenchDragonError, InputError, brief
 from benchdragon.files import whole_file
 from benchdragon.i18n import _, language
 from benchdragon.inlining import chinese, html_page
 from benchdragon.kernels.status import Status
-from benchdragon.model.walk import Motion
+from benchdragon.model.walk import Motion, Walk
+from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
-from benchdragon.player.scene import Span, plain_dance
+from benchdragon.player.scene import Span, judged_dance, plain_dance
 
 PAGE = "start.js"
 STYLES = ("style.css", "explain.css", "print.css")
@@ -74,30 +77,43 @@ class Shown:
         return self.html
 
 
-def show(motion: Motion) -> Shown:
-    """The walk of a motion in a player, from its first time to its last, for the cell of a notebook.
+def show(motion: Motion | Walk | Plan) -> Shown:
+    """A dance in a player, for the cell of a notebook.
 
-    Of one time alone the seconds around it are shown. What cannot be shown comes as text, with why.
+    Of a motion the walk from its first time to its last is shown, of one time alone the seconds around
+    it; of a walk or a plan the whole of it, of a plan as it is judged by `check`. What cannot be shown
+    comes as text, with why.
 
     Raises:
-        InputError: for what is not a Motion.
+        InputError: if it is not one of these.
+
+    Examples:
+        >>> player = bd.show(bd.read_plan("turn", {"dragon.benches": 5, "walk.end": 20.0}))
+        >>> player.html[:7]
+        '<iframe'
     """
-    of_kind("motion", motion, Motion)
+    if not isinstance(motion, Motion | Walk | Plan):
+        text = _("motion must be a Motion, a Walk or a Plan, not {value}")
+        raise InputError(text.format(value=brief(motion)))
     try:
         return Shown(framed(_dance(motion)))
     except BenchDragonError as error:
         return Shown(f"<pre>{html.escape(repr(motion))}\n{html.escape(str(error))}</pre>")
 
 
-def _dance(motion: Motion) -> messages.Dance:
-    """A motion as a dance; InputError if too large for a notebook, WalkError if it never stands."""
+def _dance(of: Motion | Walk | Plan) -> messages.Dance:
+    """What is shown; InputError if too large for a notebook, WalkError if it never stands."""
     too_large = InputError(
         _("this dance is too large for a notebook: take a shorter time or fewer benches")
     )
-    span = _span(motion)
-    if (span.end - span.start) * len(motion.walk.dragon) > MOST_SHOWN:
+    if isinstance(of, Motion):
+        walk, span = of.walk, _span(of)
+    else:
+        walk, start, end = asked_of(of)
+        span = Span(start, end)
+    if (span.end - span.start) * len(walk.dragon) > MOST_SHOWN:
         raise too_large
-    dance = plain_dance(motion.walk, span)
+    dance = judged_dance(of, check) if isinstance(of, Plan) else plain_dance(walk, span)
     if len(dance.frames.packed) + len(dance.course.packed) > MOST_FRAMED:
         raise too_large
     return dance

@@ -17,6 +17,10 @@ class Person:
         phone: never shown unless asked for.
         home_phone: the household's, or that of all people of a row; no more shown than theirs.
         remarks: anything else that the list says.
+
+    Examples:
+        >>> bd.Person("Li", phone="123").name
+        'Li'
     """
 
     name: str
@@ -44,6 +48,10 @@ class Roster:
     Attributes:
         benches: the people of each bench that has any, by its number, 1 being the head's.
         notes: what is odd about the list, in words: benches without people, people named twice, ...
+
+    Examples:
+        >>> bd.Roster({1: (bd.Person("Li"), bd.Person("Wang"))}).benches[1][0].name
+        'Li'
     """
 
     benches: dict[int, tuple[Person, ...]] = field(default_factory=dict)

@@ -48,6 +48,13 @@ class PlacedDance:
             venue's edge, m; "infeasible" where no place was found at which they do, negative or 0 then.
         obstacles: the exact answers about each and the benches alone, for the whole walk.
         report: what a check says of the plan there; None where no place was found.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"dragon.benches": 4, "route.start_turn": 9,
+        ...                                   "disc.radius": 2.9, "venue.rectangle": [14, 14]})
+        >>> placed = plan.best_place()
+        >>> placed.room.value > 0.0
+        True
     """
 
     plan: Plan
@@ -87,6 +94,12 @@ def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
     Raises:
         InputError: for a plan without a venue, or a walk too long to be drawn.
         WalkError: if the dragon cannot walk.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"dragon.benches": 4, "route.start_turn": 9,
+        ...                                   "disc.radius": 2.9, "venue.rectangle": [14, 14]})
+        >>> bd.best_place(plan).report.safe
+        True
     """
     of_kind("plan", plan, Plan)
     began = clock.perf_counter()

@@ -67,6 +67,11 @@ class Proposal:
         plan: of the dance.
         report: the check of it.
         slower: whether it is slower than was wished.
+
+    Examples:
+        >>> wishes = bd.Wishes(2, 1.5, 0.15, radius=9.0, kind="spiral-in")
+        >>> bd.propose(wishes).report.safe
+        True
     """
 
     plan: Plan
@@ -90,6 +95,11 @@ class TooSmall:
         radius: of such a round square, m; rounded up.
         benches: so many, of the same sizes, fit on the square; 0 where none were found to.
         under: whether all of them fit if bearers walk under their benches, not beside them.
+
+    Examples:
+        >>> refused = bd.propose(bd.Wishes(20, 1.5, 0.15, rectangle=(3.0, 3.0)))
+        >>> type(refused).__name__, refused.benches < 20
+        ('TooSmall', True)
     """
 
     kind: Kind
@@ -125,6 +135,11 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
             sizes that no dance can have.
         UnsureError: if what fits the square does not pass the check.
         PlanError: for sizes of which no dragon can be built, and for obstacles that cannot be.
+
+    Examples:
+        >>> proposed = bd.propose(bd.Wishes(2, 1.5, 0.15, radius=9.0, kind="spiral-in"))
+        >>> proposed.plan.route.kind
+        'spiral-in'
     """
     of_kind("wishes", wishes, Wishes)
     _refuse(wishes)

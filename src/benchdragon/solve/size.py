@@ -81,6 +81,11 @@ def limit(
         PlanError: for a plan without that size.
         MissingExtraError: for a proof without python-flint.
         UnsureError: if the bracket could not be proved.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"disc.radius": 4.5, "dragon.benches": 40})
+        >>> round(bd.limit(plan, "width").value, 6)
+        0.40287
     """
     if prove:
         require_flint()
@@ -313,5 +318,9 @@ def smallest_pitch(plan: Plan, *, margin: float | None = None) -> Answer:
     """The smallest pitch, m, with which the head comes to the disc and no benches touch.
 
     See `limit`, of which this is the question "pitch".
+
+    Examples:
+        >>> round(bd.smallest_pitch(bd.read_plan("spiral-in", {"disc.radius": 4.5})).value, 9)
+        0.450337393
     """
     return limit(plan, "pitch", margin=margin)

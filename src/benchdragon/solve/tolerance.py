@@ -54,6 +54,10 @@ class Deviations:
         height: of the height of a handle over the one before, which shortens a bench seen from above.
         length: of the benches' lengths, holes and all.
         width: of their widths.
+
+    Examples:
+        >>> bd.Deviations(aside=0.02, stray=0.05)
+        Deviations(aside=0.02, stray=0.05, play=0.0, height=0.0, length=0.0, width=0.0)
     """
 
     aside: float = 0.0
@@ -172,6 +176,12 @@ class Tolerance:
         exact: the smallest pitch without deviations, m.
         needed: m, in increasing order, (draws,).
         hits: dances that touch at the plan's own pitch; None if they were not walked at it.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"disc.radius": 4.5, "dragon.benches": 20})
+        >>> found = plan.tolerance(bd.Deviations(0.01), 2, executor=threads)
+        >>> bool((found.needed >= found.exact).all())
+        True
     """
 
     deviations: Deviations
@@ -248,6 +258,11 @@ def tolerance(
             dragon no benches can touch.
         UnsureError: where no pitch was found.
         MachineError: for a dance whose workers were lost.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"disc.radius": 4.5, "dragon.benches": 20})
+        >>> len(bd.tolerance(plan, bd.Deviations(0.01), 2, executor=threads).needed)
+        2
     """
     of_kind("plan", plan, Plan)
     of_kind("deviations", deviations, Deviations)

@@ -53,6 +53,12 @@ class BestTurn:
         head_speed: the greatest constant head speed under the plan's limits; None without a limit.
         clearance: the least over the whole manoeuvre.
         active: names of the limits that it just keeps: see turn_question.LIMITS.
+
+    Examples:
+        >>> plan = bd.read_plan("turn", {"dragon.benches": 4, "walk.end": 20.0})
+        >>> best = plan.best_turn()
+        >>> best.length < plan.route.turn(plan).length
+        True
     """
 
     plan: Plan
@@ -95,6 +101,12 @@ def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = 
     Raises:
         InputError: for a plan without a turn, or if no turn keeps the limits.
         PlanError: for speeds of the head that cannot be.
+
+    Examples:
+        >>> plan = bd.read_plan("turn", {"dragon.benches": 4, "walk.end": 20.0})
+        >>> best = bd.best_turn(plan)
+        >>> best.plan.turn.family
+        'arc-arc'
     """
     of_kind("plan", plan, Plan)
     wished = TurnGoal() if goal is None else goal

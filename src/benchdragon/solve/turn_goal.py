@@ -36,6 +36,10 @@ class TurnGoal:
         least_radius: of any bend, m.
         longest: length of the turn itself, m.
         longest_way: whole way inside the disc, m.
+
+    Examples:
+        >>> bd.TurnGoal().objective
+        'way'
     """
 
     objective: str = "way"

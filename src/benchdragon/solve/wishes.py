@@ -47,6 +47,10 @@ class Wishes:
         imprecision: how far bearers stray from their line.
         measured: which of these two were measured; the others are assumed.
         obstacles: on the square, tables as in a plan.
+
+    Examples:
+        >>> bd.Wishes(30, 2.0, 0.3, rectangle=(20.0, 20.0)).benches
+        30
     """
 
     benches: int

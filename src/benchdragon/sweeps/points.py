@@ -52,6 +52,10 @@ class Points:
             varying fastest; else the values of each key at each point.
         grid: which of both.
         sample: how they were drawn, if they were.
+
+    Examples:
+        >>> len(bd.listed_points({"route.pitch": [0.5, 0.6]}))
+        2
     """
 
     keys: tuple[str, ...]
@@ -127,6 +131,11 @@ def listed_points(columns: Mapping[str, Sequence[Value]]) -> Points:
 
     Raises:
         InputError: for columns of different lengths, and as `grid_points`.
+
+    Examples:
+        >>> points = bd.listed_points({"route.pitch": [0.5, 0.6], "disc.radius": [4.0, 5.0]})
+        >>> points[1]
+        (0.6, 5.0)
     """
     keys, made = _columns(columns)
     if len({len(column) for column in made}) > 1:
@@ -164,6 +173,11 @@ def sampled_points(
 
     Raises:
         InputError: for ranges that are none, an unknown method, and as `Points`.
+
+    Examples:
+        >>> points = bd.sampled_points({"route.pitch": (0.5, 0.6)}, 4, seed=1, method="sobol")
+        >>> len(points)
+        4
     """
     from scipy.stats import qmc  # slow to import
 
@@ -205,6 +219,11 @@ def read_points(path: Path) -> Points:
     Raises:
         InputError: for a file that cannot be read, and as `Points`.
         MissingExtraError: without pyarrow.
+
+    Examples:
+        >>> _ = (folder / "points.csv").write_text("route.pitch,disc.radius" + chr(10) + "0.5,4.5")
+        >>> bd.read_points(folder / "points.csv").keys
+        ('route.pitch', 'disc.radius')
     """
     try:
         import pyarrow as pa

@@ -47,7 +47,12 @@ STATES = {
 
 @dataclass(frozen=True)
 class RandomDances:
-    """The dances that `tolerance` walks: how many, how far from exact, and their seed."""
+    """The dances that `tolerance` walks: how many, how far from exact, and their seed.
+
+    Examples:
+        >>> bd.RandomDances(draws=10, deviations=bd.Deviations(0.01)).seed
+        1
+    """
 
     draws: int = 100
     deviations: Deviations = field(default_factory=lambda: CASES["all"].deviations)

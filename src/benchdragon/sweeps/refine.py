@@ -31,6 +31,10 @@ class Refinement:
         most: further points.
         to: it ends where neighbouring points are nearer than this share of each key's range, or their
             answers than this share of all answers.
+
+    Examples:
+        >>> bd.Refinement(most=8, to=0.01).most
+        8
     """
 
     most: int = 0

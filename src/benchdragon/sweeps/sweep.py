@@ -145,6 +145,12 @@ class Sweep:
         about: what was asked: plan, keys, points, questions, version.
         table: a pyarrow table, one row a point: `point` (its number), each key, and for each question
             FIELDS behind its name and a dot; empty cells where a field means nothing.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in")
+        >>> found = bd.sweep(plan, {"route.pitch": [0.5, 0.6]}, executor=threads)
+        >>> found.to_dataframe()["first_contact.value"].round(3).tolist()
+        [336.526, 466.509]
     """
 
     about: Mapping[str, Any]
@@ -196,7 +202,7 @@ class Sweep:
             import pandas  # noqa: F401 - pyarrow needs it
         except ImportError:
             raise MissingExtraError("data") from None
-        return self.table.to_dataframe().set_index("point")
+        return self.table.to_pandas().set_index("point")
 
     def to_xarray(self) -> Any:
         """The grid as a dataset: each key a dimension, each column a variable, units included.
@@ -235,6 +241,12 @@ def read_sweep(folder: Path | str) -> Sweep:
     Raises:
         InputError: if there is none, or rows of another one.
         MissingExtraError: without pyarrow.
+
+    Examples:
+        >>> plan, where = bd.read_plan("spiral-in"), folder / "pitches"
+        >>> _ = bd.sweep(plan, {"route.pitch": [0.5, 0.6]}, output=where, executor=threads)
+        >>> bd.read_sweep(where).complete
+        True
     """
     about = read_about(Path(folder))
     return Sweep(about, read_rows(Path(folder), about))
@@ -267,6 +279,12 @@ def sweep(
         PlanError: if the plan is wrong at all points.
         FileRefusedError: for a folder of another sweep.
         MissingExtraError: without pyarrow.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in", {"dragon.benches": 40})
+        >>> found = bd.sweep(plan, {"route.pitch": [0.5, 0.6]}, ["first_contact"], executor=threads)
+        >>> list(found.keys), len(found.to_dataframe())
+        (['route.pitch'], 2)
     """
     of_kind("plan", plan, Plan)
     points = vary if isinstance(vary, Points) else grid_points(vary)

@@ -50,10 +50,11 @@ export class BenchWalk {
     this.right = right;
   }
 }
-export async function benchWalks(plan, walk, span, apart = 0.0, progress = silent) {
+export async function benchWalks(plan, walk = /** @type {any} */ (null), span = /** @type {any} */ (null), apart = 0.0, progress = silent) {
   return py.scoped(async () => {
     let _at, _boxes, _sides, at, bends, boxes, count, dragon, end, known, line, nearest, rows, sides, start, stretches, tightest, times;
-    [start, end] = py.list(_span(span));
+    walk = ((walk == null) ? plan.build() : walk);
+    [start, end] = py.list(_span(((span == null) ? plan.span(walk) : span)));
     [times, bends] = py.list([_times(walk, start, end), Bends.of(walk.route)]);
     [rows, dragon] = py.list([walk.route.rows, walk.dragon]);
     line = ({ rows: rows, links: dragon.links, sizes: dragon.sizes, bends: bends.at, sides: bends.sides, gates: _gates(plan) });

@@ -6,6 +6,7 @@ import { Answer } from "./answer.js";
 import { TOLERANCES, contactSearch } from "./contact_search.js";
 import { silent } from "./stages.js";
 
+const askedOf = (walk, start, end) => [walk, start, end];
 const FRAYED = 1e-05;
 const NONE = new Answer(Infinity, Infinity, Infinity, "m", "found", null, [], 0, 0.0);
 const MOST_GRAZES = 100;
@@ -15,9 +16,10 @@ class Window {
     this.closes = closes;
   }
 }
-export async function contactWindows(walk, start, end, margin = 0.0, most = 1000, progress = silent) {
+export async function contactWindows(walk, start = /** @type {any} */ (null), end = /** @type {any} */ (null), margin = 0.0, most = 1000, progress = silent) {
   return py.scoped(async () => {
     let search;
+    [walk, start, end] = py.list(askedOf(walk, start, end));
     search = contactSearch(walk, start, end, margin, progress, true);
     try {
       return (await _windows(search, most));
@@ -71,9 +73,10 @@ function _widened(window, graze) {
   }
   return new Window(window.opens, ((window.closes == null) ? null : py.replaced(window.closes, { upper: graze.upper })));
 }
-async function firstContact(walk, start, end, margin = 0.0, progress = silent) {
+async function firstContact(walk, start = /** @type {any} */ (null), end = /** @type {any} */ (null), margin = 0.0, progress = silent) {
   return py.scoped(async () => {
     let search, windows;
+    [walk, start, end] = py.list(askedOf(walk, start, end));
     search = contactSearch(walk, start, end, margin, progress);
     try {
       windows = (await _windows(search, 1));
@@ -104,9 +107,10 @@ export async function firstSureContact(walk, start, end, margin, search = /** @t
     return py.next(py.list(windows).flatMap((window) => (((window.opens.status === "found")) ? [window.opens] : [])), first);
   });
 }
-export async function leastClearance(walk, start, end, within = Infinity, tolerances = TOLERANCES, progress = silent) {
+export async function leastClearance(walk, start = /** @type {any} */ (null), end = /** @type {any} */ (null), within = Infinity, tolerances = TOLERANCES, progress = silent) {
   return py.scoped(async () => {
     let bracket, search;
+    [walk, start, end] = py.list(askedOf(walk, start, end));
     search = contactSearch(walk, start, end, 0.0, progress, undefined, tolerances);
     try {
       if ((py.len(walk.dragon) < 3)) {

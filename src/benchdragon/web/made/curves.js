@@ -49,7 +49,7 @@ export class Arc extends OneCurve {
   get kind() {
     return this.constructor.kind;
   }
-  constructor(radius, sweep, start = [0.0, 0.0], startHeading = 0.0) {
+  constructor(radius, sweep = 0.0, start = [0.0, 0.0], startHeading = 0.0) {
     super();
     this.radius = radius;
     this.sweep = sweep;
@@ -57,8 +57,11 @@ export class Arc extends OneCurve {
     this.start_heading = startHeading;
     this.__post_init__();
   }
-  __post_init__() {
+  __post_init__(degrees, many) {
     checkedBend("radius", this.radius);
+    if ((degrees != null)) {
+      this["sweep"] = py.radians(finite("degrees", degrees));
+    }
     if ((finite("sweep", this.sweep, "rad") === 0.0)) {
       throw new InputError(_("the angle of an arc must not be 0"));
     }
@@ -77,7 +80,7 @@ export class Arc extends OneCurve {
   static _from(part) {
     let _kind, _rest, heading, radius, sweep, x, y;
     [_kind, x, y, heading, radius, sweep, ..._rest] = py.list(part);
-    return new this(radius, sweep, [x, y], heading);
+    return new this(radius, sweep, [x, y], heading, undefined, true);
   }
 }
 export class Spiral extends OneCurve {
@@ -268,10 +271,10 @@ export class Route extends Curve {
     py.entry("bd_route_parts_misfits", this.rows, off);
     for ([i, [gap, kink]] of py.iter(py.enumerate(py.tolist(off), 1))) {
       if ((gap > JOINT_GAP)) {
-        throw new InputError(py.filled(_("curves {first} and {second} do not meet: they are {gap} m apart"), { first: i, second: (i + 1), gap: `${py.format(gap, `.6g`)}` }));
+        throw new InputError(py.filled(_("curves {first} and {second} do not meet: they are {gap} m apart; Route.joined moves each to where the one before it ends"), { first: i, second: (i + 1), gap: `${py.format(gap, `.6g`)}` }));
       }
       if (((kink > JOINT_KINK) && !py.truth(this.kinks))) {
-        throw new InputError(py.filled(_("curves {first} and {second} meet at a kink of {kink} degrees; allow kinks or rotate one of them"), { first: i, second: (i + 1), kink: `${py.format(py.degrees(kink), `.6g`)}` }));
+        throw new InputError(py.filled(_("curves {first} and {second} meet at a kink of {kink} degrees; allow kinks or rotate one of them, as Route.joined does"), { first: i, second: (i + 1), kink: `${py.format(py.degrees(kink), `.6g`)}` }));
       }
     }
   }

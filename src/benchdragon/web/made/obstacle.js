@@ -25,6 +25,7 @@ export class Obstacle extends Standing {
   }
   __post_init__() {
     notNegative("margin", this.margin, "m");
+    this["outline"] = asNumbers(`${py.str(this.name)}: outline`, this.outline);
   }
   static circle(name, centre, radius, margin = 0.0) {
     return new this(name, "circle", _points(name, [centre], 1), checkedSize("radius", radius), margin);
@@ -77,7 +78,7 @@ function closedOutline(name, points) {
 }
 function _points(name, points, least, closed = false) {
   let ahead, i, one, other, table;
-  table = py.tolist(asNumbers(`${py.str(name)}: points`, points));
+  table = py.tolist(asNumbers(`${py.str(name)}: points`, _drawnPoints(name, points)));
   if (!py.eq(py.slice(py.shape(table), 1, null), [2])) {
     throw new InputError(py.filled(_("{name}: expected a list of points [x, y], not {value}"), { name: name, value: brief(points) }));
   }
@@ -98,3 +99,4 @@ function _points(name, points, least, closed = false) {
   }
   return asTable(table);
 }
+const _drawnPoints = (_name, points) => points;

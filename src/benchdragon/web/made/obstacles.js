@@ -6,6 +6,7 @@ import { shown } from "./answer.js";
 import { TOLERANCES } from "./contact_search.js";
 import { ObstacleSearch } from "./obstacle_search.js";
 
+const askedOf = (walk, start, end) => [walk, start, end];
 export async function touching(walk, obstacle, start, end) {
   let search;
   search = new ObstacleSearch(walk, obstacle, start, end);
@@ -15,9 +16,10 @@ export async function touching(walk, obstacle, start, end) {
     search.free();
   }
 }
-export async function leastDistance(walk, obstacle, start, end, tolerances = TOLERANCES) {
+export async function leastDistance(walk, obstacle, start = /** @type {any} */ (null), end = /** @type {any} */ (null), tolerances = TOLERANCES) {
   return py.scoped(async () => {
     let search;
+    [walk, start, end] = py.list(askedOf(walk, start, end));
     search = new ObstacleSearch(walk, obstacle, start, end);
     try {
       return (await search.least_distance(tolerances));

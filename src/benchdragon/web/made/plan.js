@@ -119,10 +119,11 @@ export class Plan {
     py.pop(py.get(data, "limits", py.dict([])), "venue_margin", null);
     return this._changed(data);
   }
-  span(walk) {
+  span(walk = /** @type {any} */ (null)) {
     let end, pace, text, wrong;
     [end, pace] = py.list([this.walk.end, this.pace()]);
     if ((end == null)) {
+      walk = ((walk == null) ? this.build() : walk);
       end = walk.time_at(this.route.last_position(walk));
       end = (py.truth(this.cues.cue) ? py.min(end, pace.end) : end);
     }

@@ -47,13 +47,14 @@ export class Faults {
   }
 }
 export class Source {
-  constructor(name = "plan", text = "", settings = [], folder = /** @type {any} */ (null), rounded = [], passed = []) {
+  constructor(name = "plan", text = "", settings = [], folder = /** @type {any} */ (null), rounded = [], passed = [], setBy = "--set") {
     this.name = name;
     this.text = text;
     this.settings = settings;
     this.folder = folder;
     this.rounded = rounded;
     this.passed = passed;
+    this.set_by = setBy;
   }
   sentences(faults, others = 0) {
     let lines, more, said, told;

@@ -12,6 +12,7 @@ import { SpeedProfile, Stretches } from "./profile.js";
 import { Rounds, repeats } from "./rounds.js";
 import { silent } from "./stages.js";
 
+const askedOf = (walk, start, end) => [walk, start, end];
 const FIRST_CHAIN_STEP = 0.1;
 const ROUNDING = 1e-11;
 const TOLERANCE = 1e-10;
@@ -41,7 +42,8 @@ class Peak {
     this.point = point;
   }
 }
-export async function greatestSpeed(walk, start, end, tolerance = TOLERANCE, progress = silent) {
+export async function greatestSpeed(walk, start = /** @type {any} */ (null), end = /** @type {any} */ (null), tolerance = TOLERANCE, progress = silent) {
+  [walk, start, end] = py.list(askedOf(walk, start, end));
   return (await greatest(walk, py.at(QUANTITIES, "speed"), start, end, tolerance, undefined, progress));
 }
 export async function greatest(walk, quantity, start, end, tolerance = TOLERANCE, limit = Infinity, progress = silent) {

@@ -57,7 +57,7 @@ export class LinePart extends CurvePart {
 }
 export class ArcPart extends CurvePart {
   build() {
-    return new Arc(this.radius, py.radians(this.angle));
+    return new Arc(this.radius, py.radians(this.angle), undefined, undefined, undefined, true);
   }
 }
 export class ClothoidPart extends CurvePart {

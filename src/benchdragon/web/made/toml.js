@@ -59,8 +59,9 @@ export function setValue(data, key, value) {
       throw _nowhere(key);
     }
   }
-  py.set(at, _slot(at, py.at(names, -1), key), value);
+  py.set(at, _slot(at, py.at(names, -1), key), _plain(value));
 }
+const _plain = (value) => value;
 function _slot(at, name, key) {
   let place;
   if (!(py.is(at, "list"))) {
