@@ -190,7 +190,7 @@ def test_a_file_that_is_no_plan_is_refused_in_the_programs_words(
     path = tmp_path / "wrong.dragon.toml"
     path.write_text(text, "utf-8")
     before = shown_plan(page).sha256
-    page.locator(".panel input[accept='.toml']").set_input_files(path)
+    page.locator(".panel .plan-file").set_input_files(path)
     expect(page.locator("fieldset > output.told")).to_contain_text(said)
     assert shown_plan(page).sha256 == before
 

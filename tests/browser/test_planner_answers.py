@@ -193,7 +193,7 @@ def test_a_plan_file_that_is_read_late_does_not_take_a_newer_plans_place(
     path = tmp_path / "a.toml"
     path.write_text("schema = 1\n[route]\nkind = 'turn'\n", "utf-8")
     held = Held(page, "open")
-    page.locator(".panel input[accept='.toml']").set_input_files(path)
+    page.locator(".panel .plan-file").set_input_files(path)
     held.wait(1)
     change(page, PITCH, "0.46")
     held.let_go(0)

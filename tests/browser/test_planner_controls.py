@@ -276,7 +276,7 @@ def test_a_wrong_file_says_so_in_sight(opened: Opened, tmp_path: Path, device: D
     page = opened(device)
     wrong = tmp_path / "list.toml"
     wrong.write_text("a,b\n1,2\n", "utf-8")
-    page.locator(".panel input[accept='.toml']").set_input_files(wrong)
+    page.locator(".panel .plan-file").set_input_files(wrong)
     told = page.locator(".told.none")
     expect(told).to_be_in_viewport(ratio=1)
     expect(told).to_contain_text("line 1")

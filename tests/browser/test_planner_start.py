@@ -416,10 +416,8 @@ def test_plans_are_opened_from_a_file_a_list_and_a_link(
     screen(page).get_by_text("I have a plan already").click()
     paste = screen(page).get_by_role("textbox", name="or paste its link")
     paste.fill("https://example.org/")
-    paste.press("Enter")
-    expect(screen(page).get_by_text("There is no plan in this link.")).to_be_visible()
-    paste.fill(link)
-    paste.press("Enter")
+    expect(screen(page).get_by_text("There is no plan in this: paste its link")).to_be_visible()
+    paste.fill(f"look at this: {link} - tonight!")
     expect(screen(page)).to_be_hidden()
     until(page, "benchdragon.plan.dragon.benches === 7")
 

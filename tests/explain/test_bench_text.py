@@ -11,7 +11,7 @@ from benchdragon.analysis.bench_walks import PACES, BenchWalk, Stretch, Tightest
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.explain.bench_basis import bench_text
-from benchdragon.explain.bench_text import BenchText, quick_line, tightest_line
+from benchdragon.explain.bench_text import BenchText, doing, quick_line, tightest_line
 from benchdragon.i18n import spoken_in
 from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called
@@ -52,6 +52,16 @@ def test_the_quick_line_names_turns_and_times_from_the_start_of_the_dance_on() -
     )
     with spoken_in("zh"):
         assert quick_line(bench, clock) == "往左弯；走；2:10 到 2:25 跑；2:40 到 3:10 等。"
+
+
+def test_what_is_done_now_is_said_in_few_words() -> None:
+    said = [("left", "run"), ("right", "walk"), ("straight", "hurry"), ("left", "wait")]
+    told = [stretch(0.0, 5.0, turning, pace) for turning, pace in said]
+    assert [doing(one) for one in told] == [
+        "turn left, run", "turn right, keep walking", "straight on, hurry", "wait",
+    ]  # fmt: skip
+    with spoken_in("zh"):
+        assert [doing(one) for one in told] == ["往左弯，跑", "往右弯，走", "直走，快走", "等"]
 
 
 def test_the_quick_line_counts_what_is_too_much_to_name() -> None:

@@ -40,7 +40,8 @@ TWINS = {
     "errors": ("errors", "WalkError", "finite", "in_order", "not_negative", "positive"),
     "explain.bench_basis": ("bench_basis", "halts_of", "landmark_of"),
     "explain.bench_text": (
-        "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "tightest_line",
+        "bench_text", "Basis", "Halt", "Landmark", "bench_lines", "doing", "people_lines",
+        "tightest_line",
     ),
     "kernels.route_parts": ("poses", "Pose"),
     "model.answer": ("answer", "keeps", "shown", "sure", "vanishing"),

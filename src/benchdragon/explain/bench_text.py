@@ -126,7 +126,7 @@ def bench_lines(
         tuple(_stretch_line(one, clock, halts, people.step) for one in found.stretches),
         _pace_lines(people, found),
         tightest_line(found.tightest, clock, called),
-        (*_people_lines(found, called), _after_line(basis, found)),
+        (*people_lines(found, called), _after_line(basis, found)),
         _times_line(found, clock),
     )
 
@@ -249,6 +249,13 @@ def _steps_line(basis: Basis, landmark: Landmark) -> str:
     return text.format(steps=told, edge=basis.ground.edge_name(landmark.edge), name=landmark.name)
 
 
+def doing(one: Stretch) -> str:
+    """What a bench does in a stretch, in few words: to which side it turns, and its pace."""
+    if one.pace == "wait":
+        return _(PACES[one.pace])
+    return _("{turn}, {pace}").format(turn=_(TURNS[one.turning]), pace=_(PACES[one.pace]))
+
+
 def _stretch_line(one: Stretch, clock: Clock, halts: Sequence[Halt], step: float) -> str:
     """What a bench does in one stretch, and what it waits for."""
     times = {"start": clock.tell(one.start), "end": clock.tell(one.end)}
@@ -287,7 +294,7 @@ def tightest_line(
     return text.format(time=time, bench=called(near.bench), gap=gap, side=side)
 
 
-def _people_lines(found: BenchWalk, called: Callable[[int], str]) -> tuple[str, ...]:
+def people_lines(found: BenchWalk, called: Callable[[int], str]) -> tuple[str, ...]:
     """Who is before and behind a bench, and who stands beside it at the end."""
     said = []
     if found.before is not None:

@@ -19,7 +19,8 @@ from benchdragon.plans.schema import Plan
 from benchdragon.version import __version__
 
 STYLES = (
-    "style.css", "explain.css", "planner.css", "asking.css", "grips.css", "print.css", "sheets.css",
+    "style.css", "explain.css", "planner.css", "asking.css", "grips.css", "mine.css", "print.css",
+    "sheets.css",
 )  # fmt: skip
 PAGE, WORKER = "planner_start.js", "compute/worker.js"
 ENGINE = built.ENGINE / built.MODULE

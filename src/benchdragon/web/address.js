@@ -38,7 +38,7 @@ export function remember(player, more = {}) {
   known = location.hash;
 }
 
-/** What a person chooses once: the language, the theme, how benches are drawn, whether letters are keys. @typedef {"lang" | "theme" | "drawn" | "keys"} Choice */
+/** What a person chooses once: the language, the theme, how benches are drawn, whether letters are keys, the bench that one carries. @typedef {"lang" | "theme" | "drawn" | "keys" | "mine"} Choice */
 
 /** What a person chose before: as the address says it, else the browser; null: nothing. @param {Choice} name */
 export function chosenBefore(name) {
@@ -70,12 +70,12 @@ function store(name, value) {
   }
 }
 
-/** The plan that the browser keeps, as text; null if it keeps none. */
-export function keptPlan() {
-  return stored("plan");
+/** What the browser keeps of somebody's own, as text: a plan, a list of names; null if it keeps none. @param {"plan" | "names"} what */
+export function kept(what) {
+  return stored(what);
 }
 
-/** Have the browser keep a plan, or none; whether it does. @param {string | null} text */
-export function keepPlan(text) {
-  return store("plan", text);
+/** Have the browser keep something, or no more of it; whether it does. @param {"plan" | "names"} what @param {string | null} text */
+export function keep(what, text) {
+  return store(what, text);
 }

@@ -16,6 +16,11 @@ function villageName({ benches, sent: { village } }, bench) {
   return said[language()].replace("{n}", String(bench - before));
 }
 
+/** The same, or else the plan's number. @param {Scene} scene @param {number} bench number from 1 */
+export function shortName(scene, bench) {
+  return villageName(scene, bench) || _("Bench {bench}", { bench });
+}
+
 /** What a bench is called: by its village too. @param {Scene} scene @param {number} bench number from 1 */
 function benchName(scene, bench) {
   const name = villageName(scene, bench);
@@ -101,10 +106,9 @@ export class Card {
     const found = [];
     const button = (/** @type {number} */ other, /** @type {string} */ text) =>
       make("button", { type: "button", onclick: () => this.choose(other) }, text);
-    const name = (/** @type {number} */ other) =>
-      villageName(scene, other) || _("Bench {bench}", { bench: other });
-    if (bench > 0) found.push(button(bench - 1, `\u2190 ${name(bench)}`));
-    if (bench + 1 < scene.benches) found.push(button(bench + 1, `${name(bench + 2)} \u2192`));
+    if (bench > 0) found.push(button(bench - 1, `\u2190 ${shortName(scene, bench)}`));
+    if (bench + 1 < scene.benches)
+      found.push(button(bench + 1, `${shortName(scene, bench + 2)} \u2192`));
     return found;
   }
 

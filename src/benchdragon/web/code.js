@@ -7,13 +7,13 @@ import { draw } from "./elements.js";
 const QUIET = 4;
 
 /**
- * A QR code; null where the text is too long for the largest kind that is wanted.
+ * The dark squares of a QR code as a path, and how many squares it has on a side; null where the text is too
+ * long for the largest kind that is wanted.
  * @param {string} text
  * @param {"L" | "M"} least how much of it may be hidden at least
  * @param {number} maxVersion the largest kind
- * @param {string} name for those who cannot see it
  */
-export function drawnCode(text, least, maxVersion, name) {
+export function codePath(text, least, maxVersion) {
   let found;
   try {
     found = encode(text, { ecc: least, boostEcc: true, maxVersion, border: QUIET });
@@ -23,9 +23,21 @@ export function drawnCode(text, least, maxVersion, name) {
   }
   const { size, data } = found;
   const squares = data.flatMap((row, y) => row.map((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : "")));
+  return { size, path: squares.join("") };
+}
+
+/**
+ * A QR code; null where the text is too long.
+ * @param {string} text @param {"L" | "M"} least @param {number} maxVersion see codePath
+ * @param {string} name for those who cannot see it
+ */
+export function drawnCode(text, least, maxVersion, name) {
+  const found = codePath(text, least, maxVersion);
+  if (!found) return null;
+  const { size, path } = found;
   return draw(
     "svg",
     { viewBox: `0 0 ${size} ${size}`, class: "code", role: "img", "aria-label": name },
-    draw("path", { d: squares.join("") }),
+    draw("path", { d: path }),
   );
 }

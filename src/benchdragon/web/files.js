@@ -1,9 +1,11 @@
 // Plan files in and out, and the plan that the browser keeps.
 
-import { keepPlan, keptPlan } from "./address.js";
+import { keep, kept } from "./address.js";
 import { commandList } from "./commands.js";
 import { make } from "./elements.js";
-import { planText } from "./plan_form.js";
+import { readLink } from "./link.js";
+import { planIn } from "./pasted.js";
+import { planText, textPlan } from "./plan_form.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
@@ -14,6 +16,8 @@ import { _ } from "./words.js";
  * The page that files are of.
  * @typedef {object} Host
  * @property {Plan} plan
+ * @property {import("./messages").Preset[]} presets
+ * @property {HTMLElement} root
  * @property {object} subject what it is about: the plan, or what stands in the address instead
  * @property {(plan: Plan, final: boolean) => void} change
  * @property {(plan: object, text: string, failed?: boolean) => void} tellFile how it went, and with which plan
@@ -38,6 +42,16 @@ export class Files {
       event.preventDefault();
       this.#open(file);
     });
+    addEventListener("paste", (event) => this.#pasted(event));
+  }
+
+  /** Something was pasted where nothing takes it. @param {ClipboardEvent} event */
+  #pasted({ target, clipboardData }) {
+    const taken = target instanceof Element && target.closest("input, textarea, select");
+    if (taken || !clipboardData || this.host.root.inert) return;
+    const [file] = clipboardData.files;
+    if (file) this.#open(file);
+    else this.paste(clipboardData.getData("text/plain"));
   }
 
   /** The controls, in the language in use. @param {HTMLElement} told where it is said how it went */
@@ -48,16 +62,18 @@ export class Files {
       "fieldset",
       {},
       make("legend", {}, _("Files")),
-      make("div", { class: "row" }, ...this.opener(), save),
-      this.#keeper(),
+      ...this.opener(),
+      make("div", { class: "row" }, save),
+      keeper(_("keep the plan in this browser"), "plan", () => planText(this.host.plan)),
       this.#commandsOf().element,
       told,
     );
   }
 
-  /** A button that opens a plan file, and what it takes for that. */
+  /** A button that opens a plan file, and what it takes for that; and a box to paste a plan into. */
   opener() {
-    const input = make("input", { type: "file", accept: ".toml", hidden: true });
+    // Whatever is chosen is told: phones grey out plans where files are to be of some kind.
+    const input = make("input", { type: "file", class: "plan-file", hidden: true });
     input.addEventListener("change", () => {
       const file = input.files?.[0];
       input.value = "";
@@ -65,7 +81,22 @@ export class Files {
     });
     const open = make("button", { type: "button", onclick: () => input.click() });
     open.append(_("open a plan file"));
-    return [input, open];
+    const text = _("or paste its link, its letters, or the text of its file");
+    const asked = make("p", { class: "asked", role: "alert" });
+    const box = make("textarea", {
+      rows: "1",
+      autocomplete: "off",
+      spellcheck: "false",
+      oninput: async () => {
+        asked.textContent = await this.paste(box.value);
+        if (!asked.textContent) box.value = "";
+      },
+    });
+    return [
+      make("div", { class: "row" }, input, open),
+      make("label", { class: "paste" }, text, box),
+      asked,
+    ];
   }
 
   /** What can be made of the plan by commands. */
@@ -77,27 +108,15 @@ export class Files {
     return this.commands;
   }
 
-  /** A tick that has the browser keep the plan. */
-  #keeper() {
-    const kept = make("input", { type: "checkbox" });
-    kept.checked = keptPlan() !== null;
-    kept.addEventListener("change", () => {
-      const keeps = keepPlan(kept.checked ? planText(this.host.plan) : null);
-      if (!keeps) kept.checked = false;
-    });
-    return make("label", { class: "row" }, kept, _("keep the plan in this browser"));
-  }
-
   /** Keep a plan, where the browser keeps one already, and name it in commands. @param {Plan} plan */
   keep(plan) {
     this.commands?.tell();
-    if (keptPlan() !== null) keepPlan(planText(plan));
+    if (kept("plan") !== null) keep("plan", planText(plan));
   }
 
   /** @param {File} file */
-  async #open(file) {
-    const before = this.host.subject;
-    await this.#tried(async () => {
+  #open(file) {
+    return this.#take(file.name, async () => {
       if (file.size > MOST_BYTES)
         throw new Error(
           _("{source} is too large for a plan: {size} MB, at most {most} MB are read", {
@@ -106,11 +125,41 @@ export class Files {
             most: MOST_BYTES / 1e6,
           }),
         );
-      const plan = await this.answers.opened(await file.text());
+      return this.#planOf(await file.text());
+    });
+  }
+
+  /** Open the plan in a text that was pasted; why not, or "". @param {string} text */
+  paste(text) {
+    return this.#take(_("what was pasted"), async () => {
+      if (!planIn(text)[0]) throw noPlan();
+      return this.#planOf(text);
+    });
+  }
+
+  /** The plan in the text of a file, of a page that was sent, or of a link. @param {string} text */
+  async #planOf(text) {
+    const [kind, told] = planIn(text);
+    if (kind === "link") {
+      const { plan } = await readLink(told, this.host.presets);
+      if (!plan) throw new Error(_("The plan in this link cannot be read."));
+      return plan;
+    }
+    if (kind !== "page") return this.answers.opened(told);
+    const plan = textPlan(told);
+    if (!plan) throw noPlan();
+    return plan;
+  }
+
+  /** Be about a plan once it is read, unless the page is about another by then. @param {string} name of where it comes from @param {() => Promise<Plan>} read */
+  #take(name, read) {
+    const before = this.host.subject;
+    return this.#tried(async () => {
+      const plan = await read();
       if (this.host.subject !== before)
         throw new Error(_("The plan was changed meanwhile: open it again."));
       this.host.change(plan, true);
-      return { name: file.name, plan };
+      return { name, plan };
     });
   }
 
@@ -119,18 +168,36 @@ export class Files {
     await this.#tried(async () => ({ name: deliver(await this.answers.saved(plan)), plan }));
   }
 
-  /** Do something with files, and say how it went. @param {() => Promise<{ name: string, plan: Plan }>} action */
+  /** Do something with files, and say how it went; why it did not, or "". @param {() => Promise<{ name: string, plan: Plan }>} action */
   async #tried(action) {
     const before = this.host.subject;
     this.host.tellFile(before, _("working ..."));
     try {
       const { name, plan } = await action();
       this.host.tellFile(plan, name);
+      return "";
     } catch (error) {
       if (!(error instanceof Error)) throw error;
       this.host.tellFile(before, error.message, true);
+      return error.message;
     }
   }
+}
+
+/** What is said where a text holds no plan. */
+function noPlan() {
+  return new Error(
+    _("There is no plan in this: paste its link, its letters, or the text of its file."),
+  );
+}
+
+/** A tick that has the browser keep something of one's own, as it then is. @param {string} text @param {"plan" | "names"} what @param {() => string} now */
+export function keeper(text, what, now) {
+  const box = make("input", { type: "checkbox", checked: kept(what) !== null });
+  box.addEventListener("change", () => {
+    if (!keep(what, box.checked ? now() : null)) box.checked = false;
+  });
+  return make("label", { class: "row" }, box, text);
 }
 
 /** Have the browser save a file; its name. @param {MadeFile} file */

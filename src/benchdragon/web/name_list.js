@@ -1,8 +1,10 @@
-// The list of names on the page of sheets: opened or pasted, kept in this page alone.
+// The list of names on the page of sheets: opened or pasted, kept in this page alone, and in this browser if that is asked for.
 
+import { keep, kept } from "./address.js";
 import { sheetsOf } from "./compute/roster_book.js";
 import { rowsOf } from "./compute/roster_grid.js";
 import { choice, make } from "./elements.js";
+import { keeper } from "./files.js";
 import { rosterOf } from "./made/roster.js";
 import { _ } from "./words.js";
 
@@ -15,9 +17,9 @@ import { _ } from "./words.js";
 export class NameList {
   /** @param {() => void} changed what is done when there are other names */
   constructor(changed) {
-    this.changed = changed;
+    this.told = changed;
     /** @type {List | null} */
-    this.list = null;
+    this.list = JSON.parse(kept("names") ?? "null");
     /** Sheets of the file, of which one is to be chosen. @type {Sheet[]} */
     this.sheets = [];
     /** Why a list was not read. */
@@ -44,6 +46,12 @@ export class NameList {
   /** Whether the list tells households. */
   get households() {
     return [...this.people.values()].flat().some(({ household }) => household);
+  }
+
+  /** There is another list, or none. */
+  changed() {
+    if (kept("names") !== null) keep("names", JSON.stringify(this.list));
+    this.told();
   }
 
   /** Read the list for a dragon, in the language in use. @param {Numbering} numbering */
@@ -113,7 +121,7 @@ export class NameList {
 
   /** The controls, in the language in use. */
   controls() {
-    const input = make("input", { type: "file", accept: ".csv,.tsv,.txt,.xlsx,.xlsm", hidden: true });
+    const input = make("input", { type: "file", hidden: true });
     input.addEventListener("change", () => {
       const file = input.files?.[0];
       input.value = "";
@@ -142,6 +150,7 @@ export class NameList {
         button(_("no names"), () => this.#take(null)),
         input,
       ),
+      keeper(_("keep the names in this browser"), "names", () => JSON.stringify(this.list)),
       ...(this.sheets.length ? [make("div", { class: "row" }, this.#choice())] : []),
       ...(this.refusal ? [make("p", { class: "odd", role: "alert" }, this.refusal)] : []),
       ...(this.notes.length

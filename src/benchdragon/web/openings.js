@@ -28,7 +28,7 @@ export function openings(planner) {
     return make("button", { type: "button", title: name, "aria-label": name, onclick }, String(n + 1));
   });
   return [
-    make("details", {}, make("summary", {}, _("I have a plan already")), ...planFinders(planner)),
+    make("details", {}, make("summary", {}, _("I have a plan already")), ...planner.files.opener()),
     make(
       "label",
       { class: "row" },
@@ -37,24 +37,5 @@ export function openings(planner) {
     ),
     make("p", { id: "contest" }, _("The contest's questions (CUMCM 2024, problem A)")),
     make("div", { class: "row", role: "group", "aria-labelledby": "contest" }, ...contest),
-  ];
-}
-
-/** A file to choose, and a link to paste. @param {Planner} planner */
-function planFinders(planner) {
-  const asked = make("p", { class: "asked", role: "alert" });
-  const link = make("input", {
-    type: "text",
-    autocomplete: "off",
-    onchange: () => {
-      const [, plan] = /[#&]plan=([\w-]+)/.exec(link.value) ?? [];
-      asked.textContent = plan || !link.value ? "" : _("There is no plan in this link.");
-      if (plan) location.hash = `plan=${plan}`;
-    },
-  });
-  return [
-    make("div", { class: "row" }, ...planner.files.opener()),
-    make("label", { class: "row" }, _("or paste its link"), link),
-    asked,
   ];
 }

@@ -8,11 +8,12 @@ import { helpRows, onFingerTaps } from "./fingers.js";
 import { Grips } from "./grips.js";
 import { JobList, questionText } from "./jobs.js";
 import { linkText, readLink } from "./link.js";
+import { MyBench } from "./my_bench.js";
 import { Photo } from "./photo.js";
 import { Placing } from "./placing.js";
 import { planText, PlanForm } from "./plan_form.js";
 import { Player, REST } from "./player.js";
-import { showShare } from "./share.js";
+import { sendButtons } from "./sending.js";
 import { Sheets } from "./sheets.js";
 import { Span } from "./span.js";
 import { SquareForm } from "./square_form.js";
@@ -87,6 +88,7 @@ export class Planner {
     this.placing = new Placing(this);
     this.photo = new Photo(this);
     this.sheets = new Sheets(this.root, answers);
+    this.mine = new MyBench(this);
     const busy = () => !!this.unread || this.root.ariaBusy === "true" || this.grips.drag !== null;
     this.tracks = new Tracks(answers, busy);
     asking.begin(this);
@@ -141,12 +143,13 @@ export class Planner {
       { type: "button", onclick: () => this.change(structuredClone(this.first), true) },
       _("reset"),
     );
-    const share = make("button", { type: "button", onclick: () => this.#share() }, _("share"));
-    const [mine, undo, redo] = [this.asking.control(), this.undoButton, this.redoButton];
-    const steps = make("div", { class: "row" }, mine, undo, redo, reset, share);
+    const [ours, undo, redo] = [this.asking.control(), this.undoButton, this.redoButton];
+    const steps = make("div", { class: "row" }, ours, undo, redo, reset);
+    const others = make("div", { class: "row" }, this.mine.control(), ...sendButtons(this));
     const panel = make(
       "section",
       { class: "panel", "aria-label": _("plan") },
+      others,
       steps,
       this.form.element,
       this.span.element,
@@ -159,11 +162,13 @@ export class Planner {
     this.above.replaceChildren(this.notice, verdict.element, sentence.element);
     const old = make("span", {}, _("the picture is of an earlier plan"));
     this.asking.build();
+    this.mine.build();
     this.root.replaceChildren(
       this.asking.element,
       this.above,
       make("aside", { class: "old" }, old, dance.element),
       this.asking.aside,
+      this.mine.element,
       this.stage,
       this.grips.element,
       panel,
@@ -193,13 +198,6 @@ export class Planner {
       make("div", { class: "row" }, ...buttons),
       this.jobs.element,
     );
-  }
-
-  /** Show how the plan is sent to others. */
-  async #share() {
-    const { plan } = this;
-    const text = await linkText(plan, this.presets);
-    showShare(this.root, text, () => this.answers.saved(plan));
   }
 
   /** How it went with a file; where it did not go, that lies over the page until it is put away. @param {object} plan what it is about @param {string} text @param {boolean} [failed] */
@@ -252,6 +250,7 @@ export class Planner {
     this.unread = null;
     this.stories.show(plan);
     this.asking.about(plan);
+    this.mine.about();
     if (this.awaited && this.awaited.plan !== plan) this.#await(false);
     this.#shown();
     this.#ask();
@@ -441,10 +440,14 @@ export class Planner {
   #play(scene) {
     const player = (this.player = new Player(this.stage, scene));
     player.more = helpRows;
-    player.onDrawn = () => this.grips.follow();
+    player.onDrawn = () => {
+      this.grips.follow();
+      this.mine.tell();
+    };
     obey(player);
     player.onSettled = () => this.#remember();
     player.onTranslated = () => this.#translated();
+    if (this.root.dataset.opens === "walking") player.play(!player.still.matches);
   }
 
   /** The player shows no new dance: say why. @param {Error} error @param {Plan} plan */

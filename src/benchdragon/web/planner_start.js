@@ -1,6 +1,6 @@
 // The planner's page: reads what the page holds, and starts what computes.
 
-import { addressed, chosenBefore, keptPlan } from "./address.js";
+import { addressed, chosenBefore, kept } from "./address.js";
 import { Asking } from "./asking.js";
 import { TAP, held } from "./elements.js";
 import { readLink } from "./link.js";
@@ -66,8 +66,9 @@ export async function start() {
     return;
   }
   const asking = new Asking(root);
-  const plan = held("plan") ?? textPlan(keptPlan() ?? "");
-  if (addressed().has("plan") || plan !== held("plan"))
+  const given = held("plan");
+  const plan = given ?? textPlan(kept("plan") ?? "");
+  if (addressed().has("plan") || plan !== given)
     root.querySelector(".look")?.remove(); // of another
   else if (!plan) asking.open(true);
   try {

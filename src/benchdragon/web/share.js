@@ -1,4 +1,4 @@
-// How a plan is sent to others: a link with a QR code, where the page has an address; else its file.
+// How a plan is sent to others: a link with a QR code, where the page has an address, else its letters; a picture; files.
 
 import { drawnCode } from "./code.js";
 import { copy } from "./commands.js";
@@ -18,13 +18,17 @@ function onTheWeb() {
   return ["http:", "https:"].includes(location.protocol) && !OWN.includes(location.hostname);
 }
 
+/** Files of what is sent, as they are made. @typedef {object} Makers
+ * @property {() => Promise<MadeFile>} plan the plan's own
+ * @property {(code: string, words: string) => Promise<MadeFile>} picture for chats: `code` is what its code holds */
+
 /**
- * Show how the plan is sent.
+ * Show other ways to send the plan than as a page.
  * @param {HTMLElement} root
  * @param {string} text the plan as an address holds it
- * @param {() => Promise<MadeFile>} saved its file
+ * @param {Makers} makers
  */
-export function showShare(root, text, saved) {
+export function showShare(root, text, makers) {
   const dialog = make("dialog", {
     class: "share",
     "aria-label": _("share"),
@@ -44,10 +48,24 @@ export function showShare(root, text, saved) {
   ];
   if (web && "share" in navigator)
     buttons.push(button(_("send ..."), () => send({ title: document.title, url: link }, told)));
+  const words = web
+    ? _("Scan the code: the dance opens in a browser, and walks.")
+    : _("Scan the code, copy its letters, and paste them into the planner's page.");
+  const picture = fileButton(makers.picture(link, words), told, {
+    wait: _("picture"),
+    sends: _("send a picture with a code ..."),
+    saves: _("save a picture with a code"),
+  });
+  const plan = fileButton(makers.plan(), told, {
+    wait: _("plan file"),
+    sends: _("send the plan file ..."),
+    saves: _("save the plan file"),
+  });
   dialog.append(
     make("h2", {}, _("Share this plan")),
     ...(web ? linkWords(link, shown) : fileWords(shown)),
-    make("div", { class: "row" }, ...buttons, ...(web ? [] : [fileButton(saved, told)])),
+    make("div", { class: "row" }, ...buttons),
+    make("div", { class: "row" }, picture, plan),
     told,
     make(
       "p",
@@ -76,34 +94,46 @@ function linkWords(link, shown) {
 /** @param {HTMLElement} shown */
 function fileWords(shown) {
   const why = _(
-    "This page was opened from a file or on this machine alone: it has no web address, and no link leads others to it. Send the plan file instead.",
+    "This page was opened from a file or on this machine alone: it has no web address, and no link leads others to it.",
   );
   const how = _(
-    "Who has the planner's page can also put this at the end of its address, which then opens the plan:",
+    "These letters hold the plan: who has this page, or a dance that was sent, pastes them anywhere in it.",
   );
   return [make("p", {}, why), make("p", {}, how), shown];
 }
 
-/** A button that sends the plan's file where the system can, and else saves it. @param {() => Promise<MadeFile>} saved @param {HTMLElement} told */
-function fileButton(saved, told) {
-  const button = make("button", { type: "button", disabled: true }, _("plan file"));
-  // Made beforehand: systems share only at once after a tap.
-  saved().then(
+/**
+ * A button that sends a file where the system can, and else saves it.
+ * @param {Promise<MadeFile>} making made beforehand: systems send only at once after a tap
+ * @param {HTMLElement} told where it is said how it went
+ * @param {{ wait: string, sends: string, saves: string }} names of the button
+ */
+function fileButton(making, told, { wait, sends, saves }) {
+  const button = make("button", { type: "button", disabled: true }, wait);
+  making.then(
     (made) => {
-      const file = new File([made.data], made.name, { type: made.data.type });
-      const sends = navigator.canShare?.({ files: [file] }) ?? false;
-      button.textContent = sends ? _("send the plan file ...") : _("save the plan file");
+      button.textContent = sendable(made) ? sends : saves;
       button.disabled = false;
-      button.addEventListener("click", () => {
-        if (sends) send({ files: [file] }, told);
-        else told.textContent = deliver(made);
-      });
+      button.addEventListener("click", () => sendFile(made, told));
     },
     (error) => {
       told.textContent = error.message;
     },
   );
   return button;
+}
+
+/** What a system is asked to send, where it sends such files. @param {MadeFile} made @returns {ShareData | null} */
+function sendable({ name, data }) {
+  const files = [new File([data], name, { type: data.type })];
+  return navigator.canShare?.({ files }) ? { files } : null;
+}
+
+/** Have the system send a file, or else the browser save it. @param {MadeFile} made @param {HTMLElement} told */
+export async function sendFile(made, told) {
+  const what = sendable(made);
+  if (what) return send(what, told);
+  told.textContent = deliver(made);
 }
 
 /** Have the system send something. @param {ShareData} what @param {HTMLElement} told */

@@ -319,7 +319,7 @@ export class Sheets {
         this.names.held
           ? _("The list of names is in this file: who is sent the file is sent the names.")
           : _(
-              "Names stay in this page: they come neither into its address nor into a plan file, and are gone when it is closed.",
+              "Names stay in this page: they come neither into its address nor into a plan file or a dance that is sent, and are gone when it is closed, unless this browser is to keep them.",
             ),
       ),
       make(

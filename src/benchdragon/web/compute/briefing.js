@@ -78,6 +78,14 @@ export function briefing({ engine, plan, progress }) {
   });
 }
 
+/** What each bench does in a plan's walk, whether it is safe or not. @param {Asked} asked @returns {Promise<BenchWalk[]>} */
+export function ways({ engine, plan, progress }) {
+  return withArenaAsync(engine, async (arena) => {
+    const walk = plan.build(arena);
+    return benchWalks(plan, walk, plan.span(walk), 0, progress);
+  });
+}
+
 /**
  * The same of any walk over a span, s, whether it is safe or not.
  * @param {Plan} plan

@@ -5,7 +5,7 @@ import { occasionsFound, tighten } from "../made/occasions.js";
 import { verdictOf } from "../made/records.js";
 import { _ } from "../words.js";
 import { withArenaAsync } from "./arena.js";
-import { briefing } from "./briefing.js";
+import { briefing, ways } from "./briefing.js";
 import { check } from "./check.js";
 import { PLANS_TOML } from "./constants.js";
 import { PlanError } from "./errors.js";
@@ -47,6 +47,7 @@ export const QUESTIONS = {
   "job/pace": pace,
   "job/margins": margins,
   sheets: briefing,
+  ways,
   propose: proposed,
   place: placed,
 };

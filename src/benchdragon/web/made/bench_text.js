@@ -61,7 +61,7 @@ export class Landmark {
 export function benchLines(basis, found, landmark, called) {
   let clock, halts, people;
   [clock, halts, people] = py.list([basis.clock, basis.halts, basis.people]);
-  return new BenchText(quickLine(found, clock, halts), [...py.iter(placeLines(basis, found, landmark)), _comingLine(found)], py.tuple(py.list(found.stretches).map((one) => _stretchLine(one, clock, halts, people.step))), _paceLines(people, found), tightestLine(found.tightest, clock, called), [...py.iter(_peopleLines(found, called)), _afterLine(basis, found)], _timesLine(found, clock));
+  return new BenchText(quickLine(found, clock, halts), [...py.iter(placeLines(basis, found, landmark)), _comingLine(found)], py.tuple(py.list(found.stretches).map((one) => _stretchLine(one, clock, halts, people.step))), _paceLines(people, found), tightestLine(found.tightest, clock, called), [...py.iter(peopleLines(found, called)), _afterLine(basis, found)], _timesLine(found, clock));
 }
 function quickLine(found, clock, halts = []) {
   let said, text;
@@ -157,6 +157,12 @@ function _stepsLine(basis, landmark) {
   text = _("At the start your bench is {steps} steps from the {edge} of {name}.");
   return py.filled(text, { steps: told, edge: basis.ground.edge_name(landmark.edge), name: landmark.name });
 }
+export function doing(one) {
+  if ((one.pace === "wait")) {
+    return _(py.at(PACES, one.pace));
+  }
+  return py.filled(_("{turn}, {pace}"), { turn: _(py.at(TURNS, one.turning)), pace: _(py.at(PACES, one.pace)) });
+}
 function _stretchLine(one, clock, halts, step) {
   let angle, quarters, text, times, what;
   times = py.dict([["start", clock.tell(one.start)], ["end", clock.tell(one.end)]]);
@@ -192,7 +198,7 @@ export function tightestLine(near, clock, called, its = false) {
   [time, side] = py.list([clock.tell(near.time), _(py.at((py.truth(its) ? ITS_SIDES : SIDES), near.side))]);
   return py.filled(text, { time: time, bench: called(near.bench), gap: gap, side: side });
 }
-function _peopleLines(found, called) {
+export function peopleLines(found, called) {
   let said;
   said = [];
   if ((found.before != null)) {
