@@ -15,6 +15,8 @@ import pytest
 from bs4 import BeautifulSoup, Tag
 
 import benchdragon
+from benchdragon.inlining import chinese
+from benchdragon.planner.page import PAGE, WORKER
 from tests.test_examples import shell_lines
 
 ROOT = Path(__file__).parent.parent
@@ -145,11 +147,23 @@ def test_what_the_cells_of_a_page_name_is_there(page: str) -> None:
     assert (done.returncode, done.stdout) == (0, "")
 
 
+def test_what_the_village_page_quotes_are_words_of_the_planner() -> None:
+    """In both languages the same ones, so that whoever reads finds the buttons."""
+    words = chinese(PAGE, WORKER)
+    quoted = [
+        [" ".join(name.split()) for name in re.findall(pattern, source(language, "village.md"))]
+        for language, pattern in (("en", r'"([^"]+)"'), ("zh", "“([^”]+)”"))
+    ]
+    assert len(quoted[0]) > 30
+    assert [name for name in quoted[0] if name not in words] == []
+    assert {words[name] for name in quoted[0]} == set(quoted[1])
+
+
 def test_the_commands_of_each_page_are_run() -> None:
     """By test_examples.py, which takes them from the page of all commands."""
     run = shell_lines(source("en", "commands.md"))
     for page in PAGES:
-        if page == "village.md":  # a walk-through: tests/test_examples.py runs its commands
+        if page == "terminal.md":  # a walk-through: tests/test_examples.py runs its commands
             continue
         assert set(shell_lines(source("en", page))) <= set(run), page
 

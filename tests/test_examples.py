@@ -147,7 +147,7 @@ def test_every_command_of_the_walk_through_works(
     language: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    commands = shell_lines((ROOT / "docs" / language / "village.md").read_text("utf-8"))
+    commands = shell_lines((ROOT / "docs" / language / "terminal.md").read_text("utf-8"))
     assert len(commands) >= 4
     for command in commands:
         less = ["--benches", "12"] if command.startswith("benchdragon new") else []
