@@ -72,7 +72,7 @@ VERBS = (
     ),
     (0, ["atlas", "sweep", "-o", "atlas.html", "--quiet"]),
     (0, ["timetable", "turn", *PLAN]),
-    (0, ["sheets", "turn", *PLAN, "--pdf", "sheets", "--only", "timetable"]),
+    (0, ["sheets", "turn", *PLAN, "--pdf", "sheets", "--only", "beat"]),
 )
 
 

@@ -1,25 +1,32 @@
 """The benches' sheets of the planner's page, as they are printed: what Python's say, on paper."""
 
+import csv
 import io
 import re
+import wave
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
+import numpy as np
 import pypdfium2
 import pytest
 import zxingcpp
 from playwright.sync_api import Locator, Page, expect
 
-from benchdragon.export.document import Paragraph
+from benchdragon.analysis.beats import Score, counted_in, score_of
+from benchdragon.analysis.ground import Ground
+from benchdragon.analysis.timetable import timetable
+from benchdragon.explain.overview_text import overview_text
+from benchdragon.explain.timetable_text import TimetableText, timetable_text
+from benchdragon.export.metronome import sounds_of
 from benchdragon.i18n import spoken_in
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.roster import roster_of
 from benchdragon.plans.schema import read_plan
 from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.benches import Entry, bench_sheets
-from benchdragon.sheets.overview import _tightest
 from benchdragon.sheets.qr import bench_address
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
@@ -118,7 +125,7 @@ def test_axe_finds_nothing_wrong_in_sheets(
 ) -> None:
     page = opened_sheets(language, device)
     given(page, LIST)
-    for what in ("benches", "overview"):
+    for what in ("benches", "overview", "timetable"):
         sheets(page).get_by_role("combobox").first.select_option(what)
         assert violations(page) == [], what
 
@@ -152,9 +159,7 @@ def test_the_overview_is_printed_and_saved(
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
-def test_the_overviews_tightest_moments_are_pythons(
-    pages: Pages, tmp_path: Path, language: Language
-) -> None:
+def test_the_overview_says_what_pythons_says(pages: Pages, tmp_path: Path, language: Language) -> None:
     long = read_plan(str(village(tmp_path, PLAN.replace("benches = 8", "benches = 30"))))
     file = tmp_path / "planner.html"
     file.write_text(planner_page(long, "en"), "utf-8")
@@ -165,16 +170,115 @@ def test_the_overviews_tightest_moments_are_pythons(
     shown = page.locator("#sheets .overview")
     with spoken_in(language):
         whole = briefing(long, Roster())
-        blocks = [block for block in _tightest(whole) if isinstance(block, Paragraph)]
-    place = re.compile(r", at mark \d+ then|（这时在 \d+ 号标点旁边）")
-    wanted = [place.sub("", str(block.words[0])) for block in blocks]
-    assert 1 < len(wanted) <= 3
-    word = {"en": "Tightest at", "zh": "最挤"}[language]
+        text = overview_text(whole.report, whole.benches, whole.ground)
+    assert 1 < len(text.tightest) <= 3
     told_here = shown.locator(":scope > p").all_inner_texts()
-    assert [line for line in told_here if word in line] == wanted
+    lines = [*text.verdict, *text.tightest, *text.coming, *text.leaving]
+    assert [line for line in told_here if line in lines] == lines
+    assert shown.locator("tbody tr td:nth-child(3)").all_inner_texts() == list(text.starts)
     dashes = sum(one.tightest is None for one in whole.benches)
     assert 0 < dashes < 30
     assert shown.locator("td", has_text=re.compile(r"^-$")).count() == dashes
+
+
+# A dance with a stop, beside a well, with an entrance, by the clock.
+TIMED = (
+    PLAN
+    + """[venue]
+rectangle = [60, 50]
+[[obstacle]]
+kind = "circle"
+name = "well"
+centre = [12, 2]
+radius = 0.5
+[event]
+entrances = [[-30, 3]]
+[cues]
+clock = "18:30"
+[[cues.cue]]
+kind = "hold"
+head = 4
+hold = 3
+text = "bow"
+text_zh = "拜庙"
+"""
+)
+
+
+@pytest.fixture(scope="module")
+def timed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The plan file of that dance, and beside it the planner's page with it."""
+    file = village(tmp_path_factory.mktemp("timed"), TIMED)
+    file.with_name("planner.html").write_text(planner_page(read_plan(str(file)), "en"), "utf-8")
+    return file
+
+
+def shown_timetable(pages: Pages, timed: Path, language: Language) -> Page:
+    """The page with the timetable of that dance."""
+    page = pages.open(f"{timed.with_name('planner.html').as_uri()}#lang={language}")
+    settled(page).get_by_role("button", name=NAMES[language], exact=True).click()
+    expect(sheets(page).locator(".paper")).to_have_count(8)
+    sheets(page).get_by_role("combobox").first.select_option("timetable")
+    return page
+
+
+def timetable_of(timed: Path, language: Language) -> tuple[TimetableText, list[list[str]], Score]:
+    """What Python says of that dance, its times from the start, and its drum."""
+    plan = read_plan(str(timed))
+    walk = plan.build()
+    start, end = plan.span(walk)
+    with spoken_in(language):
+        passings = timetable(plan, walk, start, end)
+        text = timetable_text(plan, walk, (start, end), Ground.of(plan, walk.route), passings)
+    held = [
+        (one.head, one.until if one.name in ("bow", "拜庙") else None, one.tail) for one in passings
+    ]
+    seconds = [["" if one is None else f"{one - start:.1f}" for one in times] for times in held]
+    return text, seconds, counted_in(score_of(plan, start, end))
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_timetable_is_printed_and_saved_as_pythons(
+    pages: Pages, timed: Path, language: Language
+) -> None:
+    page = shown_timetable(pages, timed, language)
+    text, seconds, _score = timetable_of(timed, language)
+    (bow,) = [row for row in text.rows if row[0] in ("bow", "拜庙")]
+    assert re.fullmatch(r"18:30:0\d (to|至) 18:30:\d\d", bow[3])
+    shown = sheets(page).locator(".timetable")
+    rows = shown.locator("tbody tr").all()
+    assert [tuple(row.locator("th, td").all_inner_texts()) for row in rows] == list(text.rows)
+    assert tuple(shown.locator(":scope > p").all_inner_texts()) == text.lines
+    on_paper = "".join(printed(page))
+    for line in (*text.columns, *text.lines, *(cell for row in text.rows for cell in row)):
+        assert "".join(line.split()) in on_paper, line
+    with page.expect_download() as found:
+        sheets(page).get_by_role("button", name=re.compile("CSV")).click()
+    saved = list(csv.reader(io.StringIO(Path(found.value.path()).read_text("utf-8-sig"))))
+    assert saved[0][: len(text.columns)] == list(text.columns)
+    assert saved[1 : len(text.rows) + 1] == [
+        [*("" if cell == "-" else cell for cell in row), *times]
+        for row, times in zip(text.rows, seconds, strict=True)
+    ]
+
+
+def test_the_drum_is_saved_as_a_sound_file(pages: Pages, timed: Path) -> None:
+    page = shown_timetable(pages, timed, "en")
+    with page.expect_download() as found:
+        sheets(page).get_by_role("button", name="save the drum").click()
+    with wave.open(str(found.value.path())) as made:
+        assert (made.getnchannels(), made.getsampwidth()) == (1, 2)
+        rate, heard = made.getframerate(), np.frombuffer(made.readframes(made.getnframes()), "<i2")
+    _text, _seconds, score = timetable_of(timed, "en")
+    times = [time for time, _name in sounds_of(score, score.runs[0].start)]
+    assert len(times) > 20
+    loud = np.abs(heard) > 4000
+    for time in times:
+        n = round(time * rate)
+        assert loud[n], time
+        assert not loud[max(n - rate // 20, 0) : n].any(), time  # silent before each
+    quiet = heard[round(times[-1] * rate) + rate // 2 :]
+    assert not quiet.any()
 
 
 def test_maps_show_the_entrances_that_the_plan_names(pages: Pages, tmp_path: Path) -> None:

@@ -343,6 +343,11 @@ def laid_out(tmp_path: Path, folder: Path, *blocks: Block) -> PdfReader:
     return PdfReader(tmp_path / "some.pdf")
 
 
+def test_signs_that_no_font_has_are_printed_by_their_code(tmp_path: Path, folder: Path) -> None:
+    said = laid_out(tmp_path, folder, Paragraph(("gong \U00010600",))).pages[0].extract_text()
+    assert "gong 〔U+10600〕" in said
+
+
 def test_listings_stand_as_they_are_typed(tmp_path: Path, folder: Path) -> None:
     listing = Listing("benchdragon sweep <plan>\n    --ask x")
     assert "benchdragon sweep <plan>\n" in laid_out(tmp_path, folder, listing).pages[0].extract_text()

@@ -29,7 +29,13 @@ for (const { plan: data, span } of plans) {
     const told = await withArenaAsync(engine, (arena) =>
       briefed(plan, plan.build(arena), span, () => {}),
     );
-    answers.push({ benches: told.benches, en: sentences(told, "en"), zh: sentences(told, "zh") });
+    answers.push({
+      benches: told.benches,
+      en: sentences(told, "en"),
+      zh: sentences(told, "zh"),
+      timetable: told.timetable,
+      seconds: told.seconds,
+    });
   } catch (error) {
     answers.push({ error: error.message, kind: error.constructor.name });
   }

@@ -13,8 +13,10 @@ import pytest
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import Trail, placed_marks
+from benchdragon.analysis.timetable import Passing, timetable
 from benchdragon.errors import BenchDragonError
 from benchdragon.explain.bench_basis import bench_text
+from benchdragon.explain.timetable_text import timetable_text
 from benchdragon.i18n import LANGUAGES, spoken_in
 from benchdragon.model.walk import Walk
 from benchdragon.plans.people import called
@@ -62,6 +64,7 @@ SURVEYED: Tables = {
         "cue": [{"kind": "hold", "at": 5, "hold": 4, "text": "bow", "text_zh": "拜庙"}],
     },
     "chalk": {"every": 0.7, "peg": [2, -1]},
+    "event": {"entrances": [[4, 1], [-15, 0]]},
 }  # fmt: skip
 ROOT = Path(__file__).parents[2]
 # Seconds of each dance that are looked at.
@@ -80,10 +83,26 @@ def here(data: Tables) -> tuple[list[float], Any]:
     span = start, min(end, start + LONG)
     benches = bench_walks(read, walk, span)
     told: dict[str, Any] = {"benches": [asdict(one) for one in benches]}
+    told["timetable"] = {}
     for spoken in LANGUAGES:
         with spoken_in(spoken):
             told[spoken] = sentences(read, walk, span, benches)
+            passings = timetable(read, walk, *span)
+            ground = Ground.of(read, walk.route)
+            told["timetable"][spoken] = asdict(timetable_text(read, walk, span, ground, passings))
+    told["seconds"] = [[since(time, span) for time in times(one, span[1])] for one in passings]
     return list(span), json.loads(json.dumps(told))
+
+
+def times(one: Passing, end: float) -> tuple[float | None, float | None, float | None]:
+    """When the head comes to a place, when it sets out again after a stop, when the tail passes, s."""
+    held = one.head is not None and one.until is not None and one.head < one.until < end
+    return one.head, one.until if held else None, one.tail
+
+
+def since(time: float | None, span: tuple[float, float]) -> float | None:
+    """A time of the plan from the start of what is looked at, s."""
+    return None if time is None else time - span[0]
 
 
 def sentences(read: Plan, walk: Walk, span: tuple[float, float], benches: Sequence[BenchWalk]) -> Any:
@@ -117,6 +136,9 @@ def fault(own: Any, twin: Any) -> str:
     """Where the two differ, by more than rounding decides; "" where they do not."""
     if "error" in twin or len(own["benches"]) != len(twin["benches"]):
         return str(twin)[:300]
+    for one, other in zip(own["seconds"], twin["seconds"], strict=True):
+        pairs = zip(one, other, strict=True)
+        other[:] = [a if a and b and abs(a - b) <= MOMENT else b for a, b in pairs]
     for k, (one, other) in enumerate(zip(own["benches"], twin["benches"], strict=True)):
         near, its = one["tightest"], other["tightest"]
         if near is None or its is None:
@@ -143,6 +165,17 @@ def found() -> list[tuple[Any, Any]]:
 def test_benches_do_the_same_and_it_is_said_in_the_same_sentences(found: list[tuple[Any, Any]]) -> None:
     assert len(found) > 15 + len(NAMED)
     assert [fault(*each) for each in found if fault(*each)] == []
+
+
+def test_timetables_of_all_kinds_are_compared(found: list[tuple[Any, Any]]) -> None:
+    texts = [own["timetable"]["en"] for own, _twin in found]
+    rows = [row for text in texts for row in text["rows"]]
+    for said in ("the head nearest to", "becomes", "nearest to entrance", "the turn begins"):
+        assert any(said in row[0] for row in rows), said
+    for said in (" edge and ", "from where the peg stood", "from entrance"):
+        assert any(said in row[1] for row in rows), said
+    assert any(seconds[1] is not None for own, _twin in found for seconds in own["seconds"])
+    assert any(seconds[2] is not None for own, _twin in found for seconds in own["seconds"])
 
 
 def test_plans_of_all_kinds_are_compared(found: list[tuple[Any, Any]]) -> None:

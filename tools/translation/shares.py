@@ -2,11 +2,11 @@
 
 # Of which modules pages are given what: the file, and the names that are asked for.
 TWINS = {
-    "analysis.beats": ("beats", "score_of"),
+    "analysis.beats": ("beats", "counted_in", "score_of"),
     "analysis.bench_walks": ("bench_walks", "BenchWalk", "bench_walks"),
     "analysis.bends": ("bends", "Bends"),
-    "analysis.check": ("check", "BRIEF", "checked", "in_one_coil", "peak_text", "sentence"),
-    "analysis.clock": ("clock", "Clock"),
+    "analysis.check": ("check", "BRIEF", "checked", "in_one_coil", "kept", "peak_text", "sentence"),
+    "analysis.clock": ("clock", "Clock", "lasting"),
     "analysis.contact": (
         "contact", "contact_windows", "first_sure_contact", "least_clearance", "seen_clearance",
     ),
@@ -36,6 +36,7 @@ TWINS = {
         "greatest_speed",
     ),
     "analysis.stops": ("stops", "stops_of"),
+    "analysis.timetable": ("timetable", "timetable"),
     "analysis.unfinished": ("unfinished", "Unfinished", "unfinished"),
     "errors": ("errors", "WalkError", "finite", "in_order", "not_negative", "positive"),
     "explain.bench_basis": ("bench_basis", "halts_of", "landmark_of"),
@@ -85,6 +86,11 @@ TWINS = {
     "surveys.alignment": ("absorbed", "Absorbed"),
     "surveys.clothoids": ("unfit", "unfit"),
     "surveys.fitting": ("fits", "check_fewest", "checked_fit", "rounded"),
+    "explain.coming": ("coming", "coming_lines"),
+    "explain.overview_text": ("overview_text", "overview_text"),
+    "explain.room": ("room_text", "level_line", "plain_asked"),
+    "explain.timetable_text": ("timetable_text", "timetable_text"),
+    "explain.whereabouts": ("whereabouts", "whereabouts"),
     "explain.proposal": ("proposal_text", "proposal_lines", "refusal_lines"),
     "solve.course": ("course", "course_of"),
     "solve.proposal": ("proposal", "TooSmall", "benches_out_again", "propose"),
@@ -164,7 +170,7 @@ GIVEN = {
 }
 # Functions that check what Python is called with, and what they give where pages call.
 UNASKED = {
-    "analysis.asked.asked_of": "(walk, start, end) => [walk, start, end]",
+    "analysis.asked.asked_of": "(of, start, end, walk = of) => [walk, start, end]",
     "analysis.proof.prove_obstacle": "() => null",
     "analysis.room._proved": "() => null",
     "errors.as_number": "(_name, value) => value",
@@ -197,8 +203,7 @@ AS_FUNCTIONS = {
 }
 # What only Python has of records, of one or of all of a module.
 LEFT_OUT = {
-    "analysis.beats.Run": ("beats", "time"),
-    "analysis.bends.Bends": ("turning",),
+    "analysis.beats.Run": ("time",),
     "analysis.marks.Trail": ("of",),
     "analysis.obstacle_search.ObstacleSearch": ("ways",),
     "analysis.ground.Ground": ("of", "seen"),

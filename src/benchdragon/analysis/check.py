@@ -299,7 +299,7 @@ def sentence(report: Report, told: Clock | None = None) -> str:
     benches; otherwise in seconds of the plan, with bench numbers.
     """
     if report.safe:
-        return _("Safe: {tightest}").format(tightest=_kept(report, told))
+        return _("Safe: {tightest}").format(tightest=kept(report, told))
     text = _briefly(min(report.findings, key=_soonest))
     count = len(report.findings)
     if count > 1:
@@ -345,7 +345,7 @@ def _briefly(found: Finding) -> str:
     )
 
 
-def _kept(report: Report, told: Clock | None) -> str:
+def kept(report: Report, told: Clock | None = None) -> str:
     """A safe walk's least clearance and greatest speed, each beside its limit."""
     near, limits = report.clearance.witness, report.plan.limits
     said = [_("no two benches come near one another")]

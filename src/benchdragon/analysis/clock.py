@@ -45,6 +45,13 @@ def minutes(seconds: float) -> str:
     return f"{whole // 60}:{whole % 60:02d}"
 
 
+def lasting(seconds: float) -> str:
+    """A duration as one says it, in the language in use."""
+    whole, rest = divmod(_whole(seconds), 60)
+    text = _("{minutes} min {seconds} s") if whole else _("{seconds} s")
+    return text.format(minutes=whole, seconds=rest)
+
+
 def _whole(seconds: float) -> int:
     """The nearest second; a half is rounded up."""
     return math.floor(seconds + 0.5)

@@ -7,10 +7,10 @@ that a tape laid from edge to edge finds it; where the plan's survey knows north
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Self
+from itertools import pairwise
+from typing import NamedTuple, Self
 
 import numpy as np
-import shapely
 
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import FloatArray
@@ -103,6 +103,16 @@ class Ground:
         return _("x and y are measured from the peg: on the drawings x to the right, y up.")
 
     @property
+    def ways_legend(self) -> str:
+        """What the ways' names mean, in a sentence; "" where they say it themselves."""
+        if self.north or not self.venue:
+            return ""
+        return _(
+            "To the right, forward, to the left and back: as one sees it who stands at the near edge "
+            "and faces the square."
+        )
+
+    @property
     def y_word(self) -> str:
         """The meaning of y in a word, for small maps."""
         return _("N") if self.north else _("forward") if self.venue else "y"
@@ -120,36 +130,76 @@ class Ground:
         return x * ux + y * uy, x * vx + y * vy
 
 
+class Side(NamedTuple):
+    """A side of a venue from corner to corner, m, as seen from a place."""
+
+    ax: float
+    ay: float
+    bx: float
+    by: float
+
+    def along(self) -> Point:
+        """From its first corner to its second, m."""
+        return self.bx - self.ax, self.by - self.ay
+
+    def swept(self) -> float:
+        """Twice the area between it and the place, m^2: positive where it goes round it to the left."""
+        return self.ax * self.by - self.bx * self.ay
+
+    def right(self) -> bool:
+        """Whether it lies on the way that x points from the place; of two at a corner one does."""
+        return (self.ay > 0.0) != (self.by > 0.0) and (self.swept() > 0.0) == (self.by > self.ay)
+
+    def out(self, turned: float) -> Point:
+        """The unit vector out over it, of a venue that goes round to the left (1) or right (-1)."""
+        x, y = self.along()
+        length = turned * math.hypot(x, y)
+        return y / length, -x / length
+
+    def apart(self) -> float:
+        """How far it is from the place, m."""
+        x, y = self.along()
+        share = min(max(-(self.ax * x + self.ay * y) / (x * x + y * y), 0.0), 1.0)
+        return math.hypot(self.ax + share * x, self.ay + share * y)
+
+    def ahead(self, u: float, v: float) -> float | None:
+        """How far it is going one way, a unit vector, m; None if it is not met."""
+        x, y = self.along()
+        squarely = u * y - v * x
+        if squarely == 0.0:
+            return None
+        far, share = self.swept() / squarely, (self.ax * v - self.ay * u) / squarely
+        beyond = CORNER / math.hypot(x, y)
+        return far if far >= 0.0 and -beyond <= share <= 1.0 + beyond else None
+
+
 def way_out(
-    outline: FloatArray, place: Point, way: FloatArray | None = None
-) -> tuple[float, FloatArray] | None:
+    outline: FloatArray | Sequence[Point], place: Point, way: Sequence[float] | FloatArray | None = None
+) -> tuple[float, Point] | None:
     """How far a venue's edge is from a place within it: going one way, else the nearest of it.
 
     Args:
-        outline: of the venue, m, (n, 2).
+        outline: of the venue, m, its corners in order.
         place: m.
-        way: a unit vector, (2,).
+        way: a unit vector.
 
     Returns:
         The distance, m, and the unit vector out over the side that is met, at a right angle to it; None
-        from a place outside.
+        from a place outside. At a corner the side is met that is crossed most squarely.
     """
-    here, venue = shapely.Point(place), shapely.Polygon(outline)
-    if not venue.contains(here):
+    off = [(x - place[0], y - place[1]) for x, y in np.asarray(outline).tolist()]
+    sides = [Side(*one, *other) for one, other in pairwise([*off, off[0]])]
+    if sum(one.right() for one in sides) % 2 == 0:
         return None
-    sides = np.roll(outline, -1, axis=0) - outline
-    outs = np.column_stack([sides[:, 1], -sides[:, 0]]) / np.hypot(*sides.T)[:, np.newaxis]
-    outs = outs if venue.exterior.is_ccw else -outs
-    lines = shapely.linestrings(np.stack([outline, outline + sides], axis=1))
+    turned = math.copysign(1.0, sum(one.swept() for one in sides))
     if way is None:
-        apart = shapely.distance(lines, here)
-        return float(apart.min()), outs[int(np.argmin(apart))]
-    start, longer = np.array(place), venue.length * way  # than any way out
-    met = here.distance(shapely.LineString([start, start + longer]).intersection(venue.exterior))
-    # At a corner, or along an edge, it is left over the side that it crosses most squarely.
-    there = shapely.Point(start + met * way)
-    crossed = np.where(shapely.distance(lines, there) <= CORNER, outs @ way, -1.0)
-    return met, outs[int(np.argmax(crossed))]
+        near = min(sides, key=lambda one: one.apart())
+        return near.apart(), near.out(turned)
+    u, v = way
+    met = [(far, one.out(turned)) for one in sides if (far := one.ahead(u, v)) is not None]
+    least = min(far for far, _out in met)
+    there = [out for far, out in met if far <= least + CORNER]
+    return least, max(there, key=lambda out: out[0] * u + out[1] * v)
 
 
 def own_peg(plan: Plan, route: Route) -> Point:

@@ -1,24 +1,27 @@
 """When the head and the tail pass each place of a dance."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-import shapely
-from scipy.optimize import minimize_scalar
-from shapely.geometry.base import BaseGeometry
 
 from benchdragon import budget
 from benchdragon.analysis.asked import asked_of
 from benchdragon.analysis.bends import Bends, Turning
 from benchdragon.analysis.findings import named
+from benchdragon.analysis.nearby import must_stand
+from benchdragon.analysis.not_looked_at import places
+from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.errors import in_order, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import evaluate
+from benchdragon.model.arrays import as_table
+from benchdragon.model.curves import Route
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.model.outline import shape_of
 from benchdragon.model.walk import Walk
 from benchdragon.plans.cues import Moment, cue_name
 from benchdragon.plans.schema import Plan
@@ -26,8 +29,8 @@ from benchdragon.plans.schema import Plan
 # Joints are listed if there are no more.
 MOST_JOINTS = 60
 # Step of samples of the way for obstacles and the venue's edge, m, and their greatest number; places
-# found are then refined to this, m.
-FINE, MOST_LOOKS, NEAR = 0.1, 50_000, 1e-6
+# found are then refined to this, m, with so many samples at a time.
+FINE, MOST_LOOKS, NEAR, FINER = 0.1, 50_000, 1e-6, 21
 
 # Names of places where the route changes the side to which it bends.
 BENDS: dict[tuple[Turning, Turning], str] = {
@@ -92,33 +95,38 @@ def timetable(
     of_kind("plan", plan, Plan)
     walk, start, end = asked_of(plan, start, end, walk)
     in_order(start, end)
-    first, last = walk.head_position([start, end]).tolist()
-    rows = [_passing(walk, (start, end), "start", _("the head sets out"), first)]
-    joints = [s for s in walk.route.joints[1:-1].tolist() if s < last]
+    for time in (start, end):
+        must_stand(walk, time)
+    span, (first, last) = (start, end), walk.head_position([start, end]).tolist()
+    rows = [_passing(walk, span, "start", _("the head sets out"), first)]
+    joints = _joints(plan, walk, last)
     if len(joints) <= MOST_JOINTS:
-        names = _joint_names(plan, walk)
-        for name, s in zip(names, joints, strict=False):
-            rows.append(_passing(walk, (start, end), "joint", name, s))
-    rows += [_cue(walk, (start, end), one, first) for one in plan.moments()]
-    rows += _beside(plan, walk, (start, end))
-    rows.append(_passing(walk, (start, end), "end", _("the head at the end"), last))
-    rows.sort(key=lambda row: (row.s, row.kind == "end", row.head or 0.0))
+        rows += [_passing(walk, span, "joint", name, s) for name, s in joints]
+    rows += [_cue(walk, span, one, first) for one in plan.moments()]
+    rows += _beside(plan, walk, span)
+    rows.append(_passing(walk, span, "end", _("the head at the end"), last))
+    rows = sorted(rows, key=lambda row: (row.s, row.kind == "end", row.head or 0.0))
     return tuple(row for row in rows if row.head is not None or row.tail is not None)
 
 
-def _joint_names(plan: Plan, walk: Walk) -> list[str]:
-    """Names of joints between parts of the route: by what happens there, else by number."""
+def _joints(plan: Plan, walk: Walk, last: float) -> list[tuple[str, float]]:
+    """Where the route bends otherwise than before, until the head's last place, m: names and places.
+
+    What happens several times is numbered.
+    """
     bends, joints = Bends.of(walk.route), walk.route.joints[1:-1].tolist()
-    names = []
+    found: list[tuple[str, int, float]] = []
+    often: dict[str, int] = {}
     for n, s in enumerate(joints, start=1):
-        before, behind = (bends.turning(s + aside) for aside in (-NEAR, NEAR))
-        name = _("joint {n}").format(n=n)
+        before, behind = bends.turning(s - NEAR), bends.turning(s + NEAR)
+        name = _(BENDS[before, behind]) if before != behind else ""
         if plan.route.kind == "turn" and n in (1, len(joints)):
             name = _("the turn begins") if n == 1 else _("the turn ends")
-        elif before != behind:
-            name = _(BENDS[before, behind])
-        names.append(name)
-    return names
+        if name and s < last:
+            often[name] = often.get(name, 0) + 1
+            found.append((name, often[name], s))
+    numbered = _("{name} ({n})")
+    return [(numbered.format(name=name, n=n) if often[name] > 1 else name, s) for name, n, s in found]
 
 
 def _passing(walk: Walk, span: tuple[float, float], kind: Kind, name: str, s: float) -> Passing:
@@ -126,7 +134,7 @@ def _passing(walk: Walk, span: tuple[float, float], kind: Kind, name: str, s: fl
     first = float(walk.head_position([span[0]])[0])
     head = _within(walk.time_at(s), span) if s > first else span[0] if s == first else None
     head = span[1] if kind == "end" else head
-    (x, y) = walk.route.point([min(s, walk.route.length)])[0].tolist()  # rounding
+    ((x, y, *_flat),) = _spots(walk.route, [min(s, walk.route.length)]).tolist()  # rounding
     return Passing(kind, name, s, s - first, (x, y), head, head, _tail_time(walk, s, span))
 
 
@@ -136,13 +144,10 @@ def _within(time: float, span: tuple[float, float]) -> float | None:
 
 def _tail_time(walk: Walk, s: float, span: tuple[float, float]) -> float | None:
     """When the last handle comes to a route position, m; None if that is not in the dance."""
-    begins, ends = walk.motion(span).s[:, -1].tolist()
+    begins, ends = [handles[-1] for handles in places(walk, *span)]
     if not begins <= s <= ends + NEAR:
         return None
-    head = walk.head_where_tail(s)
-    if float(walk.placement([head]).s[0, -1]) < s - NEAR:
-        return None  # the route ends first
-    return _within(walk.time_at(head), span)
+    return min(max(walk.time_at(walk.head_where_tail(min(s, ends))), span[0]), span[1])
 
 
 def _cue(walk: Walk, span: tuple[float, float], one: Moment, first: float) -> Passing:
@@ -158,44 +163,74 @@ def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passi
     A place that is passed several times is listed once: where the dance is nearest. At an entrance the
     dragon's body counts, so that the ways of all handles are searched.
     """
-    first, last = np.minimum(walk.head_position(span), walk.route.length).tolist()
-    count = max(2, min(MOST_LOOKS, math.ceil((last - first) / FINE) + 1))
-    looks = np.linspace(first, last, count)
-    points = walk.route.point(looks)
+    first, last = [min(s, walk.route.length) for s in walk.head_position(span).tolist()]
+    looks = _even(first, last, FINE)
     for obstacle in plan.obstacles():
         if obstacle.kind == "venue":
-            out = obstacle.forbids(points)
-            for n in np.flatnonzero(out[:-1] & ~out[1:]).tolist():
-                s = _entered(walk, obstacle, float(looks[n]), float(looks[n + 1]))
+            for s in _entered(walk.route, obstacle, looks):
                 name = _("entrance of {name}").format(name=named(obstacle))
                 yield _passing(walk, span, "entrance", name, s)
         else:
             name = _("the head nearest to {name}").format(name=named(obstacle))
-            yield _passing(walk, span, "obstacle", name, _nearest(walk, shape_of(obstacle), looks))
-    tail = float(walk.motion([span[0]]).s[0, -1])
-    ways = np.concatenate([np.arange(tail, first, max(FINE, (first - tail) / MOST_LOOKS)), looks])
-    for n, (x, y) in enumerate(plan.event.entrances, start=1):
+            yield _passing(walk, span, "obstacle", name, _nearest(_apart(walk.route, obstacle), looks))
+    tail = places(walk, span[0])[0][-1]
+    ways = [*_even(tail, first, FINE)[:-1], *looks]
+    for n, place in enumerate(plan.event.entrances, start=1):
         name = _("the dragon's way nearest to entrance {n}").format(n=n)
-        yield _passing(walk, span, "entrance", name, _nearest(walk, shapely.Point(x, y), ways))
+        entrance = Obstacle("", "circle", as_table([place]))
+        yield _passing(walk, span, "entrance", name, _nearest(_apart(walk.route, entrance), ways))
 
 
-def _entered(walk: Walk, venue: Obstacle, out: float, within: float) -> float:
-    """Where the head comes into the venue, between a place outside and one within, m."""
-    while within - out > NEAR:
-        middle = 0.5 * (out + within)
-        if venue.forbids(walk.route.point([middle]))[0]:
-            out = middle
-        else:
-            within = middle
-    return within
+def _even(first: float, last: float, step: float) -> list[float]:
+    """Route positions at even distances, m, about as far apart as asked for; both ends among them."""
+    count = max(2, min(MOST_LOOKS, math.ceil((last - first) / step) + 1))
+    return [float(s) for s in np.linspace(first, last, count)]
 
 
-def _nearest(walk: Walk, shape: BaseGeometry, looks: FloatArray) -> float:
-    """Where the route comes nearest to a shape, m, about the best of sampled route positions, m."""
+def _spots(route: Route, looks: Sequence[float]) -> FloatArray:
+    """Places of the route as boxes without length and width: (looks, BOX_COLUMNS) of kernels/box.py."""
+    found = np.empty((len(looks), 4))
+    evaluate(route.rows, np.array(looks), found)
+    return np.array([[x, y, 1.0, 0.0, 0.0, 0.0] for x, y, *_turned in found.tolist()])
 
-    def away(s: float) -> float:
-        return float(shapely.distance(shape, shapely.Point(walk.route.point([s])[0])))
 
-    n = int(np.argmin(shapely.distance(shape, shapely.points(walk.route.point(looks)))))
-    about = float(looks[max(n - 1, 0)]), float(looks[min(n + 1, len(looks) - 1)])
-    return float(minimize_scalar(away, bounds=about, method="bounded", options={"xatol": NEAR}).x)
+def _entered(route: Route, venue: Obstacle, looks: Sequence[float]) -> list[float]:
+    """Where the head comes into the venue, m: behind each look outside of it that is the last there."""
+
+    def out(some: Sequence[float]) -> list[bool]:
+        return [bool(one) for one in venue.forbids(_spots(route, some))]
+
+    found, seen = [], out(looks)
+    for n, (left, right) in enumerate(pairwise(seen)):
+        if left and not right:
+            outside, within = looks[n], looks[n + 1]
+            while within - outside > NEAR:
+                middle = 0.5 * (outside + within)
+                if out([middle])[0]:
+                    outside = middle
+                else:
+                    within = middle
+            found.append(within)
+    return found
+
+
+def _apart(route: Route, obstacle: Obstacle) -> Callable[[Sequence[float]], list[float]]:
+    """What tells how far route positions, m, are from an obstacle's sides or its centre, m."""
+
+    def apart(looks: Sequence[float]) -> list[float]:
+        far, _which = nearest_boxes(_spots(route, looks), obstacle)
+        found: list[float] = far.tolist()
+        return found
+
+    return apart
+
+
+def _nearest(apart: Callable[[Sequence[float]], list[float]], looks: list[float]) -> float:
+    """Which route position is the nearest, m: about the best of those given, sampled ever finer."""
+    while True:
+        away = apart(looks)
+        n = away.index(min(away))
+        low, high = looks[max(n - 1, 0)], looks[min(n + 1, len(looks) - 1)]
+        if high - low <= NEAR:
+            return looks[n]
+        looks = [float(s) for s in np.linspace(low, high, FINER)]

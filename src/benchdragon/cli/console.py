@@ -44,15 +44,15 @@ def print_table(title: str, benches: int, rows: Sequence[tuple[float, int, Seque
 
 
 def print_rows(
-    title: str, columns: Sequence[str], rows: Sequence[tuple[str, ...]], *, figures: bool = True
+    title: str, columns: Sequence[str], rows: Sequence[tuple[str, ...]], *, words: int = 1
 ) -> None:
-    """A table: words of the first column may break, figures in the others stand to the right."""
+    """A table: words of so many first columns may break, figures in the others stand to the right."""
     from rich.table import Table
     from rich.text import Text  # text in brackets is no markup
 
     table = Table(title=Text(title))
     for n, name in enumerate(columns):
-        right = n > 0 and figures
+        right = n >= words
         table.add_column(name, justify="right" if right else "left", no_wrap=right, overflow="fold")
     for row in rows:
         table.add_row(*(Text(word) for word in row))

@@ -31,7 +31,7 @@ def formations(as_json: bool, quiet: bool) -> int:
         return 0
     columns = (_("name"), _("called"), _("sizes by default"), _("source"))
     rows = [(kind.name, _called(kind), _sizes(kind), _(kind.source)) for kind in kinds]
-    print_rows(_("Formations"), columns, rows, figures=False)
+    print_rows(_("Formations"), columns, rows, words=len(columns))
     return 0
 
 

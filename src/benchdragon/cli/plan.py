@@ -128,5 +128,5 @@ def schema(table: bool, quiet: bool) -> int:
     columns = (_("key"), _("what it is"), _("unit"), _("default"), _("example"))
     for section in SECTIONS:
         title = f"{section.header}  {_(section.text)}".strip()
-        print_rows(title, columns, list(plan_keys.rows(section)), figures=False)
+        print_rows(title, columns, list(plan_keys.rows(section)), words=len(columns))
     return 0

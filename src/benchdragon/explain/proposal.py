@@ -1,5 +1,6 @@
 """Sentences about a proposed dance, or about why there is none, for those who dance."""
 
+from benchdragon.analysis.clock import lasting
 from benchdragon.i18n import _
 from benchdragon.solve.course import course_of
 from benchdragon.solve.proposal import Proposal, TooSmall
@@ -23,7 +24,7 @@ def proposal_lines(found: Proposal, wishes: Wishes, again: int) -> list[str]:
             "The head walks {way} m in {time}: it stands inside at first, turns, and comes out. The "
             "dance ends when the tail has turned; then all walk on out."
         )
-    lines.append(text.format(way=f"{course.way:.0f}", time=duration(course.seconds)))
+    lines.append(text.format(way=f"{course.way:.0f}", time=lasting(course.seconds)))
     if found.less_ahead:
         text = _("Before the head there is {room} m of room, less than usual, so that all of them fit.")
         lines.append(text.format(room=f"{found.plan.people.ahead:g}"))
@@ -33,7 +34,7 @@ def proposal_lines(found: Proposal, wishes: Wishes, again: int) -> list[str]:
     longer = _longer(wishes)
     if course.short:
         text = _("WARNING: {time} is hardly a dance. It gets longer with {ways}.")
-        lines.append(text.format(time=duration(course.seconds), ways=longer))
+        lines.append(text.format(time=lasting(course.seconds), ways=longer))
     elif not course.out:
         lines.append(_("Room to come out again, or for longer: {ways}.").format(ways=longer))
     if again:
@@ -63,13 +64,6 @@ def refusal_lines(wishes: Wishes, found: TooSmall) -> list[str]:
     if found.benches:
         lines.append(_("A dragon of {count} such benches fits.").format(count=found.benches))
     return lines
-
-
-def duration(seconds: float) -> str:
-    """A time that people take, to a second."""
-    minutes, rest = divmod(round(seconds), 60)
-    text = _("{minutes} min {seconds} s") if minutes else _("{seconds} s")
-    return text.format(minutes=minutes, seconds=rest)
 
 
 def _longer(wishes: Wishes) -> str:

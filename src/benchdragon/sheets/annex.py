@@ -12,7 +12,6 @@ from tempfile import TemporaryDirectory
 from benchdragon.analysis.clock import minutes
 from benchdragon.analysis.posts import EVERY, MOST_RUNS
 from benchdragon.analysis.running import APART
-from benchdragon.analysis.stops import stops_of, stops_sentence
 from benchdragon.export.area import drawing_of
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, say
 from benchdragon.export.pages import write_pdf
@@ -38,10 +37,10 @@ from benchdragon.sheets.annex_tables import (
     room_table,
     speed_table,
     swept_table,
+    timetable_of,
 )
 from benchdragon.sheets.briefing import Briefing, dated
 from benchdragon.sheets.chalk import peg_lines
-from benchdragon.sheets.timetable import passings_of, told_lines
 from benchdragon.version import __version__
 
 # Blank lines under a heading that the program knows nothing of.
@@ -158,12 +157,10 @@ def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
 
 
 def _timetable(facts: AnnexFacts) -> Iterator[Block]:
-    report, clock = facts.briefing.report, facts.briefing.clock
+    told = timetable_of(facts.briefing)
     yield Heading(_("Timetable"), "timetable")
-    yield Paragraph((clock.legend,))
-    yield Paragraph((stops_sentence(stops_of(report.walk, report.start, report.end), clock),))
-    yield from told_lines(passings_of(facts.briefing))
-    yield passing_table(facts)
+    yield from (Paragraph((line,)) for line in told.lines)
+    yield passing_table(told)
 
 
 def _people(facts: AnnexFacts) -> Iterator[Block]:

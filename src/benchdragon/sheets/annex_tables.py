@@ -14,6 +14,8 @@ from benchdragon.analysis.posts import Reason, Why
 from benchdragon.analysis.room import RoomLevel
 from benchdragon.analysis.room import shown_name as level_name
 from benchdragon.analysis.speed import given_limits
+from benchdragon.analysis.timetable import timetable
+from benchdragon.explain.timetable_text import TimetableText, timetable_text
 from benchdragon.export.document import Table
 from benchdragon.i18n import N_, _, language
 from benchdragon.model.answer import Answer
@@ -22,7 +24,6 @@ from benchdragon.number_format import decimals_towards, known, outward
 from benchdragon.plans.people import SourcesTable
 from benchdragon.sheets.annex_facts import DISTANCE, AnnexFacts
 from benchdragon.sheets.briefing import Briefing
-from benchdragon.sheets.timetable import time_table
 
 BLANK = 28 * "_"
 STATUS = {
@@ -116,9 +117,18 @@ def swept_table(facts: AnnexFacts) -> Table:
     return Table("swept", _("the ground"), (_("item"), _("value")), (2.0, 1.0), rows)
 
 
-def passing_table(facts: AnnexFacts) -> Table:
+def timetable_of(briefing: Briefing) -> TimetableText:
+    """The timetable of the dance that was checked."""
+    report = briefing.report
+    span = report.start, report.end
+    passings = timetable(report.plan, report.walk, *span)
+    return timetable_text(report.plan, report.walk, span, briefing.ground, passings)
+
+
+def passing_table(told: TimetableText) -> Table:
     """When head and tail pass places of the route: as the timetable has it."""
-    return time_table(facts.briefing)
+    widths = (0.3, 0.36, 0.12, 0.18, 0.16)[: len(told.columns)]
+    return Table("timetable", told.name, told.columns, widths, told.rows, numbers=True)
 
 
 def people_table(briefing: Briefing) -> Table:

@@ -236,7 +236,7 @@ def edge_lengths(ground: Ground, obstacles: Sequence[Obstacle]) -> list[float] |
     venue = next((one for one in obstacles if one.kind == "venue"), None)
     if venue is None:
         return None
-    found = [way_out(venue.outline, ground.peg, way) for way in np.array(ground.ways)]
+    found = [way_out(venue.outline, ground.peg, way) for way in ground.ways]
     return [one[0] for one in found if one is not None] or None
 
 

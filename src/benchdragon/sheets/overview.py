@@ -13,7 +13,7 @@ from benchdragon.analysis.bench_walks import BenchWalk
 from benchdragon.analysis.check import sentence
 from benchdragon.analysis.findings import named, shown_name
 from benchdragon.analysis.ground import way_out
-from benchdragon.analysis.marks import nearest_mark
+from benchdragon.analysis.marks import Marks, between, nearest_mark
 from benchdragon.explain.bench_basis import bench_text
 from benchdragon.explain.bench_text import BenchText, tightest_line
 from benchdragon.explain.room import level_line, plain_asked
@@ -30,7 +30,6 @@ from benchdragon.model.outline import shape_of
 from benchdragon.rosters.roster import Person, phones_of
 from benchdragon.sheets.briefing import Briefing, dated
 from benchdragon.sheets.small_map import Frame, SmallMap
-from benchdragon.sheets.timetable import mark_name
 
 # Signs of people's names in a row, which must not be taller than a page.
 MOST_SIGNS = 500
@@ -332,6 +331,15 @@ def _rows(
     yield briefing.called(found.bench), _(", ").join(people[:size]), *told
     for n in range(size, len(people), size):
         yield briefing.called(found.bench), _(", ").join(people[n : n + size]), "", "", "", ""
+
+
+def mark_name(marks: Marks, s: float, point: Point) -> str:
+    """At which mark of the chalk plan a place along the route, m, is, or between which."""
+    found = between(marks, s)
+    if found is None:
+        return _("by {n}").format(n=nearest_mark(marks, point)[0])
+    n, past = found
+    return _("{n} to {next}").format(n=n, next=n + 1) if past else str(n)
 
 
 def _people(people: Sequence[Person], phones: bool) -> list[str]:

@@ -12,7 +12,6 @@ from benchdragon.sheets.annex import annex_names, write_annex
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.chalk import FILES, write_chalk
 from benchdragon.sheets.options import ChalkOptions
-from benchdragon.sheets.timetable import write_timetable_pdf, write_timetable_xlsx
 
 # Writes the files of a paper into a folder, each whole or not at all.
 Write = Callable[[Briefing, Path, Progress], None]
@@ -37,11 +36,6 @@ def _chalk(briefing: Briefing, folder: Path, _progress: Progress) -> None:
     write_chalk(briefing, folder, ChalkOptions())
 
 
-def _timetable(briefing: Briefing, folder: Path, _progress: Progress) -> None:
-    write_timetable_pdf(folder / "timetable.pdf", briefing)
-    write_timetable_xlsx(folder / "timetable.xlsx", briefing)
-
-
 def _beat(briefing: Briefing, folder: Path, progress: Progress) -> None:
     report = briefing.report
     score = counted_in(score_of(report.plan, report.start, report.end))
@@ -55,7 +49,6 @@ def _annex(briefing: Briefing, folder: Path, progress: Progress) -> None:
 
 MADE_HERE: dict[str, Paper] = {
     "chalk": Paper(N_("chalk plan"), FILES, _chalk),
-    "timetable": Paper(N_("timetable"), ("timetable.pdf", "timetable.xlsx"), _timetable),
     "beat": Paper(N_("drum beat"), ("beat.wav",), _beat),
     "annex": Paper(N_("permit annex"), annex_names(), _annex),
 }

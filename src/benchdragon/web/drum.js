@@ -12,8 +12,8 @@ const ASTRAY_STILL = 1.3;
 const SAME = 1e-6;
 /** The last beat of a run comes so much before its end, as a share of a beat. */
 const END_SHARE = 1e-6;
-/** Pitch, Hz, loudness, and length, s, of each sound. */
-const SOUNDS = {
+/** Pitch, Hz, loudness, and length, s, of each sound. @type {Record<Sound, [number, number, number]>} */
+export const SOUNDS = {
   beat: [1000, 0.25, 0.05],
   bar: [1500, 0.35, 0.06],
   count: [2400, 0.2, 0.05],
@@ -24,7 +24,7 @@ const SOUNDS = {
  * What sounds from one time of the dance on until another, s.
  * @param {Beats} beats @param {number} from @param {number} to
  */
-function soundsBetween(beats, from, to) {
+export function soundsBetween(beats, from, to) {
   /** @type {[number, Sound][]} */
   const found = [];
   for (const time of beats.strokes) if (time >= from && time < to) found.push([time, "drum"]);

@@ -1,17 +1,20 @@
 // The papers of a dance on a page of their own: asked for, seen, printed.
 
 import { benchSheets } from "./bench_sheet.js";
+import { InputError } from "./compute/errors.js";
 import { planName } from "./names.js";
 import { choice, make, tick } from "./elements.js";
 import { deliver } from "./files.js";
 import { sha256 } from "./compute/sha256.js";
 import { called } from "./made/people.js";
 import { Numbering } from "./made/roster.js";
+import { drumFile } from "./drum_file.js";
 import { overviewSheet, overviewTable } from "./overview_sheet.js";
 import { NameList } from "./name_list.js";
 import { planText } from "./plan_form.js";
 import { Sayings } from "./sayings.js";
 import { Refusal, samePlan } from "./standing.js";
+import { timetableSheet, timetableTable } from "./timetable_sheet.js";
 import { N_, _ } from "./words.js";
 
 /** @typedef {import("./compute/briefing.js").Briefing} Briefing */
@@ -58,6 +61,15 @@ const PAPERS = [
     people: true,
     build: overviewSheet,
     saved: [{ label: N_("save as CSV"), name: N_("benches"), data: overviewTable }],
+  },
+  {
+    name: "timetable",
+    label: N_("timetable and drum"),
+    build: timetableSheet,
+    saved: [
+      { label: N_("save the timetable as CSV"), name: N_("timetable"), data: timetableTable },
+      { label: N_("save the drum"), name: N_("drum"), data: drumFile },
+    ],
   },
 ];
 // Width of a page, in pixels of 96 to an inch, and of what is around it.
@@ -387,14 +399,19 @@ export class Sheets {
     return this.plan ? planName(this.plan) : "";
   }
 
-  /** The button that saves a file. @param {Saved} saved */
+  /** The button that saves a file, or says why there is none. @param {Saved} saved */
   #saving({ label, name, data }) {
     const save = () => {
       const { briefing, names, plan } = this;
       if (!briefing || !plan) return;
-      const made = data(briefing, names, this.#looks(briefing, plan));
-      const ending = made.type.split("/")[1];
-      deliver({ name: `${this.#name}-${_(name)}.${ending}`, data: made });
+      try {
+        const made = data(briefing, names, this.#looks(briefing, plan));
+        const ending = made.type.split("/")[1];
+        deliver({ name: `${this.#name}-${_(name)}.${ending}`, data: made });
+      } catch (error) {
+        if (!(error instanceof InputError)) throw error;
+        this.#tell(error.message);
+      }
     };
     return make("button", { type: "button", onclick: save }, _(label));
   }

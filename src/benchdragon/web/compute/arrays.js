@@ -125,8 +125,9 @@ function scoped(ask) {
   return question(() => withArenaAsync(arena().engine, ask));
 }
 
-/** Where a value comes in increasing numbers: after equal ones, or before. @param {ArrayLike<number>} sorted @param {number} value @param {"left" | "right"} side */
-export function searchsorted(sorted, value, side = "left") {
+/** Where a value comes in increasing numbers: after equal ones, or before. @param {ArrayLike<number> | Numbers} all @param {number} value @param {"left" | "right"} side */
+export function searchsorted(all, value, side = "left") {
+  const sorted = isTable(all) ? doubles(all) : all;
   let [low, high] = [0, sorted.length];
   while (low < high) {
     const middle = (low + high) >> 1;

@@ -1,12 +1,16 @@
 // What the benches' sheets are made from: the plan as it was checked, and what each bench does. Twin of
 // sheets/briefing.py.
 
+import { countedIn, scoreOf } from "../made/beats.js";
 import { haltsOf, landmarkOf } from "../made/bench_basis.js";
 import { shownName } from "../made/findings.js";
 import { Ground, ownPeg } from "../made/ground.js";
 import { benchWalks } from "../made/bench_walks.js";
 import { sentence } from "../made/check.js";
 import { Trail, among, usualGap } from "../made/marks.js";
+import { timetable } from "../made/timetable.js";
+import { timetableText } from "../made/timetable_text.js";
+import { overviewText } from "../made/overview_text.js";
 import { part } from "../made/stages.js";
 import { _, both, language } from "../words.js";
 import { withArena, withArenaAsync, within } from "./arena.js";
@@ -21,10 +25,13 @@ import { places } from "./walk_facts.js";
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./questions.js").Asked} Asked */
 /** @typedef {import("./tick.js").Progress} Progress */
+/** @typedef {{ head: number | null, until: number | null, tail: number | null }} Passing */
 /** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {import("../messages").Words} Words */
 /** @typedef {import("../made/bench_text.js").Halt} Halt */
 /** @typedef {import("../made/bench_text.js").Landmark} Landmark */
+/** @typedef {{ name: string, columns: string[], rows: string[][], lines: string[] }} TimetableText */
+/** @typedef {Record<"verdict" | "tightest" | "coming" | "leaving" | "room" | "starts", string[]>} OverviewText */
 /** @typedef {[number, number]} Point */
 
 /**
@@ -43,7 +50,7 @@ import { places } from "./walk_facts.js";
  * @typedef {object} Briefing
  * @property {string} sha256 of the plan
  * @property {Words} title
- * @property {Words} verdict a sentence
+ * @property {Record<"en" | "zh", OverviewText>} overview
  * @property {BenchWalk[]} benches the head's first
  * @property {Record<"en" | "zh", Landmark[]>} landmarks near the place where each starts
  * @property {Array<[number, number] | null>} marks the mark, from 1, at or behind which each starts, and how far, m
@@ -53,6 +60,10 @@ import { places } from "./walk_facts.js";
  * @property {Record<string, any>} people the table of the plan, filled
  * @property {Record<"en" | "zh", Halt[]>} halts
  * @property {boolean} coiled whether the dance ends inside
+ * @property {Record<"en" | "zh", TimetableText>} timetable
+ * @property {Array<[number | null, number | null, number | null]>} seconds since the start when the head comes to each place of it, when it sets out again after a stop, when the tail passes
+ * @property {import("../messages").Beats} beats of the drum, with the bar that counts in
+ * @property {number} end of the dance, s
  * @property {Ways} ways
  * @property {Float64Array} points
  */
@@ -74,7 +85,11 @@ export function briefing({ engine, plan, progress }) {
       );
     const told = part(progress, 0.3, 1, _("what each bench does"));
     const facts = await briefed(plan, walk, span, told);
-    return { ...facts, verdict: both(() => sentence(report)) };
+    const { benches, ground } = facts;
+    const overview = withArena(engine, (own) =>
+      within(own, () => both(() => overviewText(report, benches, ground))),
+    );
+    return { ...facts, overview };
   });
 }
 
@@ -117,8 +132,24 @@ export async function briefed(plan, walk, span, progress) {
     halts: both(() => haltsOf(plan)),
     coiled: route.kind === "spiral-in",
     points,
+    ...withArena(walk.engine, (own) => within(own, () => timed(plan, walk, span, ground))),
+    beats: countedIn(scoreOf(plan, ...span)),
+    end: span[1],
     ways: { low, high, s, ends, obstacles: obstacles.map(shown), entrances: event.entrances },
   };
+}
+
+/** When head and tail pass each place. @param {Plan} plan @param {Walk} walk @param {[number, number]} span @param {Ground} ground */
+function timed(plan, walk, span, ground) {
+  const [start, end] = span;
+  const passings = both(() => timetable(plan, walk, start, end));
+  const since = (/** @type {number | null} */ time) => (time === null ? null : time - start);
+  const seconds = passings.en.map((/** @type {Passing} */ { head, until, tail }) => {
+    const held = head !== null && until !== null && head < until && until < end;
+    return [head, held ? until : null, tail].map(since);
+  });
+  const told = both(() => timetableText(plan, walk, span, ground, passings[language()]));
+  return { timetable: told, seconds };
 }
 
 /** @param {Walk} walk @param {[number, number]} span @param {number[]} starts where front handles stand at first, m @param {number | null} every m between marks; null: as usual */

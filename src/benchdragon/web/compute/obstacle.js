@@ -38,8 +38,9 @@ export class Standing {
     return made;
   }
 
-  /** Which of points, m, the first two columns, lie where none may: inside it, or outside the venue. @param {Arena} arena @param {Numbers} points */
-  forbids(arena, points) {
+  /** Which of points, m, the first two columns, lie where none may: inside it, or outside the venue. @param {Numbers} points */
+  forbids(points) {
+    const arena = here();
     const out = arena.array("q", points.shape[0]);
     const corners = this.corners(arena);
     arena.engine.call("bd_obstacle_forbidden", this.sort, corners, this.radius, points, out);

@@ -65,7 +65,9 @@ function pairsApart(arena, table) {
 
 /** How far boxes are from an obstacle, m. @param {Arena} arena @param {Numbers} table @param {Obstacle} obstacle */
 function apartFrom(arena, table, obstacle) {
-  const [apart] = within(arena, () => nearestBoxes(table, obstacle));
-  const forbidden = obstacle.forbids(arena, table);
+  const [[apart], forbidden] = within(arena, () => [
+    nearestBoxes(table, obstacle),
+    obstacle.forbids(table),
+  ]);
   return doubles(apart).map((distance, t) => (forbidden[t] ? -Infinity : distance - obstacle.radius));
 }

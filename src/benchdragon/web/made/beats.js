@@ -3,6 +3,7 @@
 
 import { py } from "../compute/python.js";
 
+const END_SHARE = 1e-06;
 const SLOWEST = 20.0;
 const FASTEST = 400.0;
 class Run {
@@ -15,6 +16,9 @@ class Run {
   }
   *[Symbol.iterator]() {
     yield* [this.start, this.end, this.period, this.bar, this.counted];
+  }
+  beats() {
+    return py.max(0, py.ceil(py.sub((py.sub(this.end, this.start) / this.period), END_SHARE)));
   }
 }
 class Score {
@@ -64,6 +68,15 @@ export function scoreOf(plan, start, end) {
   upTo(end);
   strokes = py.list(moments).flatMap((one) => ((((one.cue.kind !== "note") && ((start <= one.time) && (one.time <= end)))) ? [one.time] : []));
   return new Score(tempo, byStep, py.tuple(runs), py.tuple(py.fromkeys(strokes)));
+}
+export function countedIn(score) {
+  let first, lead;
+  if ((!py.truth(score.runs) || py.truth(py.at(score.runs, 0).counted))) {
+    return score;
+  }
+  first = py.at(score.runs, 0);
+  lead = new Run(py.sub(first.start, (first.bar * first.period)), first.start, first.period, first.bar, true);
+  return py.replaced(score, { runs: [lead, ...py.iter(score.runs)] });
 }
 function _pace(plan) {
   return py.max(py.list(plan.walk.profile).map(([_time, speed]) => speed), undefined, plan.walk.speed);

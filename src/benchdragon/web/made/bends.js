@@ -20,6 +20,9 @@ export class Bends {
     count = py.entry("bd_bends_find_bends", route.rows, at, sides, turned)[0];
     return new this(py.slice(at, null, count), py.slice(sides, null, count), turned);
   }
+  turning(s) {
+    return turningOf(py.at(this.sides, (py.searchsorted(this.at, s) - 1)));
+  }
 }
 export function turningOf(side) {
   return py.get(TURNINGS, py.int(side), "straight");

@@ -186,7 +186,7 @@ export function peakText(name) {
 export function sentence(report, told = /** @type {any} */ (null)) {
   let count, text;
   if (py.truth(report.safe)) {
-    return py.filled(_("Safe: {tightest}"), { tightest: _kept(report, told) });
+    return py.filled(_("Safe: {tightest}"), { tightest: kept(report, told) });
   }
   text = _briefly(py.min(report.findings, _soonest));
   count = py.len(report.findings);
@@ -214,7 +214,7 @@ function _briefly(found) {
   }
   return py.filled(_(py.at(BRIEF, found.kind)), { a: py.at(found.benches, 0), b: py.at(found.benches, -1), t: seconds(found.time), margin: `${py.format(found.limit, `g`)}`, name: (py.has(found.words, "name") ? found.said("name") : "") });
 }
-function _kept(report, told) {
+export function kept(report, told = /** @type {any} */ (null)) {
   let limits, name, near, quantity, said, text, what;
   [near, limits] = py.list([report.clearance.witness, report.plan.limits]);
   said = [_("no two benches come near one another")];

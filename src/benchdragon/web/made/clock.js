@@ -33,6 +33,12 @@ function minutes(seconds) {
   whole = _whole(seconds);
   return `${py.str(py.div(whole, 60))}:${py.format(py.mod(whole, 60), `02d`)}`;
 }
+export function lasting(seconds) {
+  let rest, text, whole;
+  [whole, rest] = py.list(py.divmod(_whole(seconds), 60));
+  text = (py.truth(whole) ? _("{minutes} min {seconds} s") : _("{seconds} s"));
+  return py.filled(text, { minutes: whole, seconds: rest });
+}
 function _whole(seconds) {
   return py.floor((seconds + 0.5));
 }

@@ -6,7 +6,7 @@ import { Answer } from "./answer.js";
 import { TOLERANCES, contactSearch } from "./contact_search.js";
 import { silent } from "./stages.js";
 
-const askedOf = (walk, start, end) => [walk, start, end];
+const askedOf = (of, start, end, walk = of) => [walk, start, end];
 const FRAYED = 1e-05;
 const NONE = new Answer(Infinity, Infinity, Infinity, "m", "found", null, [], 0, 0.0);
 const MOST_GRAZES = 100;

@@ -6,6 +6,7 @@ import { N_, _ } from "../words.js";
 
 const LEAST_EDGE = 0.15;
 const UNTURNED = 1e-09;
+const CORNER = 1e-06;
 const NORTH = [N_("due east"), N_("due north"), N_("due west"), N_("due south")];
 const VENUE = [N_("to the right"), N_("forward"), N_("to the left"), N_("back")];
 const NORTH_EDGES = [N_("eastern edge"), N_("northern edge"), N_("western edge"), N_("southern edge")];
@@ -57,6 +58,12 @@ export class Ground {
     }
     return _("x and y are measured from the peg: on the drawings x to the right, y up.");
   }
+  get ways_legend() {
+    if ((py.truth(this.north) || !py.truth(this.venue))) {
+      return "";
+    }
+    return _("To the right, forward, to the left and back: as one sees it who stands at the near edge and faces the square.");
+  }
   get y_word() {
     return (py.truth(this.north) ? _("N") : (py.truth(this.venue) ? _("forward") : "y"));
   }
@@ -66,6 +73,67 @@ export class Ground {
     [[ux, uy], [vx, vy], ..._against] = py.list(this.ways);
     return [py.add((x * ux), (y * uy)), py.add((x * vx), (y * vy))];
   }
+}
+class Side {
+  constructor(ax, ay, bx, by) {
+    this.ax = ax;
+    this.ay = ay;
+    this.bx = bx;
+    this.by = by;
+  }
+  *[Symbol.iterator]() {
+    yield* [this.ax, this.ay, this.bx, this.by];
+  }
+  along() {
+    return [py.sub(this.bx, this.ax), py.sub(this.by, this.ay)];
+  }
+  swept() {
+    return py.sub((this.ax * this.by), (this.bx * this.ay));
+  }
+  right() {
+    return (!py.eq((this.ay > 0.0), (this.by > 0.0)) && py.eq((this.swept() > 0.0), (this.by > this.ay)));
+  }
+  out(turned) {
+    let length, x, y;
+    [x, y] = py.list(this.along());
+    length = (turned * py.hypot(x, y));
+    return [(y / length), (-x / length)];
+  }
+  apart() {
+    let share, x, y;
+    [x, y] = py.list(this.along());
+    share = py.min(py.max((-py.add((this.ax * x), (this.ay * y)) / py.add((x * x), (y * y))), 0.0), 1.0);
+    return py.hypot(py.add(this.ax, (share * x)), py.add(this.ay, (share * y)));
+  }
+  ahead(u, v) {
+    let beyond, far, share, squarely, x, y;
+    [x, y] = py.list(this.along());
+    squarely = py.sub((u * y), (v * x));
+    if ((squarely === 0.0)) {
+      return null;
+    }
+    [far, share] = py.list([(this.swept() / squarely), (py.sub((this.ax * v), (this.ay * u)) / squarely)]);
+    beyond = (CORNER / py.hypot(x, y));
+    return (((far >= 0.0) && ((-beyond <= share) && (share <= (1.0 + beyond)))) ? far : null);
+  }
+}
+export function wayOut(outline, place, way = /** @type {any} */ (null)) {
+  let far, least, met, near, off, sides, there, turned, u, v;
+  off = py.list(py.tolist(py.asarray(outline))).map(([x, y]) => [py.sub(x, py.at(place, 0)), py.sub(y, py.at(place, 1))]);
+  sides = py.list(py.pairwise([...py.iter(off), py.at(off, 0)])).map(([one, other]) => new Side(...py.iter(one), ...py.iter(other)));
+  if ((py.mod(py.sum(py.list(sides).map((one) => one.right())), 2) === 0)) {
+    return null;
+  }
+  turned = py.copysign(1.0, py.sum(py.list(sides).map((one) => one.swept())));
+  if ((way == null)) {
+    near = py.min(sides, (one) => one.apart());
+    return [near.apart(), near.out(turned)];
+  }
+  [u, v] = py.list(way);
+  met = py.list(sides).flatMap((one) => ((((far = one.ahead(u, v)) != null)) ? [[far, one.out(turned)]] : []));
+  least = py.min(py.list(met).map(([far, _out]) => far));
+  there = py.list(met).flatMap(([far, out]) => (((far <= py.add(least, CORNER))) ? [out] : []));
+  return [least, py.max(there, (out) => py.add((py.at(out, 0) * u), (py.at(out, 1) * v)))];
 }
 export function ownPeg(plan, route) {
   if ((plan.chalk.peg != null)) {

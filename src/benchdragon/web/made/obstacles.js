@@ -6,7 +6,7 @@ import { shown } from "./answer.js";
 import { TOLERANCES } from "./contact_search.js";
 import { ObstacleSearch } from "./obstacle_search.js";
 
-const askedOf = (walk, start, end) => [walk, start, end];
+const askedOf = (of, start, end, walk = of) => [walk, start, end];
 export async function touching(walk, obstacle, start, end) {
   let search;
   search = new ObstacleSearch(walk, obstacle, start, end);

@@ -3,6 +3,7 @@
 
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
+import { lasting } from "./clock.js";
 import { courseOf } from "./course.js";
 
 export function proposalLines(found, wishes, again) {
@@ -23,7 +24,7 @@ export function proposalLines(found, wishes, again) {
   if (py.truth(course.inside)) {
     text = _("The head walks {way} m in {time}: it stands inside at first, turns, and comes out. The dance ends when the tail has turned; then all walk on out.");
   }
-  py.append(lines, py.filled(text, { way: `${py.format(course.way, `.0f`)}`, time: duration(course.seconds) }));
+  py.append(lines, py.filled(text, { way: `${py.format(course.way, `.0f`)}`, time: lasting(course.seconds) }));
   if (py.truth(found.less_ahead)) {
     text = _("Before the head there is {room} m of room, less than usual, so that all of them fit.");
     py.append(lines, py.filled(text, { room: `${py.format(found.plan.people.ahead, `g`)}` }));
@@ -35,7 +36,7 @@ export function proposalLines(found, wishes, again) {
   longer = _longer(wishes);
   if (py.truth(course.short)) {
     text = _("WARNING: {time} is hardly a dance. It gets longer with {ways}.");
-    py.append(lines, py.filled(text, { time: duration(course.seconds), ways: longer }));
+    py.append(lines, py.filled(text, { time: lasting(course.seconds), ways: longer }));
   }
   else {
     if (!py.truth(course.out)) {
@@ -67,12 +68,6 @@ export function refusalLines(wishes, found) {
     py.append(lines, py.filled(_("A dragon of {count} such benches fits."), { count: found.benches }));
   }
   return lines;
-}
-function duration(seconds) {
-  let minutes, rest, text;
-  [minutes, rest] = py.list(py.divmod(py.round(seconds), 60));
-  text = (py.truth(minutes) ? _("{minutes} min {seconds} s") : _("{seconds} s"));
-  return py.filled(text, { minutes: minutes, seconds: rest });
 }
 function _longer(wishes) {
   let under;

@@ -81,6 +81,18 @@ const _proved = () => null;
 export function shownName(level) {
   return _(py.at(TEXTS, level.name));
 }
+export function askedText(level) {
+  let one, said, text;
+  said = [];
+  for (one of py.iter(level.asked)) {
+    text = _("{key} {value} m (assumption)");
+    if (py.truth(one.source)) {
+      text = _("{key} {value} m ({source})");
+    }
+    py.append(said, py.filled(text, { key: `people.${py.str(one.key)}`, value: `${py.format(one.value, `g`)}`, source: one.source }));
+  }
+  return py.join(_(", "), said);
+}
 export function withAllRoom(plan) {
   let more, people, walk;
   [walk, people] = py.list([plan.build(), plan.people]);

@@ -12,7 +12,7 @@ import { SpeedProfile, Stretches } from "./profile.js";
 import { Rounds, repeats } from "./rounds.js";
 import { silent } from "./stages.js";
 
-const askedOf = (walk, start, end) => [walk, start, end];
+const askedOf = (of, start, end, walk = of) => [walk, start, end];
 const FIRST_CHAIN_STEP = 0.1;
 const ROUNDING = 1e-11;
 const TOLERANCE = 1e-10;
