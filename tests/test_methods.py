@@ -278,4 +278,4 @@ def test_a_report_is_told_by_its_verdict() -> None:
     report = PLAN.check()
     assert str(report).startswith(("Safe: ", "Not safe: "))
     assert repr(report) == f"<Report of {PLAN!r}: safe, 0 findings>"
-    assert repr(PLAN) == "<Plan 'Turning': turn, 20 benches>"
+    assert repr(PLAN) == str(PLAN) == "<Plan 'Turning': turn, 20 benches>"

@@ -89,7 +89,7 @@ def _motion(motion: Motion) -> tuple[str, Rows]:
 def _answer(answer: Answer) -> tuple[str, Rows]:
     rows = [
         (_("value"), f"{answer.value:.12g} {answer.unit}"),
-        (_("bracket"), f"{answer.lower:.12g} … {answer.upper:.12g} {answer.unit}"),
+        (_("bracket"), f"{answer.lower:.15g} … {answer.upper:.15g} {answer.unit}"),
         (_("how established"), _(STATUSES[answer.status])),
     ]
     if (near := answer.witness) is not None:
@@ -166,7 +166,7 @@ def _picture(route: Curve, motion: Motion | None = None) -> str:
     )
     room = ROOM * SIDE
     box = f"{-room:g} {-SIDE - room:g} {SIDE + 2 * room:g} {SIDE + 2 * room:g}"
-    return f'<svg width="{SIDE}" height="{SIDE}" viewBox="{box}" role="img">{paths}</svg>'
+    return f'<svg style="flex:none" width="{SIDE}" height="{SIDE}" viewBox="{box}">{paths}</svg>'
 
 
 def _path(points: FloatArray) -> str:

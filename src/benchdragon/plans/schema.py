@@ -88,6 +88,8 @@ class Plan(Table, AskedPlan):
         name = self.meta.title or self.source.name
         return f"<Plan {name!r}: {self.route.kind}, {len(self.chain or ())} benches>"
 
+    __str__ = __repr__
+
     @property
     def source(self) -> Source:
         """Where it was read."""
