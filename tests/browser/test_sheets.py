@@ -6,12 +6,12 @@ import numpy as np
 import pypdfium2
 import pytest
 import zxingcpp
+from playwright.sync_api import expect
 
 from benchdragon.i18n import spoken_in
+from benchdragon.planner.papers import wanted_papers, write_papers
 from benchdragon.player.page import player_page, write_player
 from benchdragon.player.scene import checked_dance
-from benchdragon.sheets.cards import write_benches
-from benchdragon.sheets.options import Options
 from tests.browser.pages import Language, Pages
 from tests.browser.players import ready
 from tests.sheets.village import small
@@ -21,8 +21,12 @@ def test_the_code_on_a_sheet_opens_the_player_at_its_bench(pages: Pages, tmp_pat
     player = tmp_path / "player.html"
     ours = small(tmp_path, "people.address=player.html")
     write_player(player, checked_dance(ours.report))
-    write_benches(tmp_path / "benches.pdf", ours, Options())
-    sheet = pypdfium2.PdfDocument(tmp_path / "benches.pdf")[5]
+    papers = tmp_path / "papers.html"
+    wanted = {"paper": "a4", "by": "bench", "night": False, "phones": False}
+    write_papers(papers, ours.plan, wanted_papers(["benches"], ours.roster, wanted))
+    printed = pages.open(papers.as_uri())
+    expect(printed.locator("#sheets")).to_have_attribute("aria-busy", "false")
+    sheet = pypdfium2.PdfDocument(printed.pdf(prefer_css_page_size=True))[5]
     picture = np.asarray(sheet.render(scale=150 / 72).to_pil().convert("L"))
     (code,) = zxingcpp.read_barcodes(picture)
     assert code.text == "player.html#bench=6"

@@ -12,16 +12,15 @@ import pytest
 
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.ground import Ground
-from benchdragon.analysis.marks import Trail, placed_marks
+from benchdragon.analysis.marks import Marks, Trail, between, placed_marks
 from benchdragon.analysis.timetable import Passing, timetable
 from benchdragon.errors import BenchDragonError
 from benchdragon.explain.bench_basis import bench_text
 from benchdragon.explain.timetable_text import timetable_text
-from benchdragon.i18n import LANGUAGES, spoken_in
+from benchdragon.i18n import LANGUAGES, _, spoken_in
 from benchdragon.model.walk import Walk
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan, checked, read_plan
-from benchdragon.sheets.benches import mark_line
 from tests.engine.recording import node
 from tests.planner.random_plans import Tables, plan
 from tests.planner.twins import asked, difference
@@ -103,6 +102,21 @@ def times(one: Passing, end: float) -> tuple[float | None, float | None, float |
 def since(time: float | None, span: tuple[float, float]) -> float | None:
     """A time of the plan from the start of what is looked at, s."""
     return None if time is None else time - span[0]
+
+
+def mark_line(marks: Marks, s: float) -> str:
+    """By which marks of the chalk plan a front handle starts, m along the route."""
+    found = between(marks, s)
+    if found is None:
+        return ""
+    n, past = found
+    if not past:
+        return _("Your front handle starts at mark {n} of the chalk plan.").format(n=n)
+    text = _(
+        "Your front handle starts between marks {n} and {next} of the chalk plan, {past} m past mark "
+        "{n} along the line."
+    )
+    return text.format(n=n, next=n + 1, past=f"{past:.2f}")
 
 
 def sentences(read: Plan, walk: Walk, span: tuple[float, float], benches: Sequence[BenchWalk]) -> Any:

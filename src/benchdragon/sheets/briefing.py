@@ -1,6 +1,5 @@
 """What all papers are made from: the plan as it was checked, its people, what each bench does."""
 
-from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from datetime import date
 from functools import cached_property
@@ -10,16 +9,11 @@ from benchdragon.analysis.check import Report
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import Marks, Trail, check_marks, placed_marks
-from benchdragon.figures.glyphs import glyph_warnings, printed_warnings
 from benchdragon.i18n import _
 from benchdragon.plans.chalk import ChalkTable
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
-from benchdragon.rosters.reading import first_notes
 from benchdragon.rosters.roster import Roster
-
-# People of another bench who are named on a sheet.
-MOST_NAMED = 4
 
 
 @dataclass(frozen=True)
@@ -49,25 +43,6 @@ class Briefing:
     def foot(self) -> str:
         """The foot of every page: the plan, and when it was checked."""
         return f"{self.sha256[:12]} · {self.checked_on}"
-
-    @cached_property
-    def odd_signs(self) -> tuple[str, ...]:
-        """Whose names papers cannot print as they are written, a sentence each."""
-        return self._of_names(glyph_warnings)
-
-    @property
-    def missing_signs(self) -> tuple[str, ...]:
-        """The same as papers say it."""
-        return self._of_names(printed_warnings)
-
-    def _of_names(self, told: Callable[[Iterable[str]], Sequence[str]]) -> tuple[str, ...]:
-        """The notes on the names at each bench."""
-        odd = (
-            _("{bench}: {what}").format(bench=self.called(bench), what=warning)
-            for bench, people in sorted(self.roster.benches.items())
-            for warning in told(person.name for person in people)
-        )
-        return tuple(first_notes(odd))
 
     @property
     def clock(self) -> Clock:
@@ -102,45 +77,10 @@ class Briefing:
         """What the village calls a bench (number, from 1), in the language in use."""
         return called(self.plan.people, bench, len(self.report.walk.dragon))
 
-    def titled(self, bench: int) -> str:
-        """The same, with a word for the first bench and the last where the village only counts them."""
-        ends = {1: _("{bench}, the head"), len(self.report.walk.dragon): _("{bench}, the tail")}
-        if bench not in ends or not self.plan.people.count_head:
-            return self.called(bench)
-        return ends[bench].format(bench=self.called(bench))
-
-    def kin(self, bench: int) -> str:
-        """Which other benches people of a bench's households carry, in words; "" if there are none."""
-        own = {one.household for one in self.roster.people(bench)} - {""}
-        others = [
-            self.called(other)
-            for other, people in sorted(self.roster.benches.items())
-            if other != bench and own & {one.household for one in people}
-        ]
-        if not others:
-            return ""
-        return _("Of your household too: {benches}.").format(benches=listed(others, MOST_NAMED))
-
-    def named(self, bench: int) -> str:
-        """What the village calls a bench, and who carries it, as papers print it."""
-        people = [person.name for person in self.roster.people(bench)]
-        if not people:
-            return self.called(bench)
-        text = _("{bench} ({people})")
-        return text.format(bench=self.called(bench), people=listed(people, MOST_NAMED))
-
 
 def dated(checked_on: str) -> str:
     """When a plan was checked, as it stands below titles."""
     return _("Checked on {date}").format(date=checked_on)
-
-
-def listed(names: Sequence[str], most: int) -> str:
-    """So many names at most one after another, and how many more there are."""
-    text = _(", ").join(names[:most])
-    if len(names) <= most:
-        return text
-    return _("{names} and {count} more").format(names=text, count=len(names) - most)
 
 
 def briefing_of(report: Report, roster: Roster) -> Briefing:

@@ -1,6 +1,5 @@
 // What the sheets of a dance say, and who carries its benches.
 
-import { SHEETS_BRIEFING } from "./compute/constants.js";
 import { decimals } from "./compute/number_format.js";
 import { Basis, benchLines, tightestLine } from "./made/bench_text.js";
 import { Clock } from "./made/clock.js";
@@ -16,6 +15,9 @@ import { _, language } from "./words.js";
 
 /** What is said of a bench on its sheet; `address` opens the player at it, if the plan says where that is. @typedef {{ bench: number, called: string, title: string, people: string[], text: BenchText, marks: string, kin: string, address: string }} Told */
 /** What one gets: one's bench, or benches of a household under its name. @typedef {{ title: string, entries: Told[] }} Sheet */
+
+// People of another bench, and benches of a household, who are named on a sheet.
+const MOST_NAMED = 4;
 
 /** So many names at most one after another, and how many more there are. @param {string[]} names @param {number} most */
 export function listed(names, most) {
@@ -51,7 +53,7 @@ export class Sayings {
     const names = (this.people.get(bench) ?? []).map(({ name }) => name);
     const text = this.called(bench);
     if (!names.length) return text;
-    return _("{bench} ({people})", { bench: text, people: listed(names, SHEETS_BRIEFING.MOST_NAMED) });
+    return _("{bench} ({people})", { bench: text, people: listed(names, MOST_NAMED) });
   }
 
   /** The same, with a word for the first bench and the last, where the village says only a number. @param {number} bench */
@@ -70,7 +72,7 @@ export class Sayings {
       .filter((other) => other !== bench)
       .filter((other) => this.people.get(other)?.some(({ household }) => own.has(household)));
     const names = others.sort((a, b) => a - b).map((other) => this.called(other));
-    const benches = listed(names, SHEETS_BRIEFING.MOST_NAMED);
+    const benches = listed(names, MOST_NAMED);
     return names.length ? _("Of your household too: {benches}.", { benches }) : "";
   }
 

@@ -120,8 +120,6 @@ export const ROSTERS_EXTENT = {
 
 export const ROSTERS_GRID = { MOST_BYTES: 20000000 };
 
-export const SHEETS_BRIEFING = { MOST_NAMED: 4 };
-
 export const SOLVE_SIZE = { QUICK_SIZE: 1e-5 };
 
 export const SURVEYS_LINES = { SAME: 1e-9 };
