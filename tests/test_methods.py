@@ -76,6 +76,7 @@ def test_a_question_takes_a_plan_or_a_walk_and_the_whole_span_of_it(name: str) -
     wanted = number(ask(WALK, 0.0, 20.0))
     assert number(ask(PLAN)) == wanted
     assert number(ask(PLAN, 0.0)) == wanted
+    assert number(ask(PLAN, 8.0)) == number(ask(WALK, 8.0, 20.0))
     alone = bd.Walk(WALK.dragon, WALK.route, start=WALK.route.length - 20.0)
     assert alone.span()[0] == 0.0
     assert alone.span()[1] == pytest.approx(20.0)
@@ -110,8 +111,11 @@ def test_timetable_and_bench_walks_take_the_walk_and_the_span_of_the_plan() -> N
 
 def test_a_proof_of_a_plan_counts_its_numbers_as_written() -> None:
     pytest.importorskip("flint")
-    found = bd.prove_contact(bd.read_plan("spiral-in", {"dragon.benches": 4, "walk.end": 1.0}))
-    assert found is None
+    said = ["dragon.benches=4", "walk.end=1", "route.pitch=0.55000000000000000000001"]
+    plan = bd.read_plan("spiral-in", said)
+    assert bd.prove_contact(plan.build(), 0.0, 1.0) is None
+    with pytest.raises(bd.InputError, match=r"0\.55000000000000000000001"):
+        bd.prove_contact(plan)
 
 
 @pytest.mark.parametrize(
