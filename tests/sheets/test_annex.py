@@ -140,10 +140,7 @@ def test_posts_and_timetable_tell_times_by_one_clock(facts: AnnexFacts, texts: d
     times = [one.time for post in facts.posts for one in post.reasons if one.why == "tightest"]
     (shown,) = [clock.tell(time) for time in times]
     assert shown.startswith("18:30:")
-    assert any(f" m at {shown}" in str(row[3]) for row in post_table(facts).rows)
-    for post, row in zip(facts.posts, post_table(facts).rows, strict=True):
-        away = np.hypot(*(facts.briefing.marks.points - np.array(post.point)).T)
-        assert row[2] == f"mark {np.argmin(away) + 1}, {away.min():.1f} m off"
+    assert any(f" m at {shown}" in str(row[2]) for row in post_table(facts).rows)
     assert texts["en"].count("".join(clock.legend.split())) == 1
     assert f"mat{shown}" in texts["en"]
 
@@ -219,7 +216,7 @@ def test_posts_tell_the_distances_that_the_check_found(facts: AnnexFacts) -> Non
     report = facts.briefing.report
     (venue,) = [one for one in report.obstacles if one.obstacle.kind == "venue"]
     assert reasons["venue"] == venue.distance.sure(up=False)
-    said = " ".join(str(row[3]) for row in post_table(facts).rows)
+    said = " ".join(str(row[2]) for row in post_table(facts).rows)
     cut = math.floor(1000.0 * reasons["tightest"]) / 1000.0
     assert f"benches nearest to one another: at least {cut:.3f} m at" in said
     cut = math.floor(1000.0 * reasons["venue"]) / 1000.0

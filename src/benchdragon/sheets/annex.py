@@ -10,6 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from benchdragon.analysis.clock import minutes
+from benchdragon.analysis.ground import peg_line
 from benchdragon.analysis.posts import EVERY, MOST_RUNS
 from benchdragon.analysis.running import APART
 from benchdragon.export.area import drawing_of
@@ -40,7 +41,6 @@ from benchdragon.sheets.annex_tables import (
     timetable_of,
 )
 from benchdragon.sheets.briefing import Briefing, dated
-from benchdragon.sheets.chalk import peg_lines
 from benchdragon.version import __version__
 
 # Blank lines under a heading that the program knows nothing of.
@@ -130,7 +130,10 @@ def _dance(facts: AnnexFacts) -> Iterator[Block]:
         place=place((float(first.x[0, 0]), float(first.y[0, 0])), facts.briefing.ground),
     )  # fmt: skip
     yield Paragraph((facts.briefing.ground.legend,))
-    yield from peg_lines(facts.briefing.ground, report.plan.obstacles())
+    for one in report.plan.obstacles():
+        line = "" if one.kind != "venue" else peg_line(facts.briefing.ground, one.outline.tolist())
+        if line:
+            yield Paragraph((line,))
 
 
 def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
@@ -229,8 +232,8 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
     )  # fmt: skip
     yield say(
         _(
-            "Each post stands on the line, and the table tells the mark of the chalk plan that is "
-            "nearest to it. What it watches lies inside the line, and at an entrance outside."
+            "Each post stands on the line. What it watches lies inside the line, and at an entrance "
+            "outside."
         )
     )
     if facts.swept.lines.holes:

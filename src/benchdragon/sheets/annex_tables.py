@@ -9,7 +9,6 @@ from benchdragon.analysis.check import peak_text
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.ground import Ground
-from benchdragon.analysis.marks import nearest_mark
 from benchdragon.analysis.posts import Reason, Why
 from benchdragon.analysis.room import RoomLevel
 from benchdragon.analysis.room import shown_name as level_name
@@ -221,19 +220,12 @@ def post_table(facts: AnnexFacts) -> Table:
         (
             str(n),
             place(post.point, facts.briefing.ground),
-            _beside(nearest_mark(facts.briefing.marks, post.point)),
             _("; ").join(_reason(one, clock) for one in post.reasons),
         )
         for n, post in enumerate(facts.posts, start=1)
     )
-    names = (_("post"), _("x, y from the peg (m)"), _("nearest mark"), _("reason"))
-    return Table("posts", _("posts for marshals"), names, (0.5, 1.6, 1.6, 4.4), rows)
-
-
-def _beside(found: tuple[int, float]) -> str:
-    """Which mark is nearest, and how far it is, m."""
-    n, away = found
-    return _("mark {n}, {away} m off").format(n=n, away=f"{away:.1f}")
+    names = (_("post"), _("x, y from the peg (m)"), _("reason"))
+    return Table("posts", _("posts for marshals"), names, (0.5, 1.6, 6.0), rows)
 
 
 def chance_table(facts: AnnexFacts) -> Table:
