@@ -86,7 +86,22 @@ def spiral_route(dice: random.Random) -> Tables:
 
 
 def turn_route(dice: random.Random) -> Tables:
-    return {"pitch": length(dice, 1.2, 2.2)}
+    table: Tables = {"pitch": length(dice, 1.2, 2.2)}
+    if dice.random() < 0.3:
+        table["rounds"] = dice.randrange(1, 5)
+        table |= {"outer_radius": length(dice, 5.0, 14.0)} if dice.random() < 0.4 else {}
+        table |= {"back_radius": length(dice, 1.0, 3.0)} if dice.random() < 0.4 else {}
+    return table
+
+
+def street(dice: random.Random) -> Tables:
+    """A street from outside, which a square may cut."""
+    x, y = dice.choice([-1, 1]) * dice.uniform(45, 60), dice.uniform(-30, 30)
+    bend = [0.6 * x, dice.uniform(-25, 25)]
+    table: Tables = {"points": [[x, y], bend, [0.4 * x, bend[1] + dice.uniform(-4, 4)]]}
+    if dice.random() < 0.5:
+        table |= {"deviation": length(dice, 0.5, 3.0), "radius": length(dice, 2.0, 5.0)}
+    return table | ({"width": length(dice, 2.0, 9.0)} if dice.random() < 0.5 else {})
 
 
 def parts_route(dice: random.Random) -> Tables:
@@ -141,6 +156,8 @@ def route(dice: random.Random) -> Tables:
         table["at"] = dice.choice([[0, 0], [dice.uniform(-20, 20), 3]])
     if dice.random() < 0.3:
         table["turned"] = dice.choice([0, dice.uniform(-180, 180)])
+    if kind != "drawn" and dice.random() < 0.2:
+        table["street"] = street(dice)
     return table
 
 
@@ -202,6 +219,9 @@ def cues(dice: random.Random) -> Tables:
     for _n in range(dice.randrange(1, 5)):
         time += dice.uniform(4, 15)
         where: Tables = {"at": round(time, 2)} if dice.random() < 0.6 else {"head": round(time, 2)}
+        if dice.random() < 0.2:
+            where = {"round": dice.randrange(1, 3)} if dice.random() < 0.5 else {}
+            where |= {"place": [dice.uniform(-9, 9), dice.uniform(-9, 9)]}
         kind = dice.choice(["beat", "hold", "stop", "note", "tempo"])
         more: Tables = {"hold": dice.uniform(1, 5)} if kind == "hold" else {}
         more |= {"tempo": dice.randrange(60, 140)} if kind == "tempo" else {}

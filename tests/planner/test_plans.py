@@ -47,6 +47,27 @@ SPECIAL: dict[str, dict[str, Any]] = {
             "entry_radius": 4.4, "exit_radius": 2.0,
         },
     },
+    "three rounds": {"route": {"kind": "turn", "rounds": 3}, "dragon": {"benches": 40}},
+    "a street through the edge of a square": {
+        "route": {
+            "kind": "turn", "rounds": 2, "at": [1, 2], "street": {"points": [[-60, 0], [-30, 3]]},
+        },
+        "dragon": {"benches": 40},
+        "venue": {"rectangle": [44, 44]},
+    },
+    "a street that is too short": {"route": {"kind": "turn", "street": {"points": [[0, 0]]}}},
+    "keys of turning back without rounds": {"route": {"kind": "turn", "back_radius": 2}},
+    "rests by place and round": {
+        "route": {"kind": "turn", "rounds": 3},
+        "dragon": {"benches": 40},
+        "cues": {"cue": [
+            {"kind": "hold", "round": 2, "hold": 9}, {"kind": "note", "place": [6, 2], "round": 3},
+            {"kind": "beat", "place": [6, 2]},
+        ]},
+    },
+    "a round too many": {"cues": {"cue": [{"kind": "note", "round": 2}]}},
+    "a place far away": {"cues": {"cue": [{"kind": "note", "place": [90, 0]}]}},
+    "a cue at nothing": {"cues": {"cue": [{"kind": "note"}]}},
     "a slip of the pen": {"dragon": {"width": 1e-9}, "turn": {"ratio": 1e-4}},
     "a misspelt key": {"dragon": {"bodylength": 3}},
     "a misspelt table": {"wlak": {}},

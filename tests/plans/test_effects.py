@@ -113,6 +113,14 @@ BASES["surveyed"] = {
     "route": {"kind": "drawn", "deviation": 0.2, "piece": PIECES},
     "walk": {"start": 2, "end": 5},
 }
+BASES["street"] = {
+    "dragon": DRAGON,
+    "route": {
+        "kind": "turn", "rounds": 3, "street": {"points": [[-40, 0], [-25, 0], [-20, 8]]},
+    },
+    "walk": {"start": 2, "end": 60},
+    "venue": {"rectangle": [44, 30]},
+}  # fmt: skip
 BASES["cues"] = {
     "dragon": DRAGON,
     "route": SPIRAL,
@@ -172,6 +180,29 @@ VARIED: dict[str, Any] = {
     "route.swings": 4,
     "route.run": 50.0,
     "route.rounds": 2,
+    "route.back_radius": 2.5,
+    "route.street.points": [[-40, 0], [-25, 0], [-20, 6]],
+    **{  # as those of drawn routes
+        f"route.street.{name}": None
+        for name in (
+            "piece",
+            "piece.0.start",
+            "piece.0.heading",
+            "piece.0.length",
+            "piece.0.start_curvature",
+            "piece.0.end_curvature",
+            "file",
+            "layer",
+            "least_radius",
+            "joint_gap",
+            "joint_kink",
+        )
+    },
+    "route.street.deviation": 0.9,
+    "route.street.smooth": "G2",
+    "route.street.drawn_within": 0.15,
+    "route.street.radius": 4.0,
+    "route.street.width": 5.0,
     "route.formation": STEPS[:2],
     "route.formation.0.name": "figure-eight",
     "route.formation.0.pitch": 1.2,
@@ -253,6 +284,8 @@ VARIED: dict[str, Any] = {
     "cues.cue.0.hold": 3.0,
     "cues.cue.0.at": None,  # stands in place of the other: tests/plans/test_cues.py
     "cues.cue.0.head": 6.0,
+    "cues.cue.0.place": None,  # stand in place of the others: tests/plans/test_rounds.py
+    "cues.cue.0.round": None,
     "cues.cue.1.tempo": 100,
     "cues.cue.0.text": "bow",
     "cues.cue.0.text_zh": "拜庙",

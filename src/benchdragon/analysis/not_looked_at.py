@@ -9,7 +9,7 @@ from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import RouteRow
 from benchdragon.model.walk import Walk
 from benchdragon.number_format import known
-from benchdragon.plans.routes import RUN_UP, DrawnRoute
+from benchdragon.plans.routes import RUN_UP
 from benchdragon.plans.schema import Plan
 
 # Rounding of the place of a tail that stands at the start of the route, m.
@@ -106,7 +106,8 @@ def runs_on(walk: Walk) -> bool:
 
 def given_from(plan: Plan, walk: Walk) -> float:
     """Route position at which the plan's own route begins, m: after the line before a drawn bend."""
-    drawn = isinstance(plan.route, DrawnRoute) and not plan.route.closed
+    route = plan.route
+    drawn = (route.kind == "drawn" and not route.closed) or route.after_street
     return RUN_UP if drawn and abs(float(walk.route.joints[1]) - RUN_UP) < DUST else 0.0
 
 

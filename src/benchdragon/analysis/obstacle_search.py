@@ -81,7 +81,7 @@ class ObstacleSearch(EngineQuestion):
             ObstacleGiven.MOST: MOST_EVALUATIONS,
             ObstacleGiven.MOST_LEAST: MOST_LEAST_EVALUATIONS,
         }
-        outline = np.array([(at[0] - x, at[1] - y) for at in obstacle.outline.tolist()])
+        outline = np.array([(at[0] - x, at[1] - y) for at in obstacle.walls.tolist()])
         handle = kernel.open_obstacle(
             near.route.rows, dragon.links, dragon.sizes, outline, repeats_of(near), in_columns(named)
         )

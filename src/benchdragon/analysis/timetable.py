@@ -20,7 +20,7 @@ from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import evaluate
 from benchdragon.model.arrays import as_table
-from benchdragon.model.curves import Route
+from benchdragon.model.curves import AnyCurve, Route, Spiral
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.plans.cues import Moment, cue_name
@@ -117,16 +117,28 @@ def _joints(plan: Plan, walk: Walk, last: float) -> list[tuple[str, float]]:
     bends, joints = Bends.of(walk.route), walk.route.joints[1:-1].tolist()
     found: list[tuple[str, int, float]] = []
     often: dict[str, int] = {}
+    rounds = 1
     for n, s in enumerate(joints, start=1):
         before, behind = bends.turning(s - NEAR), bends.turning(s + NEAR)
         name = _(BENDS[before, behind]) if before != behind else ""
-        if plan.route.kind == "turn" and n in (1, len(joints)):
-            name = _("the turn begins") if n == 1 else _("the turn ends")
+        if plan.route.kind == "turn":
+            ended, begun = walk.route.curves[n - 1], walk.route.curves[n]
+            name = _in_rounds(ended, begun, rounds) or name
+            rounds += 1 if isinstance(ended, Spiral) and not ended.inward else 0
         if name and s < last:
             often[name] = often.get(name, 0) + 1
             found.append((name, often[name], s))
     numbered = _("{name} ({n})")
     return [(numbered.format(name=name, n=n) if often[name] > 1 else name, s) for name, n, s in found]
+
+
+def _in_rounds(ended: AnyCurve, begun: AnyCurve, rounds: int) -> str:
+    """What happens between two curves in one of the rounds of a coil, from 1; "" for nothing."""
+    if isinstance(ended, Spiral):
+        return _("the turn begins") if ended.inward else _("the head goes back")
+    if isinstance(begun, Spiral):
+        return _("round {n} begins").format(n=rounds) if begun.inward else _("the turn ends")
+    return ""
 
 
 def _passing(walk: Walk, span: tuple[float, float], kind: Kind, name: str, s: float) -> Passing:

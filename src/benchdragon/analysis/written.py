@@ -2,7 +2,8 @@
 
 A plan file's numbers are decimals, and pi is pi. From these sizes, curves and places are computed in
 ball arithmetic; no double stands between. Where a route is found by a search (a formation, a drawing, a
-turn with clothoids), the curves that were found are taken for exact as they are stored.
+turn with clothoids), or put together (a street and a coil, rounds), its curves are taken for exact as
+they are stored.
 """
 
 from collections.abc import Sequence
@@ -109,8 +110,10 @@ def _moved(plan: Plan) -> tuple[arb, Pair]:
 
 
 def _told(plan: Plan, walk: Walk) -> Told | None:
-    """The parts of a plan's route; None where they are found by a search."""
+    """The parts of a plan's route; None where its curves are taken as they are stored."""
     route = plan.route
+    if not route.once:
+        return None
     if isinstance(route, SpiralInRoute):
         pitch, disc = number(route.pitch), plan.disc.radius
         end = arb(0) if disc is None else number(disc) * 2 * arb.pi() / pitch

@@ -153,6 +153,11 @@ class OneCurve(Curve):
         return type(self)._from(parts.tolist()[0])
 
 
+def kernel_pose(pose: tuple[Point, float]) -> Pose:
+    """A point, m, and a heading, rad, as the kernels take them."""
+    return Pose(*pose[0], pose[1])
+
+
 def check_pose(point: Point, heading: float) -> None:
     """Refuse a start or centre (m) and a heading (rad) that cannot be."""
     if np.shape(point) != (2,):

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,13 +12,16 @@ from benchdragon.kernels import connections as kernel
 from benchdragon.kernels import route_parts
 from benchdragon.kernels.connections import JoiningWay
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import evaluate
 from benchdragon.model.arrays import as_numbers
-from benchdragon.model.base_curve import Point, check_pose
-from benchdragon.model.curves import AnyCurve, Route, curves_of
+from benchdragon.model.base_curve import Point, check_pose, kernel_pose, laid_rows
+from benchdragon.model.curves import AnyCurve, Route, Spiral, curves_of
 from benchdragon.model.formations import Formation
 
 Pose = tuple[Point, float]
 
+# A spiral is entered at one of so many places of a turn; so many places of a way to it are sampled.
+ENTRIES, SAMPLES = 24, 48
 LETTERS = {1.0: "L", 0.0: "S", -1.0: "R"}
 
 
@@ -64,17 +67,13 @@ def connections(start: Pose, end: Pose, radius: float) -> list[Connection]:
         _check(pose)
     positive("radius", radius, "m")
     ways = np.empty((kernel.MOST_WAYS, kernel.WAY_COLUMNS))
-    count = kernel.connections(_pose(start), _pose(end), radius, ways)
+    count = kernel.connections(kernel_pose(start), kernel_pose(end), radius, ways)
     return [_connection(start, ways, n, radius) for n in range(count)]
-
-
-def _pose(pose: Pose) -> route_parts.Pose:
-    return route_parts.Pose(*pose[0], pose[1])
 
 
 def _connection(start: Pose, ways: FloatArray, n: int, radius: float) -> Connection:
     parts = np.empty((kernel.PIECES, route_parts.PART_COLUMNS))
-    count = kernel.way_parts(_pose(start), ways, n, radius, parts)
+    count = kernel.way_parts(kernel_pose(start), ways, n, radius, parts)
     hands = ways[n, JoiningWay.HANDS : JoiningWay.HANDS + kernel.PIECES].tolist()
     return Connection("".join(map(LETTERS.__getitem__, hands)), curves_of(parts[:count]))
 
@@ -146,6 +145,55 @@ def programme(steps: Sequence[Step], radius: float) -> Route:
     given = np.concatenate(parts)
     out = np.empty((len(given) + kernel.PIECES * len(steps), route_parts.PART_COLUMNS))
     return Route(curves_of(out[: kernel.programme(given, table, radius, out)]))
+
+
+def joined(before: Route, after: Route, radius: float) -> Route:
+    """Along one route, then along another, by the shortest connection between.
+
+    Where the second begins with a spiral inwards, it begins farther out on that, by less than a turn,
+    wherever the way that does not lead across its turns is shortest so. `check` tells of the rest.
+
+    Args:
+        before: the first.
+        after: the second; neither is moved.
+        radius: of the connection's arcs, m.
+    """
+    positive("radius", radius, "m")
+    first = _entered(before, after.curves[0], radius)
+    parts, _whole = _shortest(before.end_pose, first.start_pose, radius)
+    return Route((*before.curves, *curves_of(parts), first, *after.curves[1:]))
+
+
+def _entered(before: Route, curve: AnyCurve, radius: float) -> AnyCurve:
+    """A curve that a route leads to; a spiral inwards from farther out, where that makes it short."""
+    if not isinstance(curve, Spiral) or not curve.inward:
+        return curve
+    turns = [curve.start_angle + 2.0 * math.pi * n / ENTRIES for n in range(ENTRIES)]
+    begun = [replace(curve, start_angle=angle) for angle in turns]
+    ways = [_around(before.end_pose, one, radius) for one in begun]
+    return begun[ways.index(min(ways))]
+
+
+def _around(start: Pose, spiral: Spiral, radius: float) -> float:
+    """Length of the shortest way to a spiral and along it, m; infinite if it leads across its turns."""
+    parts, whole = _shortest(start, spiral.start_pose, radius)
+    if len(parts):
+        poses = np.empty((SAMPLES, 4))
+        evaluate(laid_rows(parts), np.array([whole * n / SAMPLES for n in range(SAMPLES)]), poses)
+        (u, v), near = spiral.centre, spiral.start_angle * spiral.k - 0.25 * spiral.pitch
+        away = [math.hypot(x - u, y - v) for x, y, _heading, _bend in poses.tolist()]
+        if min(away) < near:
+            return math.inf
+    return whole + spiral.length
+
+
+def _shortest(start: Pose, end: Pose, radius: float) -> tuple[FloatArray, float]:
+    """The parts of the shortest connection of two poses, and its length, m."""
+    ways = np.empty((kernel.MOST_WAYS, kernel.WAY_COLUMNS))
+    parts = np.empty((kernel.PIECES, route_parts.PART_COLUMNS))
+    kernel.connections(kernel_pose(start), kernel_pose(end), radius, ways)
+    count = kernel.way_parts(kernel_pose(start), ways, 0, radius, parts)
+    return parts[:count], float(ways[0, JoiningWay.WHOLE])
 
 
 def _check_steps(steps: object) -> None:

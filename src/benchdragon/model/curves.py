@@ -211,6 +211,11 @@ class Spiral(OneCurve):
         return cls(pitch, start_radius / k, end_radius / k, centre, rotation, mirrored)
 
     @property
+    def inward(self) -> bool:
+        """Whether it is walked towards its centre."""
+        return self.end_angle < self.start_angle
+
+    @property
     def k(self) -> float:
         """Radius gained per radian, m."""
         return self.pitch / (2.0 * math.pi)

@@ -6,8 +6,10 @@ dragon stands at first, it is asked besides on which side.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
@@ -50,17 +52,23 @@ class Standing:
     kind: Kind
     outline: FloatArray
     radius: float
+    open: FloatArray | None
 
     @property
     def sort(self) -> int:
-        """What its kind is to the kernels."""
-        return SORTS[self.kind]
+        """What its kind is to the kernels: an edge with a gate is a chain of lines."""
+        return SORTS[self.kind if self.open is None else "line"]
+
+    @property
+    def walls(self) -> FloatArray:
+        """What benches must not touch of it: its outline, or what a gate leaves of that, m, (P, 2)."""
+        return self.outline if self.open is None else self.open
 
     @cached_property
     def boxes(self) -> FloatArray:
         """Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py."""
-        out = np.empty((kernel.sides(self.sort, len(self.outline)), BOX_COLUMNS))
-        kernel.fill_boxes(self.sort, self.outline, out)
+        out = np.empty((kernel.sides(self.sort, len(self.walls)), BOX_COLUMNS))
+        kernel.fill_boxes(self.sort, self.walls, out)
         out.flags.writeable = False
         return out
 
@@ -68,7 +76,7 @@ class Standing:
         """Which points, m, (P, 2), are forbidden: inside it, or outside the venue; (P,)."""
         out = np.empty(len(points), dtype=np.int64)
         points = np.ascontiguousarray(points)
-        kernel.forbidden(self.sort, self.outline, self.radius, points, out)
+        kernel.forbidden(self.sort, self.walls, self.radius, points, out)
         return out.astype(np.bool_)
 
 
@@ -86,6 +94,7 @@ class Obstacle(Standing):
             circle the centre.
         radius: of a circle, m; else 0.
         margin: the distance that benches must keep, m.
+        open: of a venue with a gate, what that leaves of its outline, from one post to the other, m.
 
     Examples:
         >>> well = bd.Obstacle.circle("well", (3.0, 4.0), 0.5, margin=0.3)
@@ -98,6 +107,7 @@ class Obstacle(Standing):
     outline: FloatArray
     radius: float = 0.0
     margin: float = 0.0
+    open: FloatArray | None = None
 
     def __post_init__(self) -> None:
         not_negative("margin", self.margin, "m")
@@ -107,10 +117,10 @@ class Obstacle(Standing):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Obstacle):
             return NotImplemented
+        pairs = (self.outline, other.outline), (self.walls, other.walls)
         numbers = self.radius, self.margin
-        return (self.name, self.kind, *numbers) == (
-            other.name, other.kind, other.radius, other.margin
-        ) and np.array_equal(self.outline, other.outline)  # fmt: skip
+        alike = (self.name, self.kind, *numbers) == (other.name, other.kind, other.radius, other.margin)
+        return alike and all(np.array_equal(one, its) for one, its in pairs)
 
     def __hash__(self) -> int:
         return hash((self.name, self.kind, self.radius, self.margin, self.outline.tobytes()))
@@ -165,10 +175,82 @@ class Obstacle(Standing):
 
     def moved(self, turned: float, by: Point) -> "Obstacle":
         """The same turned about the origin by an angle, rad, and then moved, m."""
-        c, s = math.cos(turned), math.sin(turned)
-        turns = [(c * x - s * y, s * x + c * y) for x, y in self.outline.tolist()]
-        outline = as_table([(x + by[0], y + by[1]) for x, y in turns])
-        return Obstacle(self.name, self.kind, outline, self.radius, self.margin)
+        outline, walls = _turned(self.outline, turned, by), _turned(self.walls, turned, by)
+        left = None if self.open is None else walls
+        return Obstacle(self.name, self.kind, outline, self.radius, self.margin, left)
+
+    def gated(self, way: Sequence[Point], width: float) -> "Obstacle":
+        """A venue with a gate, `width` m wide, where a way from outside first crosses its edge.
+
+        The same where it does not, or begins inside.
+        """
+        ring = self.outline.tolist()
+        sides = list(zip(ring, [*ring[1:], ring[0]], strict=True))
+        ends = [0.0]
+        for one, other in sides:
+            ends.append(ends[-1] + math.dist(one, other))
+        if width >= ends[-1] or _is_inside(sides, way[0]):
+            return self
+        for here, there in pairwise(way):
+            met = [_met(here, there, one, other) for one, other in sides]
+            hits = [(share[0], n, share[1]) for n, share in enumerate(met) if share is not None]
+            if hits:
+                _first, n, share = min(hits)
+                at = ends[n] + share * (ends[n + 1] - ends[n])
+                chain = as_table(_round(ring, ends, at + 0.5 * width, at - 0.5 * width + ends[-1]))
+                return Obstacle(self.name, self.kind, self.outline, self.radius, self.margin, chain)
+        return self
+
+
+def _turned(points: FloatArray, turned: float, by: Point) -> FloatArray:
+    """Points turned about the origin by an angle, rad, and then moved, m."""
+    c, s = math.cos(turned), math.sin(turned)
+    turns = [(c * x - s * y, s * x + c * y) for x, y in points.tolist()]
+    return as_table([(x + by[0], y + by[1]) for x, y in turns])
+
+
+def _met(here: Point, there: Point, one: Point, other: Point) -> tuple[float, float] | None:
+    """Where two segments meet, as shares of both; None where they do not."""
+    ax, ay, bx, by = there[0] - here[0], there[1] - here[1], other[0] - one[0], other[1] - one[1]
+    dx, dy, across = one[0] - here[0], one[1] - here[1], ax * by - ay * bx
+    if across == 0.0:
+        return None
+    share, other_share = (dx * by - dy * bx) / across, (dx * ay - dy * ax) / across
+    return (share, other_share) if 0.0 <= share <= 1.0 and 0.0 <= other_share <= 1.0 else None
+
+
+def _is_inside(sides: Sequence[tuple[Point, Point]], point: Point) -> bool:
+    """Whether a point lies inside the sides of an outline."""
+    x, y = point
+    right = [
+        one
+        for one, other in sides
+        if (one[1] > y) != (other[1] > y)
+        and one[0] + (y - one[1]) / (other[1] - one[1]) * (other[0] - one[0]) > x
+    ]
+    return len(right) % 2 == 1
+
+
+def _round(ring: Sequence[Point], ends: Sequence[float], begin: float, end: float) -> list[Point]:
+    """A ring's points from one way round it to another, m; `ends` are the ways to its corners."""
+    whole = ends[-1]
+    inner = [
+        (ends[n] + lap, ring[n])
+        for lap in (-whole, 0.0, whole)
+        for n in range(len(ring))
+        if begin + LEAST_SIDE < ends[n] + lap < end - LEAST_SIDE
+    ]
+    corners = [point for _way, point in sorted(inner)]
+    return [_along(ring, ends, begin), *corners, _along(ring, ends, end)]
+
+
+def _along(ring: Sequence[Point], ends: Sequence[float], way: float) -> Point:
+    """The point of a ring after a way along it, m."""
+    way = way % ends[-1]
+    n = max(n for n in range(len(ring)) if ends[n] <= way)
+    share = (way - ends[n]) / (ends[n + 1] - ends[n])
+    (x, y), (u, v) = ring[n], ring[(n + 1) % len(ring)]
+    return x + share * (u - x), y + share * (v - y)
 
 
 def rectangle_outline(name: str, centre: Point, size: tuple[float, float], angle: float) -> FloatArray:

@@ -29,7 +29,7 @@ from benchdragon.kernels.turn_families import (
 )
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import Point, checked_bend, checked_size, laid_rows
-from benchdragon.model.curves import AnyCurve, Arc, Route, curves_of, joined_curves
+from benchdragon.model.curves import AnyCurve, Arc, Route, Spiral, curves_of, joined_curves
 
 
 @dataclass(frozen=True)
@@ -205,6 +205,51 @@ class Turn:
         parts = self._parts(positive("lead", lead, "m"), positive("trail", trail, "m"))
         curves = curves_of(parts)
         return Route(joined_curves(curves, 1, len(curves) - 1))
+
+    def rounds(
+        self, count: int, outer: float, bend: float, trail: float = TRAIL, begun: bool = False
+    ) -> Route:
+        """In and out so many times, each time round the coil to where the inward spiral begins.
+
+        Args:
+            count: how many times.
+            outer: radius of both spirals at which the head turns back, m.
+            bend: radius of the arc by which it does, m.
+            trail: length of the last spiral out, m.
+            begun: whether the route begins at the outer radius, else LEAD metres before the turn.
+        """
+        scale = 2.0 * math.pi / self.pitch
+        start = checked_size("outer", outer) * scale
+        inward = Spiral(self.pitch, start, self.entry_radius * scale)
+        outward = Spiral(self.pitch, self.exit_radius * scale, start, (0.0, 0.0), math.pi)
+        once = self.route(LEAD, trail).curves
+        middle = once[1:-1]
+        back = way_back(outward, inward, checked_bend("bend", bend))
+        again = [curve for _round in range(count - 1) for curve in (*middle, outward, *back, inward)]
+        return Route((inward if begun else once[0], *again, *middle, once[-1]))
+
+
+def way_back(outward: Spiral, inward: Spiral, bend: float) -> tuple[Arc, Arc]:
+    """From the end of a spiral out round the coil to the start of one in: two arcs to the right.
+
+    The first has the radius `bend`, m. The other touches it from outside, and the inward spiral where
+    that begins, with less curvature than that has: it lies outside the coil all the way.
+    """
+    (x, y), heading = outward.end_pose
+    (u, v), goal = inward.start_pose
+    right_x, right_y = math.sin(goal), -math.cos(goal)
+    # From the start of the inward spiral to the centre of the first circle.
+    dx, dy = x + bend * math.sin(heading) - u, y - bend * math.cos(heading) - v
+    wide = (dx * dx + dy * dy - bend * bend) / (2.0 * (dx * right_x + dy * right_y - bend))
+    joint = math.atan2(wide * right_x - dx, dy - wide * right_y)
+    there = (
+        x + bend * (math.sin(heading) - math.sin(joint)),
+        y - bend * (math.cos(heading) - math.cos(joint)),
+    )
+    return (
+        Arc(bend, -((heading - joint) % (2.0 * math.pi)), (x, y), heading),
+        Arc(wide, -((joint - goal) % (2.0 * math.pi)), there, joint),
+    )
 
 
 def reach(rows: FloatArray) -> float:

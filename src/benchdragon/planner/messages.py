@@ -67,6 +67,25 @@ class WantedPapers(Record):
     names: NamesHeld | None
 
 
+class FormationSize(Record):
+    """A size of a formation: see `formations.Size`; `usual` where nothing is said."""
+
+    name: str
+    text: Words
+    least: float
+    most: float
+    unit: str
+    usual: float
+
+
+class NamedFormation(Record):
+    """A formation that plans can name."""
+
+    name: str
+    title: Words
+    sizes: list[FormationSize]
+
+
 class TurnFound(Record):
     """The best turn found, and the plan with it: see `turn.BestTurn`.
 

@@ -6,14 +6,16 @@ script stands in it too.
 
 import base64
 import zlib
+from functools import partial
 from pathlib import Path
 
 from benchdragon.files import write_whole
 from benchdragon.hosts import built
-from benchdragon.i18n import language
+from benchdragon.i18n import Words, _, both, language
 from benchdragon.inlining import WEB, chinese, html_page, inlined
+from benchdragon.model.formations import FORMATIONS, Formation
 from benchdragon.planner.first_look import first_look
-from benchdragon.planner.messages import Preset, WantedPapers
+from benchdragon.planner.messages import FormationSize, NamedFormation, Preset, WantedPapers
 from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import Plan
 from benchdragon.version import __version__
@@ -42,6 +44,7 @@ def planner_page(
         "version": __version__,
         "words": chinese(PAGE, WORKER),
         "presets": [Preset.model_validate(one).model_dump(mode="json") for one in presets()],
+        "formations": [_named(one).model_dump(mode="json") for one in FORMATIONS.values()],
         "plan": None if plan is None else plan.data(),
         "papers": None if papers is None else papers.model_dump(mode="json"),
         "worker": f'"use strict";\n{inlined(WORKER)}\nserve(globalThis);\n',
@@ -52,6 +55,20 @@ def planner_page(
         "planner.html.jinja", PAGE, STYLES, spoken or language(), held,
         title="benchdragon", notices=notices, look=first_look(plan or presets()[0].plan),
     )  # fmt: skip
+
+
+def _named(formation: type[Formation]) -> NamedFormation:
+    """What pages know of a formation."""
+    usual = formation.defaults()
+    sizes = [
+        FormationSize(
+            name=name, text=both(partial(_, size.text)), least=size.least, most=size.most,
+            unit=size.unit, usual=usual[name],
+        )
+        for name, size in formation.sizes.items()
+    ]  # fmt: skip
+    title = Words(en=formation.english, zh=formation.chinese)
+    return NamedFormation(name=formation.name, title=title, sizes=sizes)
 
 
 def _deflated(data: bytes) -> str:

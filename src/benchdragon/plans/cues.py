@@ -16,9 +16,11 @@ from benchdragon.model.profile import SpeedProfile
 from benchdragon.plans.signs import TIME_OF_DAY, narrow
 from benchdragon.plans.source import Fault, KeyedError
 from benchdragon.plans.tables import (
+    MOST_ROUNDS,
     Acceleration,
     LengthOrZero,
     LimitsTable,
+    Metres,
     Number,
     OneLine,
     Seconds,
@@ -76,6 +78,9 @@ class CueTable(Table):
     Attributes:
         at: when, s.
         head: where the head is then, m of its walk from the start of the dance.
+        place: a point on the ground, m, to which the head is nearest then: for the first time, or in
+            a round.
+        round: of the dance: that of the place, or the one that the head begins then.
         hold: for how long the head stands, s.
         tempo: beats a minute from then on.
     """
@@ -83,6 +88,8 @@ class CueTable(Table):
     kind: Kind
     at: Seconds | None = None
     head: LengthOrZero | None = None
+    place: tuple[Metres, Metres] | None = None
+    round: Annotated[int, Field(ge=1, le=MOST_ROUNDS, strict=True)] | None = None
     hold: Annotated[Seconds, Field(ge=LEAST_HOLD)] | None = None
     tempo: Tempo | None = None
     text: OneLine = ""
@@ -96,8 +103,10 @@ class CueTable(Table):
 
 def check_cue(cue: CueTable) -> None:
     """Refuse keys of a cue that exclude one another."""
-    if (cue.at is None) == (cue.head is None):
-        raise ValueError(_("a cue needs either at, a time, or head, a place of the head"))
+    placed = cue.place is not None or cue.round is not None
+    if [cue.at is not None, cue.head is not None, placed].count(True) != 1:
+        text = _("a cue needs one of these: at (a time), head (a way), place or round")
+        raise ValueError(text)
     if cue.kind == "start" and cue.at is None:
         raise ValueError(_("a start needs at, a time: the head stands until then"))
     for name in ("hold", "tempo"):
@@ -157,11 +166,13 @@ class Paced:
         profile: the speed.
         start: of the dance, s.
         standings: where the head stands, by the numbers of cues.
+        heads: where on its way the head comes to each cue, m; None where a time says when.
     """
 
     profile: SpeedProfile
     start: float
     standings: tuple[Standing, ...]
+    heads: Sequence[float | None] = ()
 
     @property
     def end(self) -> float:
@@ -181,27 +192,32 @@ class Paced:
             if n in held:
                 time, way, until = held[n].start, held[n].way, held[n].end
             else:
-                time = self._time(cue)
-                way = self.way(time) if cue.head is None else cue.head
+                head = self.heads[n]
+                time = self._time(cue.at, head)
+                way = self.way(time) if head is None else head
                 until = time
             found.append(Moment(n, cue, time, way, until))
         return tuple(sorted(found, key=lambda one: (one.time, one.number)))
 
-    def _time(self, cue: CueTable) -> float:
+    def _time(self, at: float | None, head: float | None) -> float:
         """When a cue is that holds nothing, s."""
-        if cue.head is None:
-            return 0.0 if cue.at is None else cue.at
-        here = [one.start for one in self.standings if abs(one.way - cue.head) <= SAME_PLACE]
+        if head is None:
+            return 0.0 if at is None else at
+        here = [one.start for one in self.standings if abs(one.way - head) <= SAME_PLACE]
         if here:
             return here[0]
-        return max(self.profile.time(cue.head + float(self.profile.distance(self.start))), self.start)
+        return max(self.profile.time(head + float(self.profile.distance(self.start))), self.start)
 
 
-def paced(cues: CuesTable, profile: SpeedProfile, start: float, limits: LimitsTable) -> Paced:
+def paced(
+    cues: CuesTable, heads: Sequence[float | None], profile: SpeedProfile, start: float,
+    limits: LimitsTable,
+) -> Paced:  # fmt: skip
     """The head's speed with holds, stops and starts.
 
     Args:
         cues: of a plan.
+        heads: where on its way the head comes to each, m; None where a time says when.
         profile: without them.
         start: of the dance, s.
         limits: of the plan.
@@ -216,7 +232,9 @@ def paced(cues: CuesTable, profile: SpeedProfile, start: float, limits: LimitsTa
         raise KeyedError([Fault("cues.acceleration", text)])
     holding = [n for n, cue in enumerate(cues.cue) if cue.kind in ("hold", "stop")]
     asked = [cues.cue[n] for n in holding]
-    holds = [Hold(cue.head, cue.at, cue.hold or math.inf) for cue in asked]
+    holds = [
+        Hold(heads[n], cue.at, cue.hold or math.inf) for n, cue in zip(holding, asked, strict=True)
+    ]
     starts = [
         (n, cue.at) for n, cue in enumerate(cues.cue) if cue.kind == "start" and cue.at is not None
     ]
@@ -227,7 +245,8 @@ def paced(cues: CuesTable, profile: SpeedProfile, start: float, limits: LimitsTa
         text = _(TROUBLE[error.trouble]).format(rate=f"{rate:g}", start=f"{start:g}")
         raise KeyedError([Fault(f"cues.cue.{holding[error.number]}", text)]) from None
     _refuse_idle(starts, {one.end for one in stood if holds[one.number].seconds == math.inf})
-    return Paced(found, start, tuple(replace(one, number=holding[one.number]) for one in stood))
+    standings = tuple(replace(one, number=holding[one.number]) for one in stood)
+    return Paced(found, start, standings, heads)
 
 
 def _refuse_idle(starts: Sequence[tuple[int, float]], used: set[float]) -> None:
@@ -250,7 +269,7 @@ def outside(moments: Sequence[Moment], start: float, end: float, way: float) -> 
     by_place = _("that is not within the dance, in which the head walks {way} m")
     by_place = by_place.format(way=f"{way:.6g}")
     return [
-        Fault(f"cues.cue.{one.number}", by_time if one.cue.head is None else by_place)
+        Fault(f"cues.cue.{one.number}", by_place if one.cue.at is None else by_time)
         for one in moments
         if not start <= one.time <= end + END_SLACK
     ]

@@ -80,39 +80,45 @@ def piece_of(curve: AnyCurve) -> dict[str, Any]:
 def with_drawings(data: dict[str, Any], source: Source) -> tuple[dict[str, Any], tuple[str, ...]]:
     """A plan's tables with what its files hold in place of their names, and what was passed over there.
 
-    `file` of [route] and [venue] is a file beside the plan. One origin serves all; where [survey] does
-    not say it, it is that of the first file, and said from then on.
+    `file` of [route], [route.street] and [venue] is a file beside the plan. One origin serves all;
+    where [survey] does not say it, it is that of the first file, and said from then on.
 
     Raises:
         PlanError: for a file that cannot be read, or is not beside the plan.
         MissingExtraError: for a format that needs the extra `survey`.
     """
-    named = [name for name in ("venue", "route") if _names_file(data.get(name))]
+    named = [name for name in ("venue", "route", "route.street") if _names_file(_table(data, name))]
     try:
         survey = SurveyTable.model_validate(data.get("survey", {})).build() if named else Survey()
     except ValidationError:
         return data, ()  # the plan's own check says what is wrong
     except InputError as error:
         raise PlanError(source.sentences([Fault("survey", str(error))])) from None
-    clashes = [clash.text for name in named for clash in _clashes(name, data[name])]
+    clashes = [clash.text for name in named for clash in _clashes(name, _table(data, name))]
     if clashes:
         raise PlanError(source.sentences([Fault("", text) for text in clashes]))
     found, told = dict(data), list[str]()
     for name in named:
-        table = {key: value for key, value in data[name].items() if key not in ("file", "layer")}
-        layer = data[name].get("layer")
+        said = _table(found, name)
+        table = {key: value for key, value in said.items() if key not in ("file", "layer")}
+        layer = said.get("layer")
         try:
-            path = source.beside(data[name]["file"])
+            path = source.beside(said["file"])
             if name == "venue":
                 corners, survey = outline(path, survey, layer, told.append)
                 table["boundary"] = corners.tolist()
             else:
                 line, survey = read_line(path, survey, layer, told.append)
                 keys = _drawn(line, table.get("drawn_within"))
+                if name == "route.street":
+                    keys.pop("closed", None)
                 table = {**table, **keys, **{k: table[k] for k in ("closed",) if k in table}}
         except InputError as error:
             raise PlanError(source.sentences([Fault(f"{name}.file", str(error))])) from None
-        found[name] = table
+        if name == "route.street":
+            found["route"] = {**found["route"], "street": table}
+        else:
+            found[name] = table
     if named:
         found["survey"] = {
             key: value
@@ -122,11 +128,19 @@ def with_drawings(data: dict[str, Any], source: Source) -> tuple[dict[str, Any],
     return found, tuple(told)
 
 
+def _table(data: dict[str, Any], name: str) -> Any:
+    """The table of a dotted name, if there is one."""
+    at: Any = data
+    for step in name.split("."):
+        at = at.get(step) if isinstance(at, dict) else None
+    return at
+
+
 def _clashes(name: str, table: dict[str, Any]) -> list[Idle]:
     """What a table says beside its file that the file says too."""
     others = ("boundary", "rectangle") if name == "venue" else ("points", "piece")
     return [
-        Idle((name, "file"), f"{name}.{other}", f"{name}.{other}")
+        Idle((*name.split("."), "file"), f"{name}.{other}", f"{name}.{other}")
         for other in others
         if table.get(other) is not None
     ]

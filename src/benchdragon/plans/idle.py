@@ -90,16 +90,14 @@ def idle_keys(data: dict[str, Any], latest: Sequence[str] = ()) -> list[Idle]:
             name for name, families in FAMILIES.items() if name in turn and family not in families
         ]
         found += [Idle(("turn", name), "turn.family", f'turn.family = "{family}"') for name in strays]
+        found += _idle_back(route)
     if kind == "formation":
         found += _idle_sizes(route, ("route",))
     if kind == "programme" and isinstance(route.get("formation"), list):
         for i, one in enumerate(route["formation"]):
             found += _idle_sizes(_said(one), ("route", "formation", i))
-    if kind == "drawn":
-        ways = sorted(DRAWN, key=lambda name: f"route.{name}" not in latest)
-        chosen = next((name for name in ways if name in route), "")
-        idle = [("route", name) for name in DRAWN.get(chosen, ()) if name in route]
-        found += [Idle(path, f"route.{chosen}", f"route.{chosen}") for path in idle]
+    found += _idle_drawing(route, "route", latest) if kind == "drawn" else []
+    found += _idle_drawing(_said(route.get("street")), "route.street", latest)
     if tables["walk"].get("profile") and "speed" in tables["walk"]:
         found.append(Idle(("walk", "speed"), "walk.profile", "walk.profile"))
     if tables["dragon"].get("bench"):
@@ -126,6 +124,25 @@ def _idle_on_the_square(venue: dict[str, Any], limits: dict[str, Any]) -> list[I
     if "layer" in venue and "file" not in venue:
         found.append(Idle(("venue", "layer"), "venue", "venue.file", missing=True))
     return found
+
+
+def _idle_back(route: dict[str, Any]) -> list[Idle]:
+    """The keys of a coil about how the head turns back, where it never does and no street leads in."""
+    rounds, street = route.get("rounds"), "street" in route
+    if isinstance(rounds, int) and rounds > 1:
+        return []
+    names = ["back_radius"] if street else ["back_radius", "outer_radius"]
+    because = "route.rounds" if street else "route.rounds, route.street"
+    strays = [name for name in names if name in route]
+    return [Idle(("route", name), "route.rounds", because, missing=True) for name in strays]
+
+
+def _idle_drawing(table: dict[str, Any], where: str, latest: Sequence[str]) -> list[Idle]:
+    """The keys of a drawing, in the table of such a name, that have no effect beside others."""
+    ways = sorted(DRAWN, key=lambda name: f"{where}.{name}" not in latest)
+    chosen = next((name for name in ways if name in table), "")
+    idle = [(*where.split("."), name) for name in DRAWN.get(chosen, ()) if name in table]
+    return [Idle(path, f"{where}.{chosen}", f"{where}.{chosen}") for path in idle]
 
 
 def _idle_sizes(table: dict[str, Any], path: tuple[str | int, ...]) -> list[Idle]:

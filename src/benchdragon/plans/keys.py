@@ -106,7 +106,7 @@ def meaning(plan: Plan, key: str) -> Key:
     for folder in folders:
         table = table[int(folder)] if isinstance(table, list) else table.get(folder, {})
     header = ".".join(folder for folder in folders if not folder.isdigit())
-    header = f"[[{header}]]" if len(folders) > 1 else f"[{header}]"
+    header = f"[[{header}]]" if folders[-1].isdigit() else f"[{header}]"
     own = f'{header} kind = "{table.get("kind")}"'
     fitting = [one for one in SECTIONS if one.header.split(" ")[0] == header and name in one.keys]
     if not fitting:

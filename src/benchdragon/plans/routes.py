@@ -9,8 +9,9 @@ from pydantic import Field
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
+from benchdragon.kernels.route import evaluate
 from benchdragon.kernels.turn_families import TRAIL
-from benchdragon.model.connections import programme
+from benchdragon.model.connections import joined, programme
 from benchdragon.model.curves import Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
@@ -28,6 +29,7 @@ from benchdragon.plans.formations import (
 from benchdragon.plans.source import Fault, Faults, KeyedError
 from benchdragon.plans.tables import (
     MOST_PARTS,
+    MOST_ROUNDS,
     Degrees,
     DiscTable,
     Length,
@@ -53,6 +55,10 @@ MOST_STEPS = 50
 RUN_UP = 1.0
 # A bend must be wider than half a link by this share, or the bench folds.
 FOLDS = 1e-3
+# A gate lies where chords so long, m, along the route first cross the edge of the square.
+FINE = 0.5
+# Radii at which a dance turns back are multiples of this, m.
+OUT_TO = 0.1
 
 
 def _at(key: str, text: str) -> KeyedError:
@@ -95,6 +101,29 @@ class RouteTable(Table):
     at: tuple[Metres, Metres] | None = None
     turned: Degrees = 0.0
 
+    @property
+    def once(self) -> bool:
+        """Whether the dance is walked once, with nothing before it."""
+        return True
+
+    @property
+    def after_street(self) -> bool:
+        """Whether a street leads to it."""
+        return False
+
+    def build(self, plan: Beside) -> tuple[Route, float]:
+        """The route about the origin, and where on it the head stands at time 0."""
+        raise NotImplementedError
+
+    def whole(self, plan: Beside) -> tuple[Route, float]:
+        """The route on the square, and where on it the head stands at time 0."""
+        route, begun = self.build(plan)
+        return self.placed(route), begun
+
+    def gated(self, edge: Obstacle, _route: Route, _plan: Beside) -> Obstacle:
+        """The edge of the square as the dance meets it: with a gate where a street leads in."""
+        return edge
+
     def placed(self, route: Route) -> Route:
         """The route as `build` gives it, turned about its origin and moved to where it is danced."""
         if self.at is None and self.turned == 0.0:
@@ -112,7 +141,123 @@ class RouteTable(Table):
         return math.inf
 
 
-class SpiralInRoute(RouteTable):
+class Drawn(NamedTuple):
+    """What a drawn route follows, so that it can be the key of what was found for it."""
+
+    points: tuple[tuple[float, float], ...]
+    pieces: tuple[PieceTable, ...]
+    closed: bool
+    within: float
+
+    def line(self) -> DrawnLine:
+        """The line that was drawn."""
+        corners = corners_of(self.points, self.closed) if self.points else np.zeros((0, 3))
+        curves = tuple(piece.build() for piece in self.pieces)
+        return DrawnLine("", corners, curves, self.closed, self.within)
+
+
+@lru_cache(maxsize=8)
+def _fitted(
+    drawn: Drawn, smooth: Smooth, deviation: float, least_radius: float, gap: float, kink: float
+) -> Fit:
+    """The route along a drawing; kept, for searches ask for the same one again and again."""
+    return fitted(drawn.line(), smooth, deviation, least_radius, gap, kink)
+
+
+class Drawing(Table):
+    """A line that was drawn or surveyed: `points` of it, or `piece`s; a `file` becomes these."""
+
+    points: Annotated[list[tuple[Metres, Metres]], Field(max_length=MOST_CURVES)] | None = None
+    piece: Annotated[list[PieceTable], Field(max_length=MOST_CURVES)] | None = None
+    file: Annotated[str, Field(max_length=255)] | None = None
+    layer: Annotated[str, Field(max_length=255)] | None = None
+    deviation: Length = 0.1
+    smooth: Smooth = "G1"
+    least_radius: Length | None = None
+    joint_gap: LengthOrZero = GAP
+    joint_kink: Annotated[Degrees, Field(ge=0.0)] = math.degrees(KINK)
+    drawn_within: LengthOrZero = 0.0
+
+
+def _along(drawing: Drawing, link: float, closed: bool, key: str) -> Fit:
+    """The route along a drawing, and how near it keeps; `link` is the longest of a bench, m.
+
+    Raises:
+        InputError: naming the place where a bend is too tight or a joint too wide.
+    """
+    least = max(drawing.least_radius or 0.0, 0.5 * link * (1.0 + FOLDS))
+    kink = math.radians(drawing.joint_kink)
+    if not (drawing.points or drawing.piece):
+        raise _at(key, _("a drawn route needs points, or a file beside the plan"))
+    points, pieces = tuple(drawing.points or ()), tuple(drawing.piece or ())
+    drawn = Drawn(points, pieces, closed, drawing.drawn_within)
+    return _fitted(drawn, drawing.smooth, drawing.deviation, least, drawing.joint_gap, kink)
+
+
+def _on_a_line(route: Route) -> tuple[Route, float]:
+    """A route that the dragon stands before, on a straight line, and where it begins on it, m."""
+    if isinstance(route.curves[0], Line):
+        return route, 0.0
+    (x, y), heading = route.start_pose
+    before = x - RUN_UP * math.cos(heading), y - RUN_UP * math.sin(heading)
+    return Route((Line(RUN_UP, before, heading), *route.curves)), RUN_UP
+
+
+class StreetTable(Drawing):
+    """A street that is walked before a dance: it lies where it was drawn, wherever that is danced."""
+
+    deviation: Length = 1.0
+    radius: Length = 3.0
+    width: Length = 6.0
+
+    def before(self, route: Route, link: float) -> tuple[Route, float]:
+        """Along the street, then along a route on the square; and where the head stands at time 0.
+
+        Raises:
+            KeyedError: for a bend that benches with a link of such a length, m, cannot follow.
+        """
+        refuse_tight("route.street.radius", self.radius, link)
+        street, begun = _on_a_line(_along(self, link, False, "route.street").route)
+        return joined(street, route, self.radius), begun
+
+
+class AfterStreet(RouteTable):
+    """What routes have that a street may lead to."""
+
+    street: StreetTable | None = None
+
+    @property
+    def once(self) -> bool:
+        """See `RouteTable.once`."""
+        return self.street is None
+
+    @property
+    def after_street(self) -> bool:
+        """See `RouteTable.after_street`."""
+        return self.street is not None
+
+    def whole(self, plan: Beside) -> tuple[Route, float]:
+        """See `RouteTable.whole`; with a street the head stands at its start at time 0."""
+        route, begun = self.build(plan)
+        if self.street is None:
+            return self.placed(route), begun
+        return self.street.before(self.placed(route), _longest_link(plan))
+
+    def gated(self, edge: Obstacle, route: Route, plan: Beside) -> Obstacle:
+        """See `RouteTable.gated`: the dragon comes from behind the start of the street."""
+        if self.street is None:
+            return edge
+        count = math.ceil(route.length / FINE)
+        poses = np.empty((count + 1, 4))
+        evaluate(route.rows, np.array([route.length * n / count for n in range(count + 1)]), poses)
+        (x, y), heading = route.start_pose
+        far = _extent(plan)
+        behind = x - far * math.cos(heading), y - far * math.sin(heading)
+        way = [behind, *[(u, v) for u, v, _heading, _bend in poses.tolist()]]
+        return edge.gated(way, self.street.width)
+
+
+class SpiralInRoute(AfterStreet):
     """In along one spiral, from a turn number at theta = 0 of the last turn, to disc or centre."""
 
     kind: Literal["spiral-in"]
@@ -139,17 +284,61 @@ class SpiralInRoute(RouteTable):
         return walk.route.length
 
 
-class TurnRoute(RouteTable):
-    """In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin."""
+class TurnRoute(AfterStreet):
+    """In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin.
+
+    With `rounds` again and again: at `outer_radius` the head turns back, round the coil, and in.
+    """
 
     kind: Literal["turn"]
     pitch: Pitch = 1.7
+    rounds: Annotated[int, Field(ge=1, le=MOST_ROUNDS, strict=True)] = 1
+    outer_radius: Length | None = None
+    back_radius: Length | None = None
+
+    @property
+    def once(self) -> bool:
+        """See `RouteTable.once`."""
+        return self.street is None and self.rounds == 1
 
     def build(self, plan: Beside) -> tuple[Route, float]:
-        """The route, and where on it the head stands at time 0: where the turn begins."""
-        turn = self.turn(plan)
-        route = turn.route(trail=_extent(plan) + TRAIL)
+        """The route, and where on it the head stands at time 0: where the first turn begins."""
+        turn, trail = self.turn(plan), _extent(plan) + TRAIL
+        if self.once:
+            route = turn.route(trail=trail)
+        else:
+            outer, back = self._outer(turn, plan), self._back(turn, plan)
+            route = turn.rounds(self.rounds, outer, back, trail, self.street is not None)
         return route, float(route.joints[1])
+
+    def _outer(self, turn: Turn, plan: Beside) -> float:
+        """Radius at which a street leads to the coil, and the head turns back to it, m.
+
+        Where the plan says none: the next decimetre at which the whole dragon is out of the turn.
+        """
+        if self.outer_radius is None:
+            square = turn.exit_radius**2 + _extent(plan) * self.pitch / math.pi
+            return math.ceil(math.sqrt(square) / OUT_TO) * OUT_TO
+        least = max(turn.entry_radius, turn.exit_radius)
+        if self.outer_radius <= least:
+            raise _at(
+                "route.outer_radius",
+                _(
+                    "route.outer_radius ({outer} m) must be larger than that of the turn, {least} m"
+                ).format(outer=f"{self.outer_radius:g}", least=f"{least:g}"),
+            )
+        return self.outer_radius
+
+    def _back(self, turn: Turn, plan: Beside) -> float:
+        """Radius of the bend by which the head turns back, m.
+
+        Where the plan says none: that of the turn's tightest bend, or what keeps the dragon as far
+        from itself there as in the coil, if that is more.
+        """
+        if self.back_radius is None:
+            return max(turn.least_radius, 0.25 * self.pitch)
+        refuse_tight("route.back_radius", self.back_radius, _longest_link(plan))
+        return self.back_radius
 
     def turn(self, plan: Beside) -> Turn:
         """The turn itself.
@@ -198,7 +387,7 @@ class TurnRoute(RouteTable):
         return walk.head_where_tail(float(walk.route.joints[-2]))
 
 
-class PartsRoute(RouteTable):
+class PartsRoute(AfterStreet):
     """Any parts, each moved to where the one before it ends."""
 
     kind: Literal["parts"]
@@ -227,7 +416,7 @@ class PartsRoute(RouteTable):
         return walk.route.length
 
 
-class FormationRoute(RouteTable, FormationTable):
+class FormationRoute(AfterStreet, FormationTable):
     """One formation; at time 0 the whole dragon stands on it, its tail at the start."""
 
     kind: Literal["formation"]
@@ -246,7 +435,7 @@ class FormationRoute(RouteTable, FormationTable):
         return walk.route.length
 
 
-class ProgrammeRoute(RouteTable):
+class ProgrammeRoute(AfterStreet):
     """Formations one after another; at time 0 the whole dragon stands on the route, as above."""
 
     kind: Literal["programme"]
@@ -276,83 +465,36 @@ class ProgrammeRoute(RouteTable):
         return walk.route.length
 
 
-class Drawn(NamedTuple):
-    """What a drawn route follows, so that it can be the key of what was found for it."""
-
-    points: tuple[tuple[float, float], ...]
-    pieces: tuple[PieceTable, ...]
-    closed: bool
-    within: float
-
-    def line(self) -> DrawnLine:
-        """The line that was drawn."""
-        corners = corners_of(self.points, self.closed) if self.points else np.zeros((0, 3))
-        curves = tuple(piece.build() for piece in self.pieces)
-        return DrawnLine("", corners, curves, self.closed, self.within)
-
-
-@lru_cache(maxsize=8)
-def _fitted(
-    drawn: Drawn, smooth: Smooth, deviation: float, least_radius: float, gap: float, kink: float
-) -> Fit:
-    """The route along a drawing; kept, for searches ask for the same one again and again."""
-    return fitted(drawn.line(), smooth, deviation, least_radius, gap, kink)
-
-
-class DrawnRoute(RouteTable):
-    """Along a line that was drawn or surveyed: `points` of it, or `piece`s; a `file` becomes these.
+class DrawnRoute(RouteTable, Drawing):
+    """Along a line that was drawn or surveyed.
 
     A closed line is walked once round, and the dragon stands on it behind its head, however often
     that leads round.
     """
 
     kind: Literal["drawn"]
-    points: Annotated[list[tuple[Metres, Metres]], Field(max_length=MOST_CURVES)] | None = None
-    piece: Annotated[list[PieceTable], Field(max_length=MOST_CURVES)] | None = None
-    file: Annotated[str, Field(max_length=255)] | None = None
-    layer: Annotated[str, Field(max_length=255)] | None = None
-    deviation: Length = 0.1
-    smooth: Smooth = "G1"
-    least_radius: Length | None = None
     closed: bool = False
-    joint_gap: LengthOrZero = GAP
-    joint_kink: Annotated[Degrees, Field(ge=0.0)] = math.degrees(KINK)
-    drawn_within: LengthOrZero = 0.0
 
     def build(self, plan: Beside) -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0: where the drawing starts."""
-        fit = self.fit(_longest_link(plan))
-        curves = fit.route.curves
-        if self.closed:
-            laps = math.ceil(_extent(plan) / fit.route.length)
-            if (laps + 1) * len(curves) > MOST_CURVES:
-                raise _at(
-                    "route",
-                    _(
-                        "the dragon goes round the drawing {laps} times, with {count} bends a round: "
-                        "too many; draw it larger, or allow a larger deviation"
-                    ).format(laps=laps, count=len(curves)),
-                )
-            around = tuple(curve for _lap in range(laps + 1) for curve in curves)
-            return Route(around), laps * fit.route.length
-        if isinstance(curves[0], Line):
-            return fit.route, 0.0
-        (x, y), heading = fit.route.start_pose
-        before = x - RUN_UP * math.cos(heading), y - RUN_UP * math.sin(heading)
-        return Route((Line(RUN_UP, before, heading), *curves)), RUN_UP
+        route = self.fit(_longest_link(plan)).route
+        if not self.closed:
+            return _on_a_line(route)
+        laps = math.ceil(_extent(plan) / route.length)
+        if (laps + 1) * len(route.curves) > MOST_CURVES:
+            raise _at(
+                "route",
+                _(
+                    "the dragon goes round the drawing {laps} times, with {count} bends a round: "
+                    "too many; draw it larger, or allow a larger deviation"
+                ).format(laps=laps, count=len(route.curves)),
+            )
+        around = tuple(curve for _lap in range(laps + 1) for curve in route.curves)
+        return Route(around), laps * route.length
 
     def fit(self, link: float) -> Fit:
-        """The route along the drawing, and how near it keeps; `link` is the longest of a bench, m.
-
-        Raises:
-            InputError: naming the place where a bend is too tight or a joint too wide.
-        """
-        least = max(self.least_radius or 0.0, 0.5 * link * (1.0 + FOLDS))
-        kink = math.radians(self.joint_kink)
-        if not (self.points or self.piece):
-            raise _at("route", _("a drawn route needs points, or a file beside the plan"))
-        drawn = Drawn(tuple(self.points or ()), tuple(self.piece or ()), self.closed, self.drawn_within)
-        return _fitted(drawn, self.smooth, self.deviation, least, self.joint_gap, kink)
+        """See `_along`."""
+        return _along(self, link, self.closed, "route")
 
     def last_position(self, walk: Walk) -> float:
         """The head's route position at the end of the walk, m."""

@@ -21,6 +21,7 @@ from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.plans.asked import AskedPlan
 from benchdragon.plans.chalk import ChalkTable
+from benchdragon.plans.cue_places import heads_of
 from benchdragon.plans.cues import CuesTable, Moment, Paced, outside, paced
 from benchdragon.plans.drawn import SurveyTable, with_drawings
 from benchdragon.plans.event import EventTable
@@ -44,6 +45,8 @@ from benchdragon.plans.toml import PlanError, Setting, read_toml, set_value, wit
 # Tables of a plan that its hash ignores, or counts only if given; those about the square.
 ASIDE = ("meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event")
 SQUARE = ("venue", "obstacle")
+# Keys of routes that came later, and their defaults: plans without them keep their hashes.
+LATER = (("street", None), ("rounds", 1), ("outer_radius", None), ("back_radius", None))
 
 
 class Plan(Table, AskedPlan):
@@ -127,8 +130,9 @@ class Plan(Table, AskedPlan):
             del limits["venue_margin"]
         if route["at"] in (None, [0.0, 0.0]):
             del route["at"]
-        if route["turned"] == 0.0:
-            del route["turned"]
+        for name, usual in (("turned", 0.0), *LATER):
+            if name in route and route[name] == usual:
+                del route[name]
         needs = {name: of for name, of in own.get("people", {}).items() if name in DECIDING}
         if needs:
             data["people"] = needs
@@ -232,6 +236,17 @@ class Plan(Table, AskedPlan):
         data.get("limits", {}).pop("venue_margin", None)
         return self._changed(data)
 
+    def without_street(self) -> "Plan":
+        """The same dance without the street that leads to it, and without cues; itself without one."""
+        if not self.route.after_street:
+            return self
+        data = self.said()
+        for table, name in (("route", "street"), ("walk", "start"), ("walk", "end")):
+            data.get(table, {}).pop(name, None)
+        data.get("walk", {}).pop("position", None)
+        data.pop("cues", None)
+        return self._changed(data)
+
     def span(self, walk: Walk | None = None) -> tuple[float, float]:
         """Start and end of the whole walk, s: as the plan says, else as its route's kind says.
 
@@ -291,7 +306,26 @@ class Plan(Table, AskedPlan):
         profile = self.walk.build()
         if not self.cues.cue and self.cues.acceleration is None:
             return Paced(profile, self.start, ())
-        return paced(self.cues, profile, self.start, self.limits)
+        return paced(self.cues, self._heads(profile), profile, self.start, self.limits)
+
+    @property
+    def _goes_by_route(self) -> bool:
+        """Whether cues go by places or rounds, which the route alone tells."""
+        return any(cue.place is not None or cue.round is not None for cue in self.cues.cue)
+
+    def _heads(self, profile: SpeedProfile) -> list[float | None]:
+        """Where on its way the head comes to each cue, m; None where a time says when."""
+        if not self._goes_by_route:
+            return [cue.head for cue in self.cues.cue]
+        route, begun = self._placed
+        walk = Walk(self._dragon, route, profile, self._at_zero(begun))
+        first, end = float(walk.head_position([self.start])[0]), self.walk.end
+        last = self.route.last_position(walk) if end is None else float(walk.head_position([end])[0])
+        return heads_of(self.cues.cue, route, first, min(last, route.length))
+
+    def _at_zero(self, begun: float) -> float:
+        """The head's route position at time 0, m, which is `begun` where nothing is said."""
+        return begun if self.walk.position is None else self.walk.position
 
     def ways(self) -> tuple[float, float, float]:
         """How far the head walks from time 0, as without cues, to the start; to the end; at most; m.
@@ -317,12 +351,13 @@ class Plan(Table, AskedPlan):
         faults = Faults()
         dragon = faults.tried("dragon", lambda: self._dragon)
         placed = faults.tried("route", lambda: self._placed)
-        pace = faults.tried("walk", lambda: self._pace)
+        told = self._goes_by_route and (dragon is None or placed is None)
+        pace = None if told else faults.tried("walk", lambda: self._pace)
         faults.tried("obstacle", lambda: self._obstacles)
         if dragon is None or placed is None or pace is None or faults.found:
             raise self._wrong(faults.found)
         route, begun = placed
-        position = begun if self.walk.position is None else self.walk.position
+        position = self._at_zero(begun)
         if self.cues.cue:  # the dance starts where it does without cues
             position += self.ways()[0] - float(pace.profile.distance(self.start))
         walk = faults.tried("walk.position", lambda: Walk(dragon, route, pace.profile, position))
@@ -348,13 +383,19 @@ class Plan(Table, AskedPlan):
 
     @cached_property
     def _obstacles(self) -> tuple[Obstacle, ...]:
-        return built_obstacles(self.venue, self.obstacle, self.limits)
+        found = built_obstacles(self.venue, self.obstacle, self.limits)
+        if not self.route.after_street or not found or found[0].kind != "venue":
+            return found
+        try:
+            route, _start = self._placed
+        except InputError:  # of which `build` tells
+            return found
+        return self.route.gated(found[0], route, self), *found[1:]
 
     @property
     def _placed(self) -> tuple[Route, float]:
         """The route on the square, and where on it the head stands at time 0."""
-        built, start = self.route.build(self)
-        return self.route.placed(built), start
+        return self.route.whole(self)
 
     def _wrong(self, faults: Sequence[Fault]) -> PlanError:
         return PlanError(self._source.sentences(faults))

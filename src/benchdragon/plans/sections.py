@@ -17,6 +17,7 @@ from benchdragon.plans.routes import (
     PartsRoute,
     ProgrammeRoute,
     SpiralInRoute,
+    StreetTable,
     TurnRoute,
 )
 from benchdragon.plans.schema import Plan
@@ -55,6 +56,38 @@ INSETS = {
 PLACED = {
     "at": Key(N_("where the origin of the dance lies on the square, x and y"), [6, -2], "m"),
     "turned": Key(N_("angle by which the whole dance is turned, to the left"), 30, "deg"),
+}
+
+
+STREETED = {
+    "street": Key(
+        N_("a street that is walked first: see [route.street]"), {"points": [[-40, 0], [-15, 0]]}
+    ),
+    **PLACED,
+}
+DRAWING = {
+    "points": Key(N_("points of the line, each x and y"), [[0, 0], [12, 0], [20, 6]], "m"),
+    "piece": Key(
+        N_("its surveyed parts, in place of points: see [[route.piece]]"),
+        [{"start": [0, 0], "heading": 0, "length": 12}],
+    ),
+    "file": Key(
+        N_("a CSV, GeoJSON, KML, LandXML, DXF or SVG file beside the plan, in place of points"),
+        "walk.geojson",
+    ),
+    "layer": Key(N_("layer or name of the line in the file, where it holds several"), "route"),
+    "deviation": Key(N_("most by which the route and the drawing may differ"), "20 cm", "m"),
+    "smooth": Key(
+        N_("none: as drawn, clothoids through points; G1: corners by arcs; G2: by clothoids"), "G2"
+    ),
+    "least_radius": Key(
+        N_("radius that every bend must have at least; else half the longest link"), 1.5, "m"
+    ),
+    "joint_gap": Key(N_("how far apart surveyed parts may be where they are joined"), "5 mm", "m"),
+    "joint_kink": Key(N_("largest kink between parts that is straightened"), 0.05, "deg"),
+    "drawn_within": Key(
+        N_("how far points may lie from what was drawn; counts as deviation"), "1 mm", "m"
+    ),
 }
 
 
@@ -141,7 +174,7 @@ SECTIONS = (
             "pitch": Key(N_("distance between neighbouring turns of the spiral"), "55 cm", "m"),
             "start_turn": Key(N_("turns from the centre to where the head starts"), 16),
             "clockwise": Key(N_("whether the dragon coils in clockwise"), True),
-            **PLACED,
+            **STREETED,
         },
     ),
     Section(
@@ -150,7 +183,14 @@ SECTIONS = (
         {
             "kind": Key(N_("kind of the route"), "turn"),
             "pitch": Key(N_("distance between neighbouring turns of both spirals"), "1.7 m", "m"),
-            **PLACED,
+            "rounds": Key(N_("how many times the dance coils in and out"), 3),
+            "outer_radius": Key(
+                N_("radius at which the head goes back in; else where the whole dragon is out"), 9, "m"
+            ),
+            "back_radius": Key(
+                N_("radius of the bend by which it goes back; else as in the turn"), 1.5, "m"
+            ),
+            **STREETED,
         },
     ),
     Section(
@@ -161,7 +201,7 @@ SECTIONS = (
             "part": Key(N_("the parts in walking order: see [[route.part]]"), [{"kind": "line"}]),
             "start": Key(N_("where the route starts, x and y"), [0, 0], "m"),
             "heading": Key(N_("direction in which it starts, from x to y"), 90, "deg"),
-            **PLACED,
+            **STREETED,
         },
     ),
     *(_part_section(part) for part in PARTS),
@@ -169,7 +209,7 @@ SECTIONS = (
         '[route] kind = "formation"',
         N_("One formation by its name; sizes that are not said are as `benchdragon formations` lists."),
         FormationRoute,
-        {"kind": Key(N_("kind of the route"), "formation"), **SIZES, **PLACED},
+        {"kind": Key(N_("kind of the route"), "formation"), **SIZES, **STREETED},
     ),
     Section(
         '[route] kind = "programme"',
@@ -181,40 +221,27 @@ SECTIONS = (
                 N_("the formations in order: see [[route.formation]]"), [{"name": "coil-in"}]
             ),
             "radius": Key(N_("radius of the arcs of the connections"), 3, "m"),
-            **PLACED,
+            **STREETED,
         },
     ),
     Section(
         '[route] kind = "drawn"', N_("Near a line that was drawn or surveyed."), DrawnRoute,
         {
             "kind": Key(N_("kind of the route"), "drawn"),
-            "points": Key(N_("points of the line, each x and y"), [[0, 0], [12, 0], [20, 6]], "m"),
-            "piece": Key(
-                N_("its surveyed parts, in place of points: see [[route.piece]]"),
-                [{"start": [0, 0], "heading": 0, "length": 12}],
-            ),
-            "file": Key(
-                N_("a CSV, GeoJSON, KML, LandXML, DXF or SVG file beside the plan, in place of points"),
-                "walk.geojson",
-            ),
-            "layer": Key(N_("layer or name of the line in the file, where it holds several"), "route"),
-            "deviation": Key(N_("most by which the route and the drawing may differ"), "20 cm", "m"),
-            "smooth": Key(
-                N_("none: as drawn, clothoids through points; G1: corners by arcs; G2: by clothoids"),
-                "G2",
-            ),
-            "least_radius": Key(
-                N_("radius that every bend must have at least; else half the longest link"), 1.5, "m"
-            ),
+            **DRAWING,
             "closed": Key(N_("whether the line ends where it starts"), True),
-            "joint_gap": Key(
-                N_("how far apart surveyed parts may be where they are joined"), "5 mm", "m"
-            ),
-            "joint_kink": Key(N_("largest kink between parts that is straightened"), 0.05, "deg"),
-            "drawn_within": Key(
-                N_("how far points may lie from what was drawn; counts as deviation"), "1 mm", "m"
-            ),
             **PLACED,
+        },
+    ),
+    Section(
+        "[route.street]",
+        N_("A street that is walked before the dance, from outside the square or on it; it lies where "
+           "it was drawn, wherever the dance is moved to."),
+        StreetTable,
+        {
+            **DRAWING,
+            "radius": Key(N_("radius of the arcs by which it leads to the dance"), 3, "m"),
+            "width": Key(N_("width of the opening by which it leads through the venue's edge"), 6, "m"),
         },
     ),
     Section(
@@ -377,6 +404,12 @@ SECTIONS = (
                 N_("in place of a time: metres that the head has walked since the start of the dance"),
                 "40 m", "m",
             ),
+            "place": Key(
+                N_("in place of a time: a point on the ground, to which the head is nearest then, for "
+                   "the first time, or in the round of the cue"),
+                [3, -8], "m",
+            ),
+            "round": Key(N_("in place of a time: the round that the head begins then"), 2),
             "hold": Key(N_("for how long the head stands; of a hold alone"), "20 s", "s"),
             "tempo": Key(N_("beats a minute from then on; of kind tempo alone"), 120),
             "text": Key(N_("what it is called; else its kind"), "bow to the temple"),

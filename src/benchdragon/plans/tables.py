@@ -32,6 +32,9 @@ from benchdragon.plans.units import (
 # A spiral or a profile of more than this many parts is a mistake, not a dance.
 MOST_PARTS = 10_000
 
+# Times that a dance may go in and out.
+MOST_ROUNDS = 20
+
 # Radii of arcs that a plan does not say are this share of what two equal arcs alone would have.
 ROOMY = 0.9
 

@@ -9,6 +9,7 @@ import numpy as np
 from flint import arb
 
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.obstacle import ObstacleKind
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.proofs.apart import Side, Sizes
@@ -92,17 +93,18 @@ class Numbers:
         return [known.setdefault(value, self.number(value)) for value in values.tolist()]
 
     def _standing(self, obstacle: Obstacle, origin: tuple[float, float]) -> Standing:
-        points, corners = obstacle.outline, self.outlines.get(obstacle.name)
-        if corners is None:
+        points, corners = obstacle.walls, self.outlines.get(obstacle.name)
+        if corners is None or obstacle.open is not None:
             corners = [(self.number(x), self.number(y)) for x, y in points.tolist()]
         if obstacle.kind == "circle":
             ends = [(0, 0)]
         else:
             ends = [(n, (n + 1) % len(corners)) for n in range(len(corners))]
-            ends = ends[:-1] if obstacle.kind == "line" else ends
+            ends = ends[:-1] if obstacle.sort == ObstacleKind.LINE else ends
         sides = [Side(corners[a], corners[b]) for a, b in ends]
         boxes = np.array([(points[a], points[a], points[b], points[b]) for a, b in ends])
-        inside = None if obstacle.kind in ("circle", "line") else obstacle.kind == "venue"
+        edged = obstacle.sort not in (ObstacleKind.CIRCLE, ObstacleKind.LINE)
+        inside = obstacle.kind == "venue" if edged else None
         kept = self.number(obstacle.margin) + self.number(obstacle.radius)
         return Standing(sides, kept, boxes - np.array(origin), inside)
 

@@ -192,7 +192,7 @@ class Exact:
         seen = self._square.room(pose)
         if seen <= -ROUGH:
             return -seen
-        plan = self._square.at(pose)
+        plan = self._square.at(pose).without_street()
         found = _answers(plan, *with_all_room(plan), (1e-6,))
         return -min(answers.distance.lower - answers.obstacle.margin for answers in found)
 

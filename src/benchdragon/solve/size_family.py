@@ -118,12 +118,16 @@ class PlanFamily:
     )
 
     def __post_init__(self) -> None:
-        """Let the head of a formation start where it does with the plan's own benches.
+        """Let the head start and end as with the plan's benches on routes that kernels do not make.
 
         Raises:
-            InputError: for sizes of formations, which the kernels do not know.
+            InputError: for sizes of such routes, which the kernels do not know.
         """
-        if not isinstance(self.plan.route, FormationRoute | ProgrammeRoute):
+        route = self.plan.route
+        if not route.once and self.question.name in ("pitch", "disc"):
+            text = _("this size is sought for a coil that is walked once: take out {keys}")
+            raise InputError(text.format(keys="route.rounds, route.street"))
+        if route.once and not isinstance(route, FormationRoute | ProgrammeRoute):
             return
         if self.question.name == "pitch":
             raise InputError(
@@ -132,8 +136,11 @@ class PlanFamily:
                     "what clearance each leaves"
                 )
             )
+        walk = self.plan.build()
+        if not route.once:
+            self.plan = self.plan.with_value("walk.end", self.plan.span(walk)[1])
         if self.plan.walk.position is None:
-            self.plan = self.plan.with_value("walk.position", self.plan.build().start)
+            self.plan = self.plan.with_value("walk.position", walk.start)
 
     @property
     def first(self) -> float:
@@ -191,7 +198,9 @@ def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
     begin_way, end_way, most_way = plan.ways()
     pitch, disc = math.nan, _or_nan(plan.disc.radius)
     kind, start, clockwise = RouteKind.FIXED, math.nan, True
-    if isinstance(route, SpiralInRoute):
+    if not route.once:
+        pass  # its rows stay
+    elif isinstance(route, SpiralInRoute):
         kind, pitch, start = RouteKind.SPIRAL_IN, route.pitch, route.start_turn
         clockwise = route.clockwise
     elif isinstance(route, TurnRoute):

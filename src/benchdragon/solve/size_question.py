@@ -62,9 +62,9 @@ def square_of(family: PlanFamily, fixed: bool) -> told_of.Square:
     things: list[tuple[float, ...]] = []
     corners: list[list[float]] = []
     for thing in given:
-        most = max(abs(value) for point in thing.outline.tolist() for value in point)
+        most = max(abs(value) for point in thing.walls.tolist() for value in point)
         one = route.unplaced(thing) if moves else thing
-        outline = one.outline.tolist()
+        outline = one.walls.tolist()
         things.append((one.sort, one.radius, one.margin, len(outline), MOVED * most if moves else 0.0))
         corners += outline
     return told_of.Square(

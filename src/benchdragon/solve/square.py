@@ -67,6 +67,8 @@ class Crowded(Protocol):
 class Square:
     """Where a dance may be placed, and how much room it has there.
 
+    A street that leads to it stays where it is: only the dance is placed.
+
     Args:
         plan: with the dance at its origin, not turned.
         step: between boxes along the route, m.
@@ -76,8 +78,8 @@ class Square:
     """
 
     def __init__(self, plan: Plan, step: float = STEP) -> None:
-        self.plan = plan
-        self.walk, self.obstacles = with_all_room(plan)
+        self.plan, self._danced = plan, plan.without_street()
+        self.walk, self.obstacles = with_all_room(self._danced)
         if not self.obstacles or self.venue.kind != "venue":
             raise InputError(_("the plan has no venue to be placed in: add [venue]"))
         self.step = step
@@ -91,7 +93,7 @@ class Square:
     @cached_property
     def boxes(self) -> FloatArray:
         """What the dance and its people cover at its origin, and a row of scratch."""
-        return laid_boxes(self.walk, self.plan.span(self.walk), self.step)
+        return laid_boxes(self.walk, self._danced.span(self.walk), self.step)
 
     @cached_property
     def circles(self) -> FloatArray:

@@ -69,6 +69,9 @@ class TurnFamily:
         route = plan.route
         if not isinstance(route, TurnRoute):
             raise InputError(_("a best turn is sought for plans whose route is a turn"))
+        if not route.once:
+            text = _("a best turn is sought for a coil that is walked once: take out {keys}")
+            raise InputError(text.format(keys="route.rounds, route.street"))
         self.plan, self.goal = plan, goal
         self.pitch, self.disc = route.pitch, TurnRoute.disc(plan)
         self.obstacles = [route.unplaced(obstacle) for obstacle in plan.obstacles()]

@@ -109,6 +109,7 @@ async function offer(ask, { plan, found: before }, smallest, items, take) {
 
 /** The smallest pitch says something: the spiral ends at a disc. @param {Plan} plan */
 function hasPitch({ route, disc }) {
+  if (route.street || route.rounds > 1) return false; // it is sought for one coil alone
   return route.kind === "turn" || (route.kind === "spiral-in" && disc?.radius != null);
 }
 

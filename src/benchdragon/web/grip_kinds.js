@@ -2,7 +2,16 @@
 // elsewhere. Lengths in metres, angles in degrees to the left.
 
 import { fieldOf } from "./plan_form.js";
-import { hasSquare, meanOf, obstacleName, obstaclesOf, pointsOf } from "./things.js";
+import {
+  hasSquare,
+  meanOf,
+  obstacleName,
+  obstaclesOf,
+  pointsOf,
+  restName,
+  restsOf,
+  streetOf,
+} from "./things.js";
 import { _, decimals } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
@@ -43,9 +52,6 @@ const LEAST_SIDE = 0.7;
 const LEAST_RADIUS = 0.3;
 /** A disc of a turn that the plan does not say. */
 const USUAL_DISC = 4.5;
-/** Entrances are drawn so large, m. */
-const ENTRANCE = 0.5;
-
 /** @param {number} value @param {Quantity} quantity @param {boolean} [free] */
 function rounded(value, quantity, free = false) {
   const step = (free ? FREE : SNAP)[quantity];
@@ -93,7 +99,7 @@ export class Frame {
 }
 
 /** Where the dance lies. @param {Plan} plan */
-function danceFrame({ route }) {
+export function danceFrame({ route }) {
   return new Frame(route.at ?? [0, 0], route.turned ?? 0);
 }
 
@@ -145,7 +151,7 @@ function keyGrip(plan, key, id, name, quantity, at, read) {
 }
 
 /** Whether the plan says where its spiral runs: one in the address may leave that out. @param {Plan} plan */
-function hasSpiral({ route }) {
+export function hasSpiral({ route }) {
   const known = typeof route.pitch === "number";
   if (route.kind === "spiral-in") return known && typeof route.start_turn === "number";
   return known && route.kind === "turn";
@@ -158,7 +164,7 @@ function coilOf({ route, disc }) {
 }
 
 /** A point of the spiral, in its frame. @param {Plan} plan @param {number} turns @returns {Point} */
-function spiralPoint({ route }, turns) {
+export function spiralPoint({ route }, turns) {
   const [radius, angle] = [turns * route.pitch, 2 * Math.PI * turns];
   const hand = route.clockwise === false ? -1 : 1;
   return [radius * Math.cos(angle), hand * radius * Math.sin(angle)];
@@ -272,7 +278,7 @@ function shifted([x, y], dx, dy) {
 }
 
 /** Sides and corners of a rectangle: which of its two sizes each changes, and to which side. */
-const RECTANGLE = /** @type {const} */ ([
+export const RECTANGLE = /** @type {const} */ ([
   [1, 0], [0, 1], [-1, 0], [0, -1], [1, 1], [-1, 1], [-1, -1], [1, -1],
 ]); // prettier-ignore
 
@@ -405,19 +411,43 @@ function entranceGrips(plan) {
   );
 }
 
-/** Grips of the points of a drawn route. @param {Plan} plan @returns {Grip[]} */
-function drawnGrips(plan) {
-  const { route } = plan;
-  if (route.kind !== "drawn" || !route.points || route.points.length > MOST_CORNERS) return [];
+/** Grips of the points of a drawn route or of a street, and of where the head rests. @param {Plan} plan @returns {Grip[]} */
+function wayGrips(plan) {
+  const { kind, points = [] } = plan.route;
   const frame = danceFrame(plan);
-  const points = /** @type {Point[]} */ (route.points);
-  return points.map((point, n) =>
-    placeGrip(`drawn.${n}`, _("point {n} of the route", { n: n + 1 }), frame.ground(point), (to) =>
-      changed(plan, (copy) => {
-        copy.route.points[n] = roundedPoint(frame.own(to), true);
-      }),
+  /** @param {string} id @param {string} name @param {Point} at @param {(copy: Plan, to: Point) => void} put */
+  const held = (id, name, at, put) =>
+    placeGrip(id, name, at, (to) => changed(plan, (copy) => put(copy, to)));
+  const few = (/** @type {Point[]} */ line) => (line.length > MOST_CORNERS ? [] : line);
+  const drawn = few(kind === "drawn" ? (points ?? []) : []).map((point, n) =>
+    held(
+      `drawn.${n}`,
+      _("point {n} of the route", { n: n + 1 }),
+      frame.ground(point),
+      (copy, to) => void (copy.route.points[n] = roundedPoint(frame.own(to), true)),
     ),
   );
+  const street = few(streetOf(plan)).map((point, n) =>
+    held(
+      `route.street.${n}`,
+      _("point {n} of the street", { n: n + 1 }),
+      point,
+      (copy, to) => void (copy.route.street.points[n] = to),
+    ),
+  );
+  const rests = restsOf(plan).filter(([, { place }]) => place);
+  return [
+    ...drawn,
+    ...street,
+    ...rests.map(([n, one]) =>
+      held(
+        `cues.cue.${n}`,
+        _("place of {name}", { name: restName(one) }),
+        one.place,
+        (copy, to) => void (copy.cues.cue[n].place = to),
+      ),
+    ),
+  ];
 }
 
 /**
@@ -432,53 +462,8 @@ export function gripsOf(plan, arm, began = plan) {
     ...venueGrips(plan, arm),
     ...obstacleGrips(plan, arm),
     ...entranceGrips(plan),
-    ...drawnGrips(plan),
+    ...wayGrips(plan),
     ...danceGrips(plan, arm),
     ...spiralGrips(plan, began),
   ];
-}
-
-/** Points of a circle. @param {Point} centre @param {number} radius @returns {Point[]} */
-function circle([x, y], radius) {
-  return Array.from({ length: 73 }, (_point, n) => {
-    const angle = (n * Math.PI) / 36;
-    return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
-  });
-}
-
-/** Lines, on the ground, that a plan draws before its dance is computed. @param {Plan} plan @returns {Point[][]} */
-export function sketchOf(plan) {
-  const { route, disc, venue, obstacle, event } = plan;
-  const frame = danceFrame(plan);
-  /** @type {Point[][]} */
-  const lines = [];
-  if (disc?.radius) lines.push(circle(frame.origin, disc.radius));
-  if (route.kind === "spiral-in" && hasSpiral(plan)) {
-    const [first, last] = [(disc?.radius ?? 0) / route.pitch, route.start_turn];
-    const count = Math.max(Math.ceil(48 * (last - first)), 0);
-    lines.push(
-      Array.from({ length: count + 1 }, (_point, n) => frame.ground(spiralPoint(plan, last - n / 48))),
-    );
-  }
-  const rectangle = (/** @type {Point} */ centre, /** @type {Point} */ size, angle = 0) => {
-    const own = new Frame(centre, angle);
-    const corners = [...RECTANGLE.slice(4), RECTANGLE[4]];
-    lines.push(corners.map(([a, b]) => own.ground([0.5 * a * size[0], 0.5 * b * size[1]])));
-  };
-  const outline = (/** @type {Point[]} */ points, closed = true) =>
-    lines.push(closed ? [...points, points[0]] : points);
-  if (venue?.rectangle) rectangle(venue.centre ?? [0, 0], venue.rectangle, venue.angle);
-  else if (venue?.boundary) outline(venue.boundary);
-  for (const one of obstacle ?? []) {
-    if (one.kind === "circle") lines.push(circle(one.centre, one.radius));
-    else if (one.kind === "rectangle") rectangle(one.centre, one.size, one.angle);
-    else outline(one.points, one.kind === "polygon");
-  }
-  for (const place of event?.entrances ?? []) lines.push(circle(place, ENTRANCE));
-  if (route.kind === "drawn" && route.points)
-    outline(
-      route.points.map((/** @type {Point} */ point) => frame.ground(point)),
-      route.closed,
-    );
-  return lines;
 }

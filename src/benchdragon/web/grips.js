@@ -1,7 +1,8 @@
 // Grips on the picture: what of the plan can be dragged, or moved by arrow keys.
 
 import { draw, make } from "./elements.js";
-import { gripsOf, sketchOf } from "./grip_kinds.js";
+import { gripsOf } from "./grip_kinds.js";
+import { sketchOf } from "./sketch.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./grip_kinds.js").Grip} Grip */

@@ -26,6 +26,7 @@ const LEAST_SIDE = 2;
  * @property {(taps: number) => string} says what to do after so many taps
  * @property {number} taps how many places; Infinity: corners, until their outline is closed
  * @property {boolean} [middle] whether the middle of the picture would do
+ * @property {boolean} [open] whether the corners are points of a line, which is not closed
  * @property {(points: Point[]) => void} done
  */
 
@@ -102,7 +103,7 @@ export class Placing {
     const [said, middle, done] = bar.children;
     said.textContent = trouble || wish.says(points.length);
     /** @type {HTMLElement} */ (middle).hidden = !wish.middle || points.length > 0;
-    /** @type {HTMLElement} */ (done).hidden = points.length < 3;
+    /** @type {HTMLElement} */ (done).hidden = points.length < (wish.open ? 2 : 3);
     this.host.grips.renew();
   }
 
@@ -128,10 +129,11 @@ export class Placing {
     const { wish, points, host } = this;
     const reach = NEAR / (host.player?.camera.scale ?? 1);
     const [first, last] = [points[0], points[points.length - 1]];
-    if (points.length > 2 && Math.hypot(at[0] - first[0], at[1] - first[1]) <= reach)
-      return this.#close();
+    const again = points.length > 2 && Math.hypot(at[0] - first[0], at[1] - first[1]) <= reach;
+    if (again && !wish?.open) return this.#close();
     if (last && at[0] === last[0] && at[1] === last[1]) return;
-    const meets = points.slice(0, -2).some((from, n) => doMeet(from, points[n + 1], last, at));
+    const meets =
+      !wish?.open && points.slice(0, -2).some((from, n) => doMeet(from, points[n + 1], last, at));
     if (meets) return this.#show(_("That side would cross another: tap elsewhere."));
     points.push(at);
     if (points.length === wish?.taps) this.#placed(points);
@@ -140,7 +142,7 @@ export class Placing {
 
   /** Close the outline. */
   #close() {
-    if (!_crossing(this.points)) return this.#placed(this.points);
+    if (this.wish?.open || !_crossing(this.points)) return this.#placed(this.points);
     this.points = [];
     this.#show(_("Its sides would cross: tap its corners anew, in going round."));
   }

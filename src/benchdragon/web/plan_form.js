@@ -2,6 +2,7 @@
 
 import { choice, make } from "./elements.js";
 import { MOST_LENGTH, MOST_WIDTH } from "./made/answers.js";
+import { DanceKind } from "./dance_kind.js";
 import { NumberControl } from "./number_control.js";
 import { _, language } from "./words.js";
 
@@ -19,6 +20,10 @@ const sized = (plan) => !plan.dragon.bench?.length;
 const spiral = (plan) => ["spiral-in", "turn"].includes(plan.route.kind);
 /** @param {Plan} plan */
 const turning = (plan) => plan.route.kind === "turn";
+/** @param {Plan} plan */
+const again = (plan) => turning(plan) && plan.route.rounds > 1;
+/** Whether a plan's dance turns once, with no street before it. @param {Plan} plan */
+export const turnsOnce = (plan) => turning(plan) && !again(plan) && !plan.route.street;
 /** @param {Plan} plan */
 const steady = (plan) => !plan.walk.profile?.length;
 /** @param {Plan} plan */
@@ -97,6 +102,37 @@ const GROUPS = [
         high: 30,
         step: 0.25,
         when: (plan) => plan.route.kind === "spiral-in",
+      },
+      {
+        key: "route.rounds",
+        text: () => _("rounds in and out"),
+        unit: "",
+        low: 1,
+        high: 8,
+        step: 1,
+        usual: 1,
+        whole: true,
+        when: turning,
+      },
+      {
+        key: "route.outer_radius",
+        text: () => _("goes back at radius"),
+        unit: "m",
+        low: 2,
+        high: 30,
+        step: 0.1,
+        begin: 10,
+        when: (plan) => again(plan) || (turning(plan) && plan.route.street),
+      },
+      {
+        key: "route.back_radius",
+        text: () => _("radius of the bend back"),
+        unit: "m",
+        low: 0.5,
+        high: 5,
+        step: 0.05,
+        begin: 2,
+        when: again,
       },
       {
         key: "disc.radius",
@@ -305,21 +341,22 @@ export function withValue(plan, key, value) {
     pair[Number(place)] = value;
     copy[table][name] = pair;
   }
+  if (key === "route.rounds") copy.walk.end = null; // it ends where the last round does
   if (key === "dragon.body_length" && copy.dragon.tail_length === plan.dragon.body_length)
     copy.dragon.tail_length = value;
   return fitting(copy);
 }
 
-// Tables whose keys mean something beside some routes, families and walks alone.
-const CHOSEN = ["disc", "turn", "walk"];
+// Tables, and keys of routes, that mean something beside some routes, families and walks alone.
+const CHOSEN = ["disc", "turn", "walk", "route.outer_radius", "route.back_radius"];
 
 /** The plan without what has no effect beside its choices, which readers of plans refuse. @param {Plan} plan @returns {Plan} */
-function fitting(plan) {
+export function fitting(plan) {
   const copy = structuredClone(plan);
   if (!turning(copy)) copy.turn = {};
   for (const { key, usual, when } of GROUPS.flatMap(({ fields }) => fields)) {
     const [table, name] = key.split(".");
-    if (!CHOSEN.includes(table) || !when) continue;
+    if (!when || !(CHOSEN.includes(table) || CHOSEN.includes(key))) continue;
     if (!when(copy)) delete copy[table][name];
     else if (usual !== undefined) copy[table][name] ??= usual;
   }
@@ -375,7 +412,8 @@ export class PlanForm {
       make("span", { class: "name" }, _("kind of turn")),
       this.family,
     );
-    const first = { parts: [this.parts], family: [kind] };
+    this.kind = new DanceKind((plan, final) => changed(fitting(plan), final));
+    const first = { parts: [this.kind.element, this.parts], family: [kind] };
     this.groups = GROUPS.map((group, n) =>
       make(
         "fieldset",
@@ -407,7 +445,8 @@ export class PlanForm {
     this.preset.value = same?.name ?? "";
     if (same) this.source.textContent = same.source[language()];
     this.source.hidden = !same;
-    this.parts.hidden = plan.route.kind !== "parts";
+    this.parts.hidden = !["parts", "programme"].includes(plan.route.kind);
+    this.kind.show(plan);
     this.family.value = plan.turn?.family ?? "arc-arc";
     GROUPS.forEach((group, n) => {
       this.groups[n].hidden = group.when ? !group.when(plan) : false;

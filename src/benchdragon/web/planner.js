@@ -11,7 +11,7 @@ import { linkText, readLink } from "./link.js";
 import { MyBench } from "./my_bench.js";
 import { Photo } from "./photo.js";
 import { Placing } from "./placing.js";
-import { planText, PlanForm } from "./plan_form.js";
+import { planText, PlanForm, turnsOnce } from "./plan_form.js";
 import { Player, REST } from "./player.js";
 import { sendButtons } from "./sending.js";
 import { Sheets } from "./sheets.js";
@@ -278,7 +278,7 @@ export class Planner {
     this.grips.show(this.plan);
     if (this.undoButton) this.undoButton.disabled = !this.past.length;
     if (this.redoButton) this.redoButton.disabled = !this.future.length;
-    if (this.turnButton) this.turnButton.disabled = this.plan.route.kind !== "turn";
+    if (this.turnButton) this.turnButton.disabled = !turnsOnce(this.plan);
   }
 
   /** Addresses that were put into the same window; and those of them that have been read. */

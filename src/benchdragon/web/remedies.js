@@ -1,6 +1,6 @@
 // What mends a finding: the least change of one size, looked for and checked by verdicts before it is offered.
 
-import { SHOULDERS } from "./made/wishes.js";
+import { SOLVE_WISHES } from "./compute/constants.js";
 import { valueOf } from "./number_control.js";
 import { withValue } from "./plan_form.js";
 import { PageFault, Refusal } from "./standing.js";
@@ -148,7 +148,7 @@ async function slower(wrong) {
 async function under(wrong) {
   const { plan } = wrong;
   const beside = plan.people?.beside ?? 0;
-  const room = Math.ceil(50 * Math.max(0, SHOULDERS - plan.dragon.width) - 1e-9) / 100;
+  const room = Math.ceil(50 * Math.max(0, SOLVE_WISHES.SHOULDERS - plan.dragon.width) - 1e-9) / 100;
   if (room >= beside) return null;
   const changed = withValue(plan, "people.beside", room);
   if (changed.people.source) changed.people.source.beside = "";

@@ -2,9 +2,9 @@
 
 import { make } from "./elements.js";
 import { spread } from "./extent.js";
-import { sketchOf } from "./grip_kinds.js";
+import { sketchOf } from "./sketch.js";
 import { ThingRow } from "./thing_row.js";
-import { hasSquare, SORTS, thingsOf, withSquare, withThing } from "./things.js";
+import { hasSquare, SORTS, streetOf, thingsOf, withRounds, withSquare, withThing } from "./things.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./grips.js").Grips} Grips */
@@ -16,7 +16,7 @@ import { _ } from "./words.js";
 /** @typedef {[number, number]} Point */
 
 /** What is put onto the square by a button each. @type {Sort[]} */
-const ADDED = ["well", "stage", "tree", "shape", "entrance"];
+const ADDED = ["well", "stage", "tree", "shape", "entrance", "street", "rest"];
 /** Ground left free about the dance in a new square, m. */
 const ABOUT = 1.5;
 
@@ -50,11 +50,19 @@ export class SquareForm {
         `+ ${SORTS[sort].button()}`,
       ),
     );
+    const street = ADDED.indexOf("street");
+    this.street = buttons[street];
+    this.between = make(
+      "button",
+      { type: "button", onclick: () => host.change(withRounds(host.plan), true) },
+      `+ ${_("rest between the rounds")}`,
+    );
     this.adding = make(
       "div",
       { class: "row adders", role: "group", "aria-label": _("put onto the square") },
       this.begin,
       ...buttons,
+      this.between,
     );
     this.list = make("div", { class: "things" });
     this.element = make(
@@ -74,6 +82,8 @@ export class SquareForm {
   show(plan) {
     const things = thingsOf(plan);
     this.begin.hidden = hasSquare(plan);
+    this.street.hidden = plan.route.kind === "drawn" || streetOf(plan).length > 0;
+    this.between.hidden = !(plan.route.kind === "turn" && plan.route.rounds > 1);
     const made = JSON.stringify(things.map(({ id, table }) => [id, table.kind, !table.rectangle]));
     if (made !== this.#made) this.#rebuild(things);
     this.#made = made;
@@ -126,15 +136,19 @@ export class SquareForm {
 
   /** Ask where something is to be put. @param {Sort} sort */
   #ask(sort) {
-    const { button, name, corners } = SORTS[sort];
+    const { button, name, corners, open } = SORTS[sort];
     const says = (/** @type {number} */ taps) => {
+      if (sort === "rest") return _("Tap in the picture where the head is to stand for a while.");
+      if (open && !taps)
+        return _("Tap where the head sets out, then each bend, and where the street ends.");
+      if (open) return _("Tap the next bend, or press done where the street ends.");
       if (!corners) return _("Tap in the picture where the {name} is.", { name: name() });
       if (taps < 3) return _("Tap its corners in the picture, one after another.");
       return _("Tap the next corner, or the first again to close it.");
     };
     const done = (/** @type {Point[]} */ points) => this.#placed(sort, points);
     this.host.placing.begin({
-      name: button(), says, taps: corners ? Infinity : 1, middle: true, done,
+      name: button(), says, taps: corners ? Infinity : 1, middle: !open, open, done,
     }); // prettier-ignore
   }
 

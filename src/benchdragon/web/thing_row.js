@@ -46,12 +46,30 @@ function margin(key, text) {
   return { key, text, unit: "m", low: 0, high: 2, step: 0.05, most: MOST.radius, begin: 0.3 };
 }
 
+/** How long the head rests. @param {string} key @returns {Field} */
+function restField(key) {
+  return { key, text: () => _("for how long"), unit: "s", low: 5, high: 600, step: 5 };
+}
+
+/** A size of the street. @param {string} name @param {() => string} text @param {number} usual @param {number} high @returns {Field} */
+function streetField(name, text, usual, high) {
+  return { ...length(`route.street.${name}`, text, high, MOST.side), usual };
+}
+
 /** The numbers of a thing. @param {Thing} thing @returns {Field[]} */
-function fieldsOf({ id, table: { kind, rectangle } }) {
+function fieldsOf({ id, table: { kind, rectangle, ...held } }) {
   if (id === "venue") {
     const edge = margin("limits.venue_margin", () => _("how far to stay from its edge"));
     return rectangle ? [direction("venue.angle"), edge] : [edge];
   }
+  if (id === "route.street")
+    return [
+      streetField("width", () => _("width of the way in"), 6, 20),
+      streetField("radius", () => _("radius of its last bends"), 3, 10),
+      streetField("deviation", () => _("how far to cut its corners"), 1, 5),
+    ];
+  if (id.startsWith("cues"))
+    return [restField(`${id}.hold`), ...(held.place ? place(`${id}.place`) : [])];
   if (!kind) return place(`event.${id.replace(".", "s.")}`);
   const sizes = {
     circle: [length(`${id}.radius`, () => _("radius"), 5, MOST.radius), ...place(`${id}.centre`)],
@@ -65,8 +83,12 @@ function fieldsOf({ id, table: { kind, rectangle } }) {
   return [...(sizes ?? []), margin(`${id}.margin`, () => _("how far to stay from it"))];
 }
 
+/** Whether a thing has a name of its own. @param {Thing} thing */
+const isNamed = ({ id, table }) => !/^(entrance|route)/.test(id) && !table.round;
+
 /** How large a thing is, in words. @param {Thing["table"]} table */
-function sizeText({ kind, radius, size, rectangle, points, boundary }) {
+function sizeText({ kind, radius, size, rectangle, points, boundary, hold }) {
+  if (hold) return `${hold} s`;
   const [length, width] = rectangle ?? size ?? [];
   const round = kind === "circle" ? radius : radiusOf({ boundary });
   if (length && width) return _("{length} m by {width} m", { length, width });
@@ -163,7 +185,7 @@ export class ThingRow {
       "details",
       { "data-thing": id, ontoggle: () => chosen(this.element.open) },
       this.summary,
-      ...(id.startsWith("entrance") ? [] : [this.called.element]),
+      ...(isNamed(thing) ? [this.called.element] : []),
       ...(id === "venue" ? [this.size.element] : []),
       ...this.controls.map(({ element }) => element),
       make("div", { class: "row" }, ...(id === "venue" ? [edge] : []), this.away),
@@ -177,7 +199,11 @@ export class ThingRow {
       throw new InputError(
         _("Something else is called {name} already: choose another name.", { name }),
       );
-    return withAt(this.plan, `${this.id}.name`, name || null);
+    return withAt(
+      this.plan,
+      `${this.id}.${this.id.startsWith("cues") ? "text" : "name"}`,
+      name || null,
+    );
   }
 
   /** The plan with a square of this size. @param {string} text */
@@ -194,7 +220,7 @@ export class ThingRow {
       make("span", { class: "unit" }, sizeText(table)),
     );
     this.away.title = this.away.ariaLabel = `${this.away.textContent}: ${name}`;
-    this.called.show(table.name ?? "");
+    this.called.show(table.name ?? table.text ?? "");
     this.size.show(typedSize(table));
     for (const control of this.controls) control.show(plan);
   }

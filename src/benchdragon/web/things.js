@@ -1,11 +1,11 @@
 // What stands on the square, in a plan: added, named, given sizes, deleted. Each makes a plan of its own.
 
-import { CORNERS } from "./made/wishes.js";
+import { SOLVE_WISHES } from "./compute/constants.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {[number, number]} Point */
-/** What can be put onto the square; its edge takes the place of the one before. @typedef {"well" | "stage" | "tree" | "shape" | "entrance" | "edge"} Sort */
+/** What can be put onto the square; its edge takes the place of the one before. @typedef {"well" | "stage" | "tree" | "shape" | "entrance" | "street" | "rest" | "edge"} Sort */
 
 /** Letters of a name: MOST_LETTERS of plans/square.py. */
 export const MOST_LETTERS = 80;
@@ -13,7 +13,10 @@ export const MOST_LETTERS = 80;
 const ROUND = 12;
 const ALIKE = 0.005;
 
-/** What is put onto the square: on its button, what it is called then, and its table at a centre, or at `corners`. @type {Record<Sort, { button: () => string, name: () => string, corners?: boolean, made: (points: Point[]) => object }>} */
+/** A rest is so long at first, s. */
+const REST = 60;
+
+/** What is put onto the square: on its button, what it is called then, and its table at a centre, or at `corners`; whether these are points of an open line. @type {Record<Sort, { button: () => string, name: () => string, corners?: boolean, open?: boolean, made: (points: Point[]) => object }>} */
 export const SORTS = {
   well: {
     button: () => _("well"),
@@ -37,6 +40,18 @@ export const SORTS = {
     made: (points) => ({ kind: "polygon", points }),
   },
   entrance: { button: () => _("entrance"), name: () => _("entrance"), made: ([at]) => at },
+  street: {
+    button: () => _("street"),
+    name: () => _("street"),
+    corners: true,
+    open: true,
+    made: (points) => ({ points }),
+  },
+  rest: {
+    button: () => _("rest"),
+    name: () => _("rest"),
+    made: ([place]) => ({ kind: "hold", place, hold: REST, text: _("rest") }),
+  },
   edge: {
     button: () => _("draw its edge"),
     name: () => _("square"),
@@ -72,9 +87,26 @@ export function obstaclesOf({ obstacle }) {
   return Array.isArray(obstacle) && obstacle.every(isObstacle) ? obstacle : [];
 }
 
-/** All that stands on the square of a plan, its edge first. @param {Plan} plan @returns {Thing[]} */
+/** The street of a plan, if it is one that can be drawn. @param {Plan} plan @returns {Point[]} */
+export function streetOf({ route }) {
+  return pointsOf(route?.street?.points);
+}
+
+/** Where the head of a plan rests, by the numbers of its cues. @param {Plan} plan @returns {[number, Record<string, any>][]} */
+export function restsOf({ cues }) {
+  const all = Array.isArray(cues?.cue) ? [...cues.cue.entries()] : [];
+  return all.filter(([, one]) => one?.kind === "hold" && (isPoint(one.place) || one.round));
+}
+
+/** What a rest is called. @param {Record<string, any>} cue */
+export function restName({ text, text_zh, round }) {
+  const own = text || text_zh;
+  return round ? _("rest before round {n}", { n: round }) : own || _("rest");
+}
+
+/** All that stands on the square of a plan, its edge first; the street to it, and where the head rests. @param {Plan} plan @returns {Thing[]} */
 export function thingsOf(plan) {
-  const { venue, event } = plan;
+  const { venue, event, route } = plan;
   /** @type {Thing[]} */
   const found = [];
   if (hasSquare(plan)) {
@@ -89,6 +121,14 @@ export function thingsOf(plan) {
     const name = _("entrance {n}", { n: n + 1 });
     const alone = { route: {}, event: { entrances: [at] } };
     found.push({ id: `entrance.${n}`, table: {}, name, alone });
+  }
+  if (streetOf(plan).length) {
+    const alone = { route: { street: route.street } };
+    found.push({ id: "route.street", table: route.street, name: _("street"), alone });
+  }
+  for (const [n, table] of restsOf(plan)) {
+    const alone = { route: {}, cues: { cue: [table] } };
+    found.push({ id: `cues.cue.${n}`, table, name: restName(table), alone });
   }
   return found;
 }
@@ -116,6 +156,9 @@ export function withThing(plan, sort, points) {
     copy.event = { ...copy.event, entrances };
     return { plan: copy, id: `entrance.${entrances.length - 1}` };
   }
+  if (sort === "street") return { plan: withStreet(copy, made), id: "route.street" };
+  if (sort === "rest")
+    return { plan: withRests(copy, [made]), id: `cues.cue.${copy.cues.cue.length - 1}` };
   if (sort === "edge") {
     const { rectangle: _rectangle, centre: _centre, angle: _angle, ...kept } = copy.venue;
     copy.venue = { ...kept, ...made };
@@ -127,6 +170,30 @@ export function withThing(plan, sort, points) {
   for (let n = 2; taken.has(name); n++) name = `${word} ${n}`;
   copy.obstacle = [...(copy.obstacle ?? []), { ...made, name }];
   return { plan: copy, id: `obstacle.${copy.obstacle.length - 1}` };
+}
+
+/** A plan whose dance begins in a street: when and where it began and ended before says nothing then. @param {Plan} plan @param {object} street @returns {Plan} */
+function withStreet(plan, street) {
+  const { start: _start, end: _end, position: _position, ...walk } = plan.walk;
+  return { ...plan, walk, route: { ...plan.route, street } };
+}
+
+/** A plan, the page's own copy, with more rests. @param {Plan} plan @param {object[]} rests @returns {Plan} */
+function withRests(plan, rests) {
+  plan.cues = { ...plan.cues, cue: [...(plan.cues?.cue ?? []), ...rests] };
+  if (plan.walk.end) plan.walk.end = null; // the dance takes longer
+  return plan;
+}
+
+/** A plan whose head rests before each further round in which it does not yet. @param {Plan} plan @returns {Plan} */
+export function withRounds(plan) {
+  const rested = restsOf(plan).map(([, { round }]) => round);
+  const further = Array.from({ length: plan.route.rounds - 1 }, (_round, n) => n + 2);
+  const rests = further.filter((round) => !rested.includes(round));
+  return withRests(
+    structuredClone(plan),
+    rests.map((round) => ({ kind: "hold", round, hold: REST })),
+  );
 }
 
 /** A plan with a square about some ground, in whole metres. @param {Plan} plan @param {[number, number, number, number]} ground left, bottom, right, top, m */
@@ -160,8 +227,8 @@ export function withSize(plan, size) {
     ? meanOf(boundary).map((at) => Number(at.toFixed(2)))
     : (venue.centre ?? [0, 0]);
   if (typeof size !== "number") return { ...plan, venue: { ...venue, rectangle: size, centre } };
-  const corners = Array.from({ length: CORNERS }, (_corner, n) => {
-    const angle = (2 * Math.PI * n) / CORNERS;
+  const corners = Array.from({ length: SOLVE_WISHES.CORNERS }, (_corner, n) => {
+    const angle = (2 * Math.PI * n) / SOLVE_WISHES.CORNERS;
     const [x, y] = [centre[0] + size * Math.cos(angle), centre[1] + size * Math.sin(angle)];
     return [Number(x.toFixed(3)), Number(y.toFixed(3))];
   });
@@ -178,7 +245,13 @@ export function meanOf(points) {
 export function withoutThing(plan, id) {
   const copy = structuredClone(plan);
   const [table, n] = id.split(".");
-  if (table === "venue") {
+  if (table === "route") {
+    delete copy.route.street;
+    if (!(copy.route.rounds > 1)) delete copy.route.outer_radius;
+  } else if (table === "cues") {
+    copy.cues.cue.splice(Number(id.split(".")[2]), 1);
+    if (!copy.cues.cue.length) delete copy.cues.cue;
+  } else if (table === "venue") {
     delete copy.venue;
     delete copy.limits.venue_margin;
   } else if (table === "obstacle") {

@@ -52,6 +52,12 @@ export class Curve {
     return [[x, y], heading];
   }
 
+  /** Point and heading of the end. @returns {[[number, number], number]} */
+  get end_pose() {
+    const [x, y, heading] = entry("bd_route_parts_end_pose", this.rows, this.rows.shape[0] - 1);
+    return [[x, y], heading];
+  }
+
   /**
    * x, y (m), heading (rad) and curvature (1/m) at route positions, m: four numbers each, row by row.
    * @param {ArrayLike<number>} positions

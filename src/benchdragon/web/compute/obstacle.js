@@ -17,22 +17,30 @@ export class Standing {
   outline = [];
   /** Of a circle, m; else 0. */
   radius = 0;
+  /** Of a venue with a gate what that leaves of its outline, m. @type {Point[] | null} */
+  open = null;
 
-  /** What its kind is to the kernels. */
+  /** What benches must not touch of it, m. */
+  get walls() {
+    return this.open ?? this.outline;
+  }
+
+  /** What its kind is to the kernels: an edge with a gate is a chain of lines. */
   get sort() {
     const { CIRCLE, BODY, LINE, VENUE } = ObstacleKind;
+    if (this.open) return LINE;
     return { circle: CIRCLE, rectangle: BODY, polygon: BODY, line: LINE, venue: VENUE }[this.kind];
   }
 
   /** Its corners, m, (P, 2). @param {Arena} arena */
   corners(arena) {
-    return arena.table(this.outline, 2);
+    return arena.table(this.walls, 2);
   }
 
   /** Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py. */
   get boxes() {
     const arena = here();
-    const count = this.outline.length - (this.kind === "line" ? 1 : 0);
+    const count = this.walls.length - (this.sort === ObstacleKind.LINE ? 1 : 0);
     const made = arena.array("d", count, BOX.BOX_COLUMNS);
     arena.engine.call("bd_obstacle_fill_boxes", this.sort, this.corners(arena), made);
     return made;

@@ -95,8 +95,10 @@ export function checked(data, source = "plan") {
   if (typeof route === "object" && route !== null && "part" in route && !("kind" in route))
     tables.route = { ...route, kind: "parts" };
   const idle = idleKeys(tables).map((/** @type {any} */ one) => new Fault(one.key, one.text));
-  const files = ["venue", "route"].filter((name) => typeof tables[name]?.file === "string");
-  const outside = files.map((name) => new Fault(`${name}.file`, fileText(tables[name].file)));
+  const named = { venue: tables.venue, route: tables.route, "route.street": tables.route?.street };
+  const outside = Object.entries(named)
+    .filter(([, table]) => typeof table?.file === "string")
+    .map(([name, { file }]) => new Fault(`${name}.file`, fileText(file)));
   const { said, faults } = checkedTables(tables);
   const found = [...outside, ...faults, ...idle];
   if (found.length) throw new PlanError(new Source(source).sentences(found));

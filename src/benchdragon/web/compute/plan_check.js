@@ -22,6 +22,7 @@ import {
   PartsRoute,
   ProgrammeRoute,
   SpiralInRoute,
+  StreetTable,
   TurnRoute,
 } from "../made/plan_routes.js";
 import { CircleTable, LineTable, PolygonTable, RectangleTable, VenueTable } from "../made/square.js";
@@ -57,7 +58,7 @@ const DOING = {
   ...{ ArcPart, ClothoidPart, LinePart, LogSpiralPart, SpiralPart },
   ...{ DragonTable, TurnTable, WalkTable, FormationTable, StepTable },
   ...{ CircleTable, LineTable, PolygonTable, RectangleTable, VenueTable },
-  ...{ DrawnRoute, FormationRoute, PartsRoute, ProgrammeRoute, SpiralInRoute, TurnRoute },
+  ...{ DrawnRoute, FormationRoute, PartsRoute, ProgrammeRoute, SpiralInRoute, StreetTable, TurnRoute },
 };
 
 const NUMBER_TEXT = /^\s*[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:e[-+]?\d+)?\s*$/i;

@@ -15,7 +15,7 @@ export function runsOn({ route }) {
 
 /** Where on the route begins what the plan gives, m: after the line before a drawn bend. @param {CheckedPlan} plan @param {Walk} walk */
 export function givenFrom({ route }, walk) {
-  const drawn = route.kind === "drawn" && !route.closed;
+  const drawn = route.street || (route.kind === "drawn" && !route.closed);
   const begun = drawn && Math.abs(walk.route.joints[1] - RUN_UP) < ANALYSIS_NOT_LOOKED_AT.DUST;
   return begun ? RUN_UP : 0;
 }

@@ -32,6 +32,9 @@ export class OneCurve extends Curve {
     return py.type(this)._from(py.at(py.tolist(parts), 0));
   }
 }
+export function kernelPose(pose) {
+  return new Pose(...py.iter(py.at(pose, 0)), py.at(pose, 1));
+}
 export function checkPose(point, heading) {
   let value;
   if (!py.eq(py.shape(point), [2])) {

@@ -25,9 +25,11 @@ export function timeOfDay(text) {
   return text;
 }
 export function checkCue(cue) {
-  let name, text;
-  if (py.eq((cue.at == null), (cue.head == null))) {
-    throw new ValueError(_("a cue needs either at, a time, or head, a place of the head"));
+  let name, placed, text;
+  placed = ((cue.place != null) || (cue.round != null));
+  if ((py.count([(cue.at != null), (cue.head != null), placed], true) !== 1)) {
+    text = _("a cue needs one of these: at (a time), head (a way), place or round");
+    throw new ValueError(text);
   }
   if (((cue.kind === "start") && (cue.at == null))) {
     throw new ValueError(_("a start needs at, a time: the head stands until then"));
@@ -54,10 +56,11 @@ export class Moment {
   }
 }
 export class Paced {
-  constructor(profile, start, standings) {
+  constructor(profile, start, standings, heads = []) {
     this.profile = profile;
     this.start = start;
     this.standings = standings;
+    this.heads = heads;
   }
   get end() {
     let last;
@@ -68,7 +71,7 @@ export class Paced {
     return py.float(py.sub(this.profile.distance(time), this.profile.distance(this.start)));
   }
   moments(cues) {
-    let cue, found, held, n, time, until, way;
+    let cue, found, head, held, n, time, until, way;
     held = py.dict(py.list(this.standings).map((one) => [one.number, one]));
     found = [];
     for ([n, cue] of py.iter(py.enumerate(cues.cue))) {
@@ -76,28 +79,29 @@ export class Paced {
         [time, way, until] = py.list([py.at(held, n).start, py.at(held, n).way, py.at(held, n).end]);
       }
       else {
-        time = this._time(cue);
-        way = ((cue.head == null) ? this.way(time) : cue.head);
+        head = py.at(this.heads, n);
+        time = this._time(cue.at, head);
+        way = ((head == null) ? this.way(time) : head);
         until = time;
       }
       py.append(found, new Moment(n, cue, time, way, until));
     }
     return py.tuple(py.sorted(found, (one) => [one.time, one.number]));
   }
-  _time(cue) {
+  _time(at, head) {
     let here;
-    if ((cue.head == null)) {
-      return ((cue.at == null) ? 0.0 : cue.at);
+    if ((head == null)) {
+      return ((at == null) ? 0.0 : at);
     }
-    here = py.list(this.standings).flatMap((one) => (((py.abs(py.sub(one.way, cue.head)) <= SAME_PLACE)) ? [one.start] : []));
+    here = py.list(this.standings).flatMap((one) => (((py.abs(py.sub(one.way, head)) <= SAME_PLACE)) ? [one.start] : []));
     if (py.truth(here)) {
       return py.at(here, 0);
     }
-    return py.max(this.profile.time(py.add(cue.head, py.float(this.profile.distance(this.start)))), this.start);
+    return py.max(this.profile.time(py.add(head, py.float(this.profile.distance(this.start)))), this.start);
   }
 }
-export function paced(cues, profile, start, limits) {
-  let asked, found, holding, holds, rate, starts, stood, text, times;
+export function paced(cues, heads, profile, start, limits) {
+  let asked, found, holding, holds, rate, standings, starts, stood, text, times;
   rate = ((cues.acceleration == null) ? limits.head_acceleration : cues.acceleration);
   if ((rate > limits.head_acceleration)) {
     text = _("at most limits.head_acceleration, {limit} m/s^2, is allowed, not {rate}");
@@ -106,7 +110,7 @@ export function paced(cues, profile, start, limits) {
   }
   holding = py.list(py.enumerate(cues.cue)).flatMap(([n, cue]) => ((py.has(["hold", "stop"], cue.kind)) ? [n] : []));
   asked = py.list(holding).map((n) => py.at(cues.cue, n));
-  holds = py.list(asked).map((cue) => new Hold(cue.head, cue.at, py.or(cue.hold, () => Infinity)));
+  holds = py.list(py.zip(holding, asked)).map(([n, cue]) => new Hold(py.at(heads, n), cue.at, py.or(cue.hold, () => Infinity)));
   starts = py.list(py.enumerate(cues.cue)).flatMap(([n, cue]) => ((((cue.kind === "start") && (cue.at != null))) ? [[n, cue.at]] : []));
   times = py.list(starts).map(([_number, time]) => time);
   try {
@@ -119,7 +123,8 @@ export function paced(cues, profile, start, limits) {
     throw error;
   }
   _refuseIdle(starts, py.set_of(py.list(stood).flatMap((one) => ((py.eq(py.at(holds, one.number).seconds, Infinity)) ? [one.end] : []))));
-  return new Paced(found, start, py.tuple(py.list(stood).map((one) => py.replaced(one, { number: py.at(holding, one.number) }))));
+  standings = py.tuple(py.list(stood).map((one) => py.replaced(one, { number: py.at(holding, one.number) })));
+  return new Paced(found, start, standings, heads);
 }
 function _refuseIdle(starts, used) {
   let faults, n, seen, text, time;
@@ -142,5 +147,5 @@ export function outside(moments, start, end, way) {
   byTime = py.filled(byTime, { start: `${py.format(start, `g`)}`, end: `${py.format(end, `.6g`)}` });
   byPlace = _("that is not within the dance, in which the head walks {way} m");
   byPlace = py.filled(byPlace, { way: `${py.format(way, `.6g`)}` });
-  return py.list(moments).flatMap((one) => ((!((start <= one.time) && (one.time <= py.add(end, END_SLACK)))) ? [new Fault(`cues.cue.${py.str(one.number)}`, ((one.cue.head == null) ? byTime : byPlace))] : []));
+  return py.list(moments).flatMap((one) => ((!((start <= one.time) && (one.time <= py.add(end, END_SLACK)))) ? [new Fault(`cues.cue.${py.str(one.number)}`, ((one.cue.at == null) ? byPlace : byTime))] : []));
 }

@@ -126,6 +126,9 @@ export class Spiral extends OneCurve {
     }
     return new this(pitch, (startRadius / k), (endRadius / k), centre, rotation, mirrored);
   }
+  get inward() {
+    return (this.end_angle < this.start_angle);
+  }
   get k() {
     return (this.pitch / (2.0 * Math.PI));
   }

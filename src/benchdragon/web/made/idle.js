@@ -27,7 +27,7 @@ const ALL_SIZES = py.set_of(["between", "clockwise", "inner_radius", "length", "
 const DRAWN = py.dict([["points", ["piece", "file", "layer", "joint_gap", "joint_kink"]], ["piece", ["points", "file", "layer"]], ["file", ["points", "piece"]]]);
 const CHOOSING = ["dragon", "route", "disc", "turn", "walk", "venue", "limits"];
 export function idleKeys(data, latest = []) {
-  let chosen, family, found, i, idle, kind, one, others, route, strays, tables, turn, ways;
+  let family, found, i, idle, kind, one, others, route, strays, tables, turn;
   tables = py.dict(py.list(CHOOSING).map((name) => [name, _said(py.get(data, name))]));
   [route, turn] = py.list([py.at(tables, "route"), py.at(tables, "turn")]);
   kind = (py.has(route, "part") ? "parts" : py.get(route, "kind"));
@@ -41,6 +41,7 @@ export function idleKeys(data, latest = []) {
     family = py.get(turn, "family", "arc-arc");
     strays = py.list(py.items(FAMILIES)).flatMap(([name, families]) => (((py.has(turn, name) && !py.has(families, family))) ? [name] : []));
     found = py.extend(found, py.list(strays).map((name) => new Idle(["turn", name], "turn.family", `turn.family = "${py.str(family)}"`)));
+    found = py.extend(found, _idleBack(route));
   }
   if ((kind === "formation")) {
     found = py.extend(found, _idleSizes(route, ["route"]));
@@ -50,12 +51,8 @@ export function idleKeys(data, latest = []) {
       found = py.extend(found, _idleSizes(_said(one), ["route", "formation", i]));
     }
   }
-  if ((kind === "drawn")) {
-    ways = py.sorted(DRAWN, (name) => !py.has(latest, `route.${py.str(name)}`));
-    chosen = py.next(py.list(ways).flatMap((name) => ((py.has(route, name)) ? [name] : [])), "");
-    idle = py.list(py.get(DRAWN, chosen, [])).flatMap((name) => ((py.has(route, name)) ? [["route", name]] : []));
-    found = py.extend(found, py.list(idle).map((path) => new Idle(path, `route.${py.str(chosen)}`, `route.${py.str(chosen)}`)));
-  }
+  found = py.extend(found, ((kind === "drawn") ? _idleDrawing(route, "route", latest) : []));
+  found = py.extend(found, _idleDrawing(_said(py.get(route, "street")), "route.street", latest));
   if ((py.truth(py.get(py.at(tables, "walk"), "profile")) && py.has(py.at(tables, "walk"), "speed"))) {
     py.append(found, new Idle(["walk", "speed"], "walk.profile", "walk.profile"));
   }
@@ -84,6 +81,24 @@ function _idleOnTheSquare(venue, limits) {
     py.append(found, new Idle(["venue", "layer"], "venue", "venue.file", true));
   }
   return found;
+}
+function _idleBack(route) {
+  let because, names, rounds, strays, street;
+  [rounds, street] = py.list([py.get(route, "rounds"), py.has(route, "street")]);
+  if (((py.is(rounds, "int")) && (rounds > 1))) {
+    return [];
+  }
+  names = (py.truth(street) ? ["back_radius"] : ["back_radius", "outer_radius"]);
+  because = (py.truth(street) ? "route.rounds" : "route.rounds, route.street");
+  strays = py.list(names).flatMap((name) => ((py.has(route, name)) ? [name] : []));
+  return py.list(strays).map((name) => new Idle(["route", name], "route.rounds", because, true));
+}
+function _idleDrawing(table, where, latest) {
+  let chosen, idle, ways;
+  ways = py.sorted(DRAWN, (name) => !py.has(latest, `${py.str(where)}.${py.str(name)}`));
+  chosen = py.next(py.list(ways).flatMap((name) => ((py.has(table, name)) ? [name] : [])), "");
+  idle = py.list(py.get(DRAWN, chosen, [])).flatMap((name) => ((py.has(table, name)) ? [[...py.iter(py.split(where, ".")), name]] : []));
+  return py.list(idle).map((path) => new Idle(path, `${py.str(where)}.${py.str(chosen)}`, `${py.str(where)}.${py.str(chosen)}`));
 }
 function _idleSizes(table, path) {
   let because, beside, own, strays;

@@ -38,7 +38,7 @@ export class ObstacleSearch extends EngineQuestion {
     [origin, dragon] = py.list([originAt(walk, first), walk.dragon]);
     [near, [x, y]] = py.list([seenFrom(walk, origin), origin]);
     named = py.dict([[0, obstacle.sort], [1, obstacle.radius], [2, obstacle.margin], [3, first], [4, last], [5, SLACK], [6, WIDTH], [7, MOST_EVALUATIONS], [8, MOST_LEAST_EVALUATIONS]]);
-    outline = py.array(py.list(py.tolist(obstacle.outline)).map((at) => [py.sub(py.at(at, 0), x), py.sub(py.at(at, 1), y)]));
+    outline = py.array(py.list(py.tolist(obstacle.walls)).map((at) => [py.sub(py.at(at, 0), x), py.sub(py.at(at, 1), y)]));
     handle = py.entry("bd_obstacle_question_open_obstacle", near.route.rows, dragon.links, dragon.sizes, outline, repeatsOf(near), inColumns(named))[0];
     super(handle, py.entered("bd_obstacle_question_step_obstacle"), py.entered("bd_obstacle_question_read_obstacle"), py.zeros(28));
     [this._walk, this._obstacle, this._heads, this._origin] = py.list([walk, obstacle, [first, last], origin]);

@@ -6,6 +6,7 @@ import { _hashed } from "../compute/plan_check.js";
 import { py } from "../compute/python.js";
 import { Walk } from "../compute/walk.js";
 import { _ } from "../words.js";
+import { headsOf } from "./cue_places.js";
 import { Paced, outside, paced } from "./cues.js";
 import { drop, dropReplaced, idleKeys } from "./idle.js";
 import { DECIDING } from "./people.js";
@@ -15,9 +16,10 @@ import { setValue } from "./toml.js";
 
 const ASIDE = ["meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event"];
 const SQUARE = ["venue", "obstacle"];
+const LATER = [["street", null], ["rounds", 1], ["outer_radius", null], ["back_radius", null]];
 export class Plan {
   _sha256_() {
-    let data, limits, name, needs, own, route;
+    let data, limits, name, needs, own, route, usual;
     [data, own] = py.list([this.whole(), this.own()]);
     for (name of py.iter(ASIDE)) {
       if ((!py.has(SQUARE, name) || !py.has(own, name))) {
@@ -31,8 +33,10 @@ export class Plan {
     if (py.has([null, [0.0, 0.0]], py.at(route, "at"))) {
       py.pop(route, "at");
     }
-    if ((py.at(route, "turned") === 0.0)) {
-      py.pop(route, "turned");
+    for ([name, usual] of py.iter([["turned", 0.0], ...py.iter(LATER)])) {
+      if ((py.has(route, name) && py.eq(py.at(route, name), usual))) {
+        py.pop(route, name);
+      }
     }
     needs = py.dict(py.list(py.items(py.get(own, "people", py.dict([])))).flatMap(([name, of]) => ((py.has(DECIDING, name)) ? [[name, of]] : [])));
     if (py.truth(needs)) {
@@ -119,6 +123,19 @@ export class Plan {
     py.pop(py.get(data, "limits", py.dict([])), "venue_margin", null);
     return this._changed(data);
   }
+  without_street() {
+    let data, name, table;
+    if (!py.truth(this.route.after_street)) {
+      return this;
+    }
+    data = this.said();
+    for ([table, name] of py.iter([["route", "street"], ["walk", "start"], ["walk", "end"]])) {
+      py.pop(py.get(data, table, py.dict([])), name, null);
+    }
+    py.pop(py.get(data, "walk", py.dict([])), "position", null);
+    py.pop(data, "cues", null);
+    return this._changed(data);
+  }
   span(walk = /** @type {any} */ (null)) {
     let end, pace, text, wrong;
     [end, pace] = py.list([this.walk.end, this.pace()]);
@@ -160,10 +177,27 @@ export class Plan {
     if ((!py.truth(this.cues.cue) && (this.cues.acceleration == null))) {
       return new Paced(profile, this.start, []);
     }
-    return paced(this.cues, profile, this.start, this.limits);
+    return paced(this.cues, this._heads(profile), profile, this.start, this.limits);
   }
   get _pace() {
     return py.keep(this, "_pace", this.__pace_());
+  }
+  get _goes_by_route() {
+    return py.list(this.cues.cue).some((cue) => ((cue.place != null) || (cue.round != null)));
+  }
+  _heads(profile) {
+    let begun, end, first, last, route, walk;
+    if (!py.truth(this._goes_by_route)) {
+      return py.list(this.cues.cue).map((cue) => cue.head);
+    }
+    [route, begun] = py.list(this._placed);
+    walk = new Walk(this._dragon, route, profile, this._at_zero(begun));
+    [first, end] = py.list([py.float(py.at(walk.head_position([this.start]), 0)), this.walk.end]);
+    last = ((end == null) ? this.route.last_position(walk) : py.float(py.at(walk.head_position([end]), 0)));
+    return headsOf(this.cues.cue, route, first, py.min(last, route.length));
+  }
+  _at_zero(begun) {
+    return ((this.walk.position == null) ? begun : this.walk.position);
   }
   ways() {
     let begin, end, most, pace;
@@ -176,17 +210,18 @@ export class Plan {
     return [begin, py.add(begin, pace.way(end)), most];
   }
   build() {
-    let begun, dragon, faults, pace, placed, position, route, walk;
+    let begun, dragon, faults, pace, placed, position, route, told, walk;
     faults = new Faults();
     dragon = faults.tried("dragon", () => this._dragon);
     placed = faults.tried("route", () => this._placed);
-    pace = faults.tried("walk", () => this._pace);
+    told = py.and(this._goes_by_route, () => ((dragon == null) || (placed == null)));
+    pace = (py.truth(told) ? null : faults.tried("walk", () => this._pace));
     faults.tried("obstacle", () => this._obstacles);
     if (((dragon == null) || (placed == null) || (pace == null) || py.truth(faults.found))) {
       throw this._wrong(faults.found);
     }
     [route, begun] = py.list(placed);
-    position = ((this.walk.position == null) ? begun : this.walk.position);
+    position = this._at_zero(begun);
     if (py.truth(this.cues.cue)) {
       position = py.extend(position, py.sub(py.at(this.ways(), 0), py.float(pace.profile.distance(this.start))));
     }
@@ -206,15 +241,26 @@ export class Plan {
     return found;
   }
   __obstacles_() {
-    return builtObstacles(this.venue, this.obstacle, this.limits);
+    let _start, found, route;
+    found = builtObstacles(this.venue, this.obstacle, this.limits);
+    if ((!py.truth(this.route.after_street) || !py.truth(found) || (py.at(found, 0).kind !== "venue"))) {
+      return found;
+    }
+    try {
+      [route, _start] = py.list(this._placed);
+    } catch (error) {
+      if (error instanceof InputError) {
+        return found;
+      } else
+      throw error;
+    }
+    return [this.route.gated(py.at(found, 0), route, this), ...py.iter(py.slice(found, 1, null))];
   }
   get _obstacles() {
     return py.keep(this, "_obstacles", this.__obstacles_());
   }
   get _placed() {
-    let built, start;
-    [built, start] = py.list(this.route.build(this));
-    return [this.route.placed(built), start];
+    return this.route.whole(this);
   }
   _wrong(faults) {
     return new PlanError(this._source.sentences(faults));

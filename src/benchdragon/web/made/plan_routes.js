@@ -5,7 +5,7 @@ import { InputError } from "../compute/error_kinds.js";
 import { _fitted } from "../compute/fitting.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
-import { programme } from "./connections.js";
+import { joined, programme } from "./connections.js";
 import { Line, Route, Spiral } from "./curves.js";
 import { formationOf, linksBelow, refuseTight, wholeDragonOn } from "./formation_tables.js";
 import { Fault, Faults, KeyedError } from "./source.js";
@@ -15,6 +15,8 @@ const TRAIL = 1000.0;
 const FITS = 0.001;
 const RUN_UP = 1.0;
 const FOLDS = 0.001;
+const FINE = 0.5;
+const OUT_TO = 0.1;
 function _at(key, text) {
   return new KeyedError([new Fault(key, text)]);
 }
@@ -25,6 +27,20 @@ function _longestLink(plan) {
   return ((plan.chain == null) ? 0.0 : plan.chain.longest_link);
 }
 class RouteTable {
+  get once() {
+    return true;
+  }
+  get after_street() {
+    return false;
+  }
+  whole(plan) {
+    let begun, route;
+    [route, begun] = py.list(this.build(plan));
+    return [this.placed(route), begun];
+  }
+  gated(edge, _route, _plan) {
+    return edge;
+  }
   placed(route) {
     if (((this.at == null) && (this.turned === 0.0))) {
       return route;
@@ -41,7 +57,79 @@ class RouteTable {
     return Infinity;
   }
 }
-export class SpiralInRoute extends RouteTable {
+class Drawn {
+  constructor(points, pieces, closed, within) {
+    this.points = points;
+    this.pieces = pieces;
+    this.closed = closed;
+    this.within = within;
+  }
+  *[Symbol.iterator]() {
+    yield* [this.points, this.pieces, this.closed, this.within];
+  }
+}
+class Drawing {
+  
+}
+function _along(drawing, link, closed, key) {
+  let drawn, kink, least, pieces, points;
+  least = py.max(py.or(drawing.least_radius, () => 0.0), ((0.5 * link) * (1.0 + FOLDS)));
+  kink = py.radians(drawing.joint_kink);
+  if (!(py.truth(drawing.points) || py.truth(drawing.piece))) {
+    throw _at(key, _("a drawn route needs points, or a file beside the plan"));
+  }
+  [points, pieces] = py.list([py.tuple(py.or(drawing.points, () => [])), py.tuple(py.or(drawing.piece, () => []))]);
+  drawn = new Drawn(points, pieces, closed, drawing.drawn_within);
+  return _fitted(drawn, drawing.smooth, drawing.deviation, least, drawing.joint_gap, kink);
+}
+function _onALine(route) {
+  let before, heading, x, y;
+  if ((py.at(route.curves, 0) instanceof Line)) {
+    return [route, 0.0];
+  }
+  [[x, y], heading] = py.list(route.start_pose);
+  before = [py.sub(x, (RUN_UP * py.cos(heading))), py.sub(y, (RUN_UP * py.sin(heading)))];
+  return [new Route([new Line(RUN_UP, before, heading), ...py.iter(route.curves)]), RUN_UP];
+}
+export class StreetTable extends Drawing {
+  before(route, link) {
+    let begun, street;
+    refuseTight("route.street.radius", this.radius, link);
+    [street, begun] = py.list(_onALine(_along(this, link, false, "route.street").route));
+    return [joined(street, route, this.radius), begun];
+  }
+}
+class AfterStreet extends RouteTable {
+  get once() {
+    return (this.street == null);
+  }
+  get after_street() {
+    return (this.street != null);
+  }
+  whole(plan) {
+    let begun, route;
+    [route, begun] = py.list(this.build(plan));
+    if ((this.street == null)) {
+      return [this.placed(route), begun];
+    }
+    return this.street.before(this.placed(route), _longestLink(plan));
+  }
+  gated(edge, route, plan) {
+    let behind, count, far, heading, poses, way, x, y;
+    if ((this.street == null)) {
+      return edge;
+    }
+    count = py.ceil((route.length / FINE));
+    poses = py.empty([(count + 1), 4]);
+    py.entry("bd_route_evaluate", route.rows, py.array(py.list(py.range((count + 1))).map((n) => ((route.length * n) / count))), poses);
+    [[x, y], heading] = py.list(route.start_pose);
+    far = _extent(plan);
+    behind = [py.sub(x, (far * py.cos(heading))), py.sub(y, (far * py.sin(heading)))];
+    way = [behind, ...py.iter(py.list(py.tolist(poses)).map(([u, v, _heading, _bend]) => [u, v]))];
+    return edge.gated(way, this.street.width);
+  }
+}
+export class SpiralInRoute extends AfterStreet {
   build(plan) {
     let end, k, start;
     k = (this.pitch / (2.0 * Math.PI));
@@ -56,12 +144,40 @@ export class SpiralInRoute extends RouteTable {
     return walk.route.length;
   }
 }
-export class TurnRoute extends RouteTable {
+export class TurnRoute extends AfterStreet {
+  get once() {
+    return ((this.street == null) && (this.rounds === 1));
+  }
   build(plan) {
-    let route, turn;
-    turn = this.turn(plan);
-    route = turn.route(undefined, py.add(_extent(plan), TRAIL));
+    let back, outer, route, trail, turn;
+    [turn, trail] = py.list([this.turn(plan), py.add(_extent(plan), TRAIL)]);
+    if (py.truth(this.once)) {
+      route = turn.route(undefined, trail);
+    }
+    else {
+      [outer, back] = py.list([this._outer(turn, plan), this._back(turn, plan)]);
+      route = turn.rounds(this.rounds, outer, back, trail, (this.street != null));
+    }
     return [route, py.float(py.at(route.joints, 1))];
+  }
+  _outer(turn, plan) {
+    let least, square;
+    if ((this.outer_radius == null)) {
+      square = py.add((turn.exit_radius ** 2), ((_extent(plan) * this.pitch) / Math.PI));
+      return (py.ceil((py.sqrt(square) / OUT_TO)) * OUT_TO);
+    }
+    least = py.max(turn.entry_radius, turn.exit_radius);
+    if ((this.outer_radius <= least)) {
+      throw _at("route.outer_radius", py.filled(_("route.outer_radius ({outer} m) must be larger than that of the turn, {least} m"), { outer: `${py.format(this.outer_radius, `g`)}`, least: `${py.format(least, `g`)}` }));
+    }
+    return this.outer_radius;
+  }
+  _back(turn, plan) {
+    if ((this.back_radius == null)) {
+      return py.max(turn.least_radius, (0.25 * this.pitch));
+    }
+    refuseTight("route.back_radius", this.back_radius, _longestLink(plan));
+    return this.back_radius;
   }
   turn(plan) {
     let disc, link, name, turn;
@@ -95,7 +211,7 @@ export class TurnRoute extends RouteTable {
     return walk.head_where_tail(py.float(py.at(walk.route.joints, -2)));
   }
 }
-export class PartsRoute extends RouteTable {
+export class PartsRoute extends AfterStreet {
   build(_plan) {
     let curves, faults, heading, point, tried;
     faults = new Faults();
@@ -117,7 +233,7 @@ export class PartsRoute extends RouteTable {
     return walk.route.length;
   }
 }
-export class FormationRoute extends RouteTable {
+export class FormationRoute extends AfterStreet {
   build(plan) {
     let route;
     route = formationOf(this, "route", _longestLink(plan)).build();
@@ -130,7 +246,7 @@ export class FormationRoute extends RouteTable {
     return walk.route.length;
   }
 }
-export class ProgrammeRoute extends RouteTable {
+export class ProgrammeRoute extends AfterStreet {
   build(plan) {
     let faults, keys, link, route, tried;
     [faults, link] = py.list([new Faults(), _longestLink(plan)]);
@@ -150,46 +266,22 @@ export class ProgrammeRoute extends RouteTable {
     return walk.route.length;
   }
 }
-class Drawn {
-  constructor(points, pieces, closed, within) {
-    this.points = points;
-    this.pieces = pieces;
-    this.closed = closed;
-    this.within = within;
-  }
-  *[Symbol.iterator]() {
-    yield* [this.points, this.pieces, this.closed, this.within];
-  }
-}
 export class DrawnRoute extends RouteTable {
   build(plan) {
-    let around, before, curves, fit, heading, laps, x, y;
-    fit = this.fit(_longestLink(plan));
-    curves = fit.route.curves;
-    if (py.truth(this.closed)) {
-      laps = py.ceil((_extent(plan) / fit.route.length));
-      if ((((laps + 1) * py.len(curves)) > MOST_CURVES)) {
-        throw _at("route", py.filled(_("the dragon goes round the drawing {laps} times, with {count} bends a round: too many; draw it larger, or allow a larger deviation"), { laps: laps, count: py.len(curves) }));
-      }
-      around = py.tuple(py.list(py.range((laps + 1))).flatMap((_lap) => py.list(curves).map((curve) => curve)));
-      return [new Route(around), (laps * fit.route.length)];
+    let around, laps, route;
+    route = this.fit(_longestLink(plan)).route;
+    if (!py.truth(this.closed)) {
+      return _onALine(route);
     }
-    if ((py.at(curves, 0) instanceof Line)) {
-      return [fit.route, 0.0];
+    laps = py.ceil((_extent(plan) / route.length));
+    if ((((laps + 1) * py.len(route.curves)) > MOST_CURVES)) {
+      throw _at("route", py.filled(_("the dragon goes round the drawing {laps} times, with {count} bends a round: too many; draw it larger, or allow a larger deviation"), { laps: laps, count: py.len(route.curves) }));
     }
-    [[x, y], heading] = py.list(fit.route.start_pose);
-    before = [py.sub(x, (RUN_UP * py.cos(heading))), py.sub(y, (RUN_UP * py.sin(heading)))];
-    return [new Route([new Line(RUN_UP, before, heading), ...py.iter(curves)]), RUN_UP];
+    around = py.tuple(py.list(py.range((laps + 1))).flatMap((_lap) => py.list(route.curves).map((curve) => curve)));
+    return [new Route(around), (laps * route.length)];
   }
   fit(link) {
-    let drawn, kink, least;
-    least = py.max(py.or(this.least_radius, () => 0.0), ((0.5 * link) * (1.0 + FOLDS)));
-    kink = py.radians(this.joint_kink);
-    if (!(py.truth(this.points) || py.truth(this.piece))) {
-      throw _at("route", _("a drawn route needs points, or a file beside the plan"));
-    }
-    drawn = new Drawn(py.tuple(py.or(this.points, () => [])), py.tuple(py.or(this.piece, () => [])), this.closed, this.drawn_within);
-    return _fitted(drawn, this.smooth, this.deviation, least, this.joint_gap, kink);
+    return _along(this, link, this.closed, "route");
   }
   last_position(walk) {
     return walk.route.length;

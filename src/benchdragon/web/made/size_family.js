@@ -52,14 +52,24 @@ export class PlanFamily {
     this.__post_init__();
   }
   __post_init__() {
-    if (!(this.plan.route instanceof FormationRoute || this.plan.route instanceof ProgrammeRoute)) {
+    let route, text, walk;
+    route = this.plan.route;
+    if ((!py.truth(route.once) && py.has(["pitch", "disc"], this.question.name))) {
+      text = _("this size is sought for a coil that is walked once: take out {keys}");
+      throw new InputError(py.filled(text, { keys: "route.rounds, route.street" }));
+    }
+    if ((py.truth(route.once) && !(route instanceof FormationRoute || route instanceof ProgrammeRoute))) {
       return null;
     }
     if ((this.question.name === "pitch")) {
       throw new InputError(_("the smallest pitch of a formation is not sought: see by a sweep over its pitch what clearance each leaves"));
     }
+    walk = this.plan.build();
+    if (!py.truth(route.once)) {
+      this.plan = this.plan.with_value("walk.end", py.at(this.plan.span(walk), 1));
+    }
     if ((this.plan.walk.position == null)) {
-      this.plan = this.plan.with_value("walk.position", this.plan.build().start);
+      this.plan = this.plan.with_value("walk.position", walk.start);
     }
   }
   get first() {
@@ -84,13 +94,18 @@ function kernelNumbers(plan, question) {
   [beginWay, endWay, mostWay] = py.list(plan.ways());
   [pitch, disc] = py.list([NaN, _orNan(plan.disc.radius)]);
   [kind, start, clockwise] = py.list([0, NaN, true]);
-  if ((route instanceof SpiralInRoute)) {
-    [kind, pitch, start] = py.list([1, route.pitch, route.start_turn]);
-    clockwise = route.clockwise;
+  if (!py.truth(route.once)) {
+    
   }
   else {
-    if ((route instanceof TurnRoute)) {
-      [kind, pitch, disc] = py.list([2, route.pitch, TurnRoute.disc(plan)]);
+    if ((route instanceof SpiralInRoute)) {
+      [kind, pitch, start] = py.list([1, route.pitch, route.start_turn]);
+      clockwise = route.clockwise;
+    }
+    else {
+      if ((route instanceof TurnRoute)) {
+        [kind, pitch, disc] = py.list([2, route.pitch, TurnRoute.disc(plan)]);
+      }
     }
   }
   radii = py.or(turn.radii, () => [NaN, NaN]);

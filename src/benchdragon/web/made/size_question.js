@@ -29,9 +29,9 @@ function squareOf(family, fixed) {
   things = [];
   corners = [];
   for (thing of py.iter(given)) {
-    most = py.max(py.list(py.tolist(thing.outline)).flatMap((point) => py.list(point).map((value) => py.abs(value))));
+    most = py.max(py.list(py.tolist(thing.walls)).flatMap((point) => py.list(point).map((value) => py.abs(value))));
     one = (py.truth(moves) ? route.unplaced(thing) : thing);
-    outline = py.tolist(one.outline);
+    outline = py.tolist(one.walls);
     py.append(things, [one.sort, one.radius, one.margin, py.len(outline), (py.truth(moves) ? (MOVED * most) : 0.0)]);
     corners = py.extend(corners, outline);
   }

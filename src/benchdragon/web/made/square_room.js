@@ -25,8 +25,8 @@ const PULL = 0.0001;
 const WAYS = [[-1.0, -1.0, -1.0], [-1.0, -1.0, 0.0], [-1.0, -1.0, 1.0], [-1.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [-1.0, 0.0, 1.0], [-1.0, 1.0, -1.0], [-1.0, 1.0, 0.0], [-1.0, 1.0, 1.0], [0.0, -1.0, -1.0], [0.0, -1.0, 0.0], [0.0, -1.0, 1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], [0.0, 1.0, -1.0], [0.0, 1.0, 0.0], [0.0, 1.0, 1.0], [1.0, -1.0, -1.0], [1.0, -1.0, 0.0], [1.0, -1.0, 1.0], [1.0, 0.0, -1.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, -1.0], [1.0, 1.0, 0.0], [1.0, 1.0, 1.0]];
 export class Square {
   constructor(plan, step = STEP) {
-    this.plan = plan;
-    [this.walk, this.obstacles] = py.list(withAllRoom(plan));
+    [this.plan, this._danced] = py.list([plan, plan.without_street()]);
+    [this.walk, this.obstacles] = py.list(withAllRoom(this._danced));
     if ((!py.truth(this.obstacles) || (this.venue.kind !== "venue"))) {
       throw new InputError(_("the plan has no venue to be placed in: add [venue]"));
     }
@@ -37,7 +37,7 @@ export class Square {
     return py.at(this.obstacles, 0);
   }
   _boxes_() {
-    return laidBoxes(this.walk, this.plan.span(this.walk), this.step);
+    return laidBoxes(this.walk, this._danced.span(this.walk), this.step);
   }
   get boxes() {
     return py.keep(this, "boxes", this._boxes_());

@@ -7,6 +7,7 @@ import { places } from "../compute/walk_facts.js";
 import { N_, _ } from "../words.js";
 import { Bends } from "./bends.js";
 import { cueName } from "./cues.js";
+import { Spiral } from "./curves.js";
 import { inOrder } from "./errors.js";
 import { named } from "./findings.js";
 import { Obstacle } from "./obstacle.js";
@@ -52,15 +53,18 @@ export function timetable(plan, walk = /** @type {any} */ (null), start = /** @t
   return py.tuple(py.list(rows).flatMap((row) => ((((row.head != null) || (row.tail != null))) ? [row] : [])));
 }
 function _joints(plan, walk, last) {
-  let before, behind, bends, found, joints, n, name, numbered, often, s;
+  let before, begun, behind, bends, ended, found, joints, n, name, numbered, often, rounds, s;
   [bends, joints] = py.list([Bends.of(walk.route), py.tolist(py.slice(walk.route.joints, 1, -1))]);
   found = [];
   often = py.dict([]);
+  rounds = 1;
   for ([n, s] of py.iter(py.enumerate(joints, 1))) {
     [before, behind] = py.list([bends.turning(py.sub(s, NEAR)), bends.turning(py.add(s, NEAR))]);
     name = (!py.eq(before, behind) ? _(py.at(BENDS, [before, behind])) : "");
-    if (((plan.route.kind === "turn") && py.has([1, py.len(joints)], n))) {
-      name = ((n === 1) ? _("the turn begins") : _("the turn ends"));
+    if ((plan.route.kind === "turn")) {
+      [ended, begun] = py.list([py.at(walk.route.curves, (n - 1)), py.at(walk.route.curves, n)]);
+      name = py.or(_inRounds(ended, begun, rounds), () => name);
+      rounds = py.extend(rounds, (((ended instanceof Spiral) && !py.truth(ended.inward)) ? 1 : 0));
     }
     if ((py.truth(name) && (s < last))) {
       py.set(often, name, (py.get(often, name, 0) + 1));
@@ -69,6 +73,15 @@ function _joints(plan, walk, last) {
   }
   numbered = _("{name} ({n})");
   return py.list(found).map(([name, n, s]) => [((py.at(often, name) > 1) ? py.filled(numbered, { name: name, n: n }) : name), s]);
+}
+function _inRounds(ended, begun, rounds) {
+  if ((ended instanceof Spiral)) {
+    return (py.truth(ended.inward) ? _("the turn begins") : _("the head goes back"));
+  }
+  if ((begun instanceof Spiral)) {
+    return (py.truth(begun.inward) ? py.filled(_("round {n} begins"), { n: rounds }) : _("the turn ends"));
+  }
+  return "";
 }
 function _passing(walk, span, kind, name, s) {
   let _flat, first, head, x, y;

@@ -36,10 +36,14 @@ export class TurnGoal {
 }
 export class TurnFamily {
   constructor(plan, goal) {
-    let route;
+    let route, text;
     route = plan.route;
     if (!(route instanceof TurnRoute)) {
       throw new InputError(_("a best turn is sought for plans whose route is a turn"));
+    }
+    if (!py.truth(route.once)) {
+      text = _("a best turn is sought for a coil that is walked once: take out {keys}");
+      throw new InputError(py.filled(text, { keys: "route.rounds, route.street" }));
     }
     this.plan = plan;
     this.goal = goal;

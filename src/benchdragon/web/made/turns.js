@@ -5,7 +5,7 @@ import { InputError, brief } from "../compute/error_kinds.js";
 import { py } from "../compute/python.js";
 import { N_, _ } from "../words.js";
 import { checkedBend, checkedSize, laidRows } from "./base_curve.js";
-import { Route, curvesOf, joinedCurves } from "./curves.js";
+import { Arc, Route, Spiral, curvesOf, joinedCurves } from "./curves.js";
 import { finite, notNegative, positive } from "./errors.js";
 
 const asNumbers = (_name, values) => values;
@@ -83,6 +83,29 @@ export class Turn {
     curves = curvesOf(parts);
     return new Route(joinedCurves(curves, 1, (py.len(curves) - 1)));
   }
+  rounds(count, outer, bend, trail = TRAIL, begun = false) {
+    let again, back, inward, middle, once, outward, scale, start;
+    scale = ((2.0 * Math.PI) / this.pitch);
+    start = (checkedSize("outer", outer) * scale);
+    inward = new Spiral(this.pitch, start, (this.entry_radius * scale));
+    outward = new Spiral(this.pitch, (this.exit_radius * scale), start, [0.0, 0.0], Math.PI);
+    once = this.route(LEAD, trail).curves;
+    middle = py.slice(once, 1, -1);
+    back = wayBack(outward, inward, checkedBend("bend", bend));
+    again = py.list(py.range((count - 1))).flatMap((_round) => py.list([...py.iter(middle), outward, ...py.iter(back), inward]).map((curve) => curve));
+    return new Route([(py.truth(begun) ? inward : py.at(once, 0)), ...py.iter(again), ...py.iter(middle), py.at(once, -1)]);
+  }
+}
+function wayBack(outward, inward, bend) {
+  let dx, dy, goal, heading, joint, rightX, rightY, there, u, v, wide, x, y;
+  [[x, y], heading] = py.list(outward.end_pose);
+  [[u, v], goal] = py.list(inward.start_pose);
+  [rightX, rightY] = py.list([py.sin(goal), -py.cos(goal)]);
+  [dx, dy] = py.list([py.sub(py.add(x, (bend * py.sin(heading))), u), py.sub(py.sub(y, (bend * py.cos(heading))), v)]);
+  wide = (py.sub(py.add((dx * dx), (dy * dy)), (bend * bend)) / (2.0 * py.sub(py.add((dx * rightX), (dy * rightY)), bend)));
+  joint = py.atan2(py.sub((wide * rightX), dx), py.sub(dy, (wide * rightY)));
+  there = [py.add(x, (bend * py.sub(py.sin(heading), py.sin(joint)))), py.sub(y, (bend * py.sub(py.cos(heading), py.cos(joint))))];
+  return [new Arc(bend, -py.mod(py.sub(heading, joint), (2.0 * Math.PI)), [x, y], heading), new Arc(wide, -py.mod(py.sub(joint, goal), (2.0 * Math.PI)), there, joint)];
 }
 function reach(rows) {
   return py.entry("bd_route_parts_farthest", rows, py.float(py.at(rows, [1, 2])), py.float(py.at(rows, [-1, 2])), REACH_LOOK)[0];

@@ -7,12 +7,12 @@ import { N_, _, both } from "../words.js";
 
 const asNumber = (_name, value) => value;
 const NAME = "benchdragon new";
-export const SHOULDERS = 0.5;
+const SHOULDERS = 0.5;
 const SWAY = 0.05;
 const IMPRECISION = 0.1;
 const MARGIN = 0.05;
 const VENUE_MARGIN = 0.5;
-export const CORNERS = 90;
+const CORNERS = 90;
 const TITLE = N_("A bench dragon on our square");
 export class Wishes {
   constructor(benches, length, width, headLength = 2.0, inset = 0.15, rectangle = /** @type {any} */ (null), radius = /** @type {any} */ (null), bearers = 2, carry = "beside", speed = 0.8, mostSpeed = 1.5, kind = /** @type {any} */ (null), roster = "", sway = SWAY, imprecision = IMPRECISION, measured = py.frozenset(), obstacles = [], boundary = /** @type {any} */ (null)) {

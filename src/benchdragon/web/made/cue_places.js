@@ -1,0 +1,78 @@
+// @ts-nocheck
+// Made from plans/cue_places.py by tools/make_twins.py; to make it again: make generate
+
+import { py } from "../compute/python.js";
+import { _ } from "../words.js";
+import { Fault, KeyedError } from "./source.js";
+
+const STEP = 0.1;
+const NEAREST = 1e-07;
+const ALIKE = 1e-06;
+const MOST_SAMPLES = 100000;
+const BESIDE = 10.0;
+const PARTS = 8;
+export function headsOf(cues, route, first, last) {
+  let at, begun, cue, found, key, n, span, text;
+  begun = _begun(route.rows, first);
+  found = [];
+  for ([n, cue] of py.iter(py.enumerate(cues))) {
+    key = `cues.cue.${py.str(n)}`;
+    if (((cue.round != null) && (cue.round > py.len(begun)))) {
+      text = py.filled(_("the dance has {count} rounds"), { count: py.len(begun) });
+      throw new KeyedError([new Fault(`${py.str(key)}.round`, text)]);
+    }
+    if (((cue.place == null) && (cue.round == null))) {
+      py.append(found, cue.head);
+      continue;
+    }
+    span = [first, last];
+    if ((cue.round != null)) {
+      span = [py.at(begun, (cue.round - 1)), py.min([last, ...py.iter(py.slice(begun, cue.round, (cue.round + 1)))])];
+    }
+    at = ((cue.place == null) ? py.at(span, 0) : _nearest(cue.place, route.rows, span, `${py.str(key)}.place`));
+    py.append(found, py.max(py.sub(at, first), 0.0));
+  }
+  return found;
+}
+function _begun(rows, first) {
+  let ahead, inward, spirals;
+  spirals = py.list(py.tolist(rows)).flatMap((row) => ((py.eq(py.at(row, 0), 3.0)) ? [row] : []));
+  inward = py.list(spirals).flatMap((row) => (((py.at(row, 5) < py.at(row, 4))) ? [row] : []));
+  ahead = py.list(inward).flatMap((row) => (((py.at(row, 2) >= first)) ? [py.at(row, 2)] : []));
+  return (py.eq(py.len(ahead), py.len(inward)) ? ahead : [first, ...py.iter(ahead)]);
+}
+function _away(place, rows, ways) {
+  let poses;
+  poses = py.empty([py.len(ways), 4]);
+  py.entry("bd_route_evaluate", rows, py.array(py.list(ways)), poses);
+  return py.list(py.tolist(poses)).map(([x, y, _heading, _bend]) => py.hypot(py.sub(x, py.at(place, 0)), py.sub(y, py.at(place, 1))));
+}
+function _nearest(place, rows, span, key) {
+  let away, best, count, ends, high, low, lows, near, step, text, ways;
+  [low, high] = py.list(span);
+  count = py.max(2, py.min(MOST_SAMPLES, py.ceil((py.sub(high, low) / STEP))));
+  step = (py.sub(high, low) / count);
+  ways = py.add(py.list(py.range(count)).map((n) => py.add(low, (step * n))), [high]);
+  away = _away(place, rows, ways);
+  near = py.add(py.min(away), step);
+  lows = py.list(py.range((count + 1))).flatMap((n) => ((((py.at(away, n) <= near) && (py.at(away, n) <= py.min(py.at(away, py.max((n - 1), 0)), py.at(away, py.min((n + 1), count)))))) ? [n] : []));
+  ends = py.list(lows).map((n) => _descended(place, rows, py.at(ways, n), step, span));
+  best = py.min(py.list(ends).map(([distance, _way]) => distance));
+  if ((best > BESIDE)) {
+    text = py.filled(_("the head comes no nearer to that place than {away} m"), { away: `${py.format(best, `.1f`)}` });
+    throw new KeyedError([new Fault(key, text)]);
+  }
+  return py.next(py.list(ends).flatMap(([distance, way]) => (((distance <= py.add(best, ALIKE))) ? [way] : [])));
+}
+function _descended(place, rows, way, step, span) {
+  let away, best, cut, high, low, n;
+  [low, high, best] = py.list([py.max(py.at(span, 0), py.sub(way, step)), py.min(py.at(span, 1), py.add(way, step)), Infinity]);
+  while ((py.sub(high, low) > NEAREST)) {
+    cut = py.list(py.range((PARTS + 1))).map((n) => py.add(low, ((py.sub(high, low) * n) / PARTS)));
+    away = _away(place, rows, cut);
+    n = py.index(away, py.min(away));
+    [best, way] = py.list([py.at(away, n), py.at(cut, n)]);
+    [low, high] = py.list([py.at(cut, py.max((n - 1), 0)), py.at(cut, py.min((n + 1), PARTS))]);
+  }
+  return [best, way];
+}
