@@ -94,6 +94,9 @@ export interface Course {
  * Attributes:
  *     at: when, s.
  *     head: where the head is then, m of its walk from the start of the dance.
+ *     place: a point on the ground, m, to which the head is nearest then: for the first time, or in
+ *         a round.
+ *     round: of the dance: that of the place, or the one that the head begins then.
  *     hold: for how long the head stands, s.
  *     tempo: beats a minute from then on.
  */
@@ -101,6 +104,8 @@ export interface CueTable {
   kind: "beat" | "hold" | "stop" | "start" | "tempo" | "note";
   at?: number | null;
   head?: number | null;
+  place?: [number, number] | null;
+  round?: number | null;
   hold?: number | null;
   tempo?: number | null;
   text?: string;
@@ -200,15 +205,12 @@ export interface DrawnObstacle {
 }
 
 /**
- * Along a line that was drawn or surveyed: `points` of it, or `piece`s; a `file` becomes these.
+ * Along a line that was drawn or surveyed.
  *
  * A closed line is walked once round, and the dragon stands on it behind its head, however often
  * that leads round.
  */
 export interface DrawnRoute {
-  at?: [number, number] | null;
-  turned?: number;
-  kind: "drawn";
   points?: Array<[number, number]> | null;
   piece?: Array<PieceTable> | null;
   file?: string | null;
@@ -216,10 +218,13 @@ export interface DrawnRoute {
   deviation?: number;
   smooth?: "none" | "G1" | "G2";
   least_radius?: number | null;
-  closed?: boolean;
   joint_gap?: number;
   joint_kink?: number;
   drawn_within?: number;
+  at?: [number, number] | null;
+  turned?: number;
+  kind: "drawn";
+  closed?: boolean;
 }
 
 /**
@@ -323,7 +328,18 @@ export interface FormationRoute {
   clockwise?: boolean | null;
   at?: [number, number] | null;
   turned?: number;
+  street?: StreetTable | null;
   kind: "formation";
+}
+
+/** A size of a formation: see `formations.Size`; `usual` where nothing is said. */
+export interface FormationSize {
+  name: string;
+  text: Words;
+  least: number;
+  most: number;
+  unit: string;
+  usual: number;
 }
 
 /**
@@ -433,6 +449,13 @@ export interface MetaTable {
   notes?: string;
 }
 
+/** A formation that plans can name. */
+export interface NamedFormation {
+  name: string;
+  title: Words;
+  sizes: Array<FormationSize>;
+}
+
 /** A list of names that was read: the people of benches, by number, and what is odd about it. */
 export interface NamesHeld {
   people: Array<[number, Array<Bearer>]>;
@@ -521,6 +544,7 @@ export interface Papers {
 export interface PartsRoute {
   at?: [number, number] | null;
   turned?: number;
+  street?: StreetTable | null;
   kind: "parts";
   part: Array<LinePart | ArcPart | ClothoidPart | SpiralPart | LogSpiralPart>;
   start?: [number, number] | null;
@@ -616,6 +640,7 @@ export interface Preset {
 export interface ProgrammeRoute {
   at?: [number, number] | null;
   turned?: number;
+  street?: StreetTable | null;
   kind: "programme";
   formation: Array<StepTable>;
   radius?: number;
@@ -694,6 +719,7 @@ export interface SourcesTable {
 export interface SpiralInRoute {
   at?: [number, number] | null;
   turned?: number;
+  street?: StreetTable | null;
   kind: "spiral-in";
   pitch?: number;
   start_turn?: number;
@@ -726,6 +752,22 @@ export interface StepTable {
   clockwise?: boolean | null;
   at?: [number, number] | null;
   turned?: number;
+}
+
+/** A street that is walked before a dance: it lies where it was drawn, wherever that is danced. */
+export interface StreetTable {
+  points?: Array<[number, number]> | null;
+  piece?: Array<PieceTable> | null;
+  file?: string | null;
+  layer?: string | null;
+  deviation?: number;
+  smooth?: "none" | "G1" | "G2";
+  least_radius?: number | null;
+  joint_gap?: number;
+  joint_kink?: number;
+  drawn_within?: number;
+  radius?: number;
+  width?: number;
 }
 
 /** Nodes of a stretch of the route, evenly spaced: the next stretch begins where this ends. */
@@ -766,12 +808,20 @@ export interface TurnFound {
   active: Array<string>;
 }
 
-/** In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin. */
+/**
+ * In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin.
+ *
+ * With `rounds` again and again: at `outer_radius` the head turns back, round the coil, and in.
+ */
 export interface TurnRoute {
   at?: [number, number] | null;
   turned?: number;
+  street?: StreetTable | null;
   kind: "turn";
   pitch?: number;
+  rounds?: number;
+  outer_radius?: number | null;
+  back_radius?: number | null;
 }
 
 /** The turn of a plan: its own length and the radius of its tightest bend, m. */

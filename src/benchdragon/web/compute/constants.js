@@ -124,4 +124,6 @@ export const ROSTERS_GRID = { MOST_BYTES: 20000000 };
 
 export const SOLVE_SIZE = { QUICK_SIZE: 1e-5 };
 
+export const SOLVE_WISHES = { SHOULDERS: 0.5, CORNERS: 90 };
+
 export const SURVEYS_LINES = { SAME: 1e-9 };
