@@ -17,6 +17,7 @@ from benchdragon.planner import printing
 from benchdragon.planner.papers import PAPERS
 from tests.browser.firefox import firefox_path
 from tests.browser.pages import Pages, browser_path
+from tests.browser.planners import address
 from tests.browser.test_planner_sheets import sheets
 from tests.sheets.village import PLAN, village
 
@@ -62,11 +63,12 @@ def test_a_page_that_is_sent_to_another_plan_shows_no_papers(pages: Pages, plan:
     assert run(["sheets", str(plan), "--quiet"]) == 0
     page = pages.open(plan.with_name("papers.html").as_uri())
     expect(sheets(page)).to_have_attribute("aria-busy", "false")
+    before = address(page)
     page.evaluate(
         "benchdragon.change({...benchdragon.plan, walk: {...benchdragon.plan.walk, end: 11}}, true)"
     )
     expect(sheets(page)).to_have_count(0)
-    page.wait_for_url("**plan=*")
+    address(page, before)
     page.reload()
     expect(page.locator(".verdict:is(.safe, .tight)")).to_have_count(1)
     expect(sheets(page)).to_have_count(0)
@@ -85,8 +87,8 @@ def test_an_installed_browser_prints_all_papers(
         assert run(line) == 0
     assert sorted(one.name for one in Path("out").iterdir()) == sorted(f"{one}.pdf" for one in PAPERS)
     benches = texts(Path("out/benches.pdf"))
-    if name == "firefox":
-        assert benches.pop() == "", "it puts a white page behind"
+    if name == "firefox" and not benches[-1]:
+        benches.pop()  # it puts a white page behind, now and then
     assert len(benches) == 8
     assert "张三，电话138-0000-0001" in benches[0]
     assert "王五" in benches[1]
