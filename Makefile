@@ -163,7 +163,7 @@ carried: node_modules/installed
 # Whether the committed ones are, byte for byte, what is bundled here.
 carried-test: node_modules/installed
 	node tools/make_carried.mjs out
-	for module in carried.js carried_code.js carried_zip.js; do cmp out/$$module src/benchdragon/web/$$module; done
+	for module in carried.js carried_code.js carried_shapes.js carried_zip.js; do cmp out/$$module src/benchdragon/web/$$module; done
 
 # Strangers' plans, each asked about in a child process, with a tenth of the budget of a question; for the night.
 # One that was broken off goes on where it was.

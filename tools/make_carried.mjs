@@ -5,11 +5,15 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { build } from "esbuild";
 
-/** What is taken of each library, by the name of its module: Workers and page need one each. */
+/** What is taken of which modules of a library, by the name of ours: Workers and page need one each. */
 const MODULES = {
-  "carried.js": { library: "smol-toml", names: ["parse", "stringify", "TomlDate", "TomlError"] },
-  "carried_code.js": { library: "uqr", names: ["encode"] },
-  "carried_zip.js": { library: "fflate", names: ["unzipSync"] },
+  "carried.js": { "smol-toml": ["parse", "stringify", "TomlDate", "TomlError"] },
+  "carried_code.js": { uqr: ["encode"] },
+  "carried_shapes.js": {
+    "clipper2-ts/dist/Engine.js": ["Clipper64"],
+    "clipper2-ts/dist/Offset.js": ["ClipperOffset"],
+  },
+  "carried_zip.js": { fflate: ["unzipSync"] },
 };
 
 /** A package's name and version. @param {string} name */
@@ -18,10 +22,14 @@ function dated(name) {
   return `${name} ${JSON.parse(text).version}`;
 }
 
-for (const [file, { library, names }] of Object.entries(MODULES)) {
+for (const [file, taken] of Object.entries(MODULES)) {
+  const [library] = Object.keys(taken)[0].split("/");
+  const exported = Object.entries(taken).map(
+    ([module, names]) => `export { ${names.join(", ")} } from "${module}";\n`,
+  );
   await build({
     stdin: {
-      contents: `export { ${names.join(", ")} } from "${library}";\n`,
+      contents: exported.join(""),
       resolveDir: process.cwd(),
     },
     banner: { js: `// ${dated(library)}, bundled by ${dated("esbuild")}: see carried.txt` },

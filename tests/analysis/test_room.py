@@ -285,3 +285,11 @@ def test_the_search_of_people_is_that_of_their_dragon() -> None:
     i, j = (bench - 1 for bench in direct.witness.benches) if direct.witness else (0, 0)
     shapes = [Polygon([corner(table, k, n) for n in range(4)]) for k in (i, j)]
     assert shapes[0].distance(shapes[1]) < 1e-9
+
+
+def test_the_room_for_people_counts_between_benches() -> None:
+    asked = ("people.sway=0.01", "people.imprecision=0.02", "people.beside=0.1", "limits.margin=0.04")
+    small = ("dragon.benches=8", "route.pitch=1.2", "route.start_turn=4", "walk.end=12")
+    levels = check(read_plan("spiral-in", [*small, *asked])).room
+    # 0.04, then twice the sway, twice the imprecision, and the people of both benches.
+    assert [level.between for level in levels] == [0.04, 0.06, 0.1, 0.3]

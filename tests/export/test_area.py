@@ -23,7 +23,7 @@ from benchdragon.export.area import (
     planned_area,
     write_area,
 )
-from benchdragon.figures.area import AreaDrawing, area_picture, page_picture
+from benchdragon.figures.area import AreaDrawing, area_picture
 from benchdragon.figures.scale import PAPERS, SCALES, bar_length, sheet_for
 from benchdragon.figures.style import STYLE
 from benchdragon.i18n import spoken_in
@@ -112,9 +112,8 @@ def test_the_dxf_holds_every_line_on_its_layer_in_metres(
 def test_the_arrow_says_north_only_where_a_survey_tells_it(drawing: AreaDrawing, plan: Plan) -> None:
     surveyed = drawing_of(plan.with_values({"survey.crs": "wgs84"}), drawing.swept)
     for one, said in [(drawing, "y axis"), (surveyed, "N (y axis)")]:
-        for figure in (area_picture(one), page_picture(one)[0]):
-            written = [text.get_text() for text in figure.findobj(Text)]
-            assert [text for text in written if "y axis" in text] == [said]
+        written = [text.get_text() for text in area_picture(one).findobj(Text)]
+        assert [text for text in written if "y axis" in text] == [said]
 
 
 def test_the_geojson_is_in_local_metres_and_says_so(

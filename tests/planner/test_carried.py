@@ -17,6 +17,7 @@ MODULE = WEB / "carried.js"
 LIBRARIES = {
     MODULE: "smol-toml",
     WEB / "carried_code.js": "uqr",
+    WEB / "carried_shapes.js": "clipper2-ts",
     WEB / "carried_zip.js": "fflate",
 }
 PLANS = sorted([*ROOT.glob("examples/*.toml"), *ROOT.glob("src/benchdragon/plans/builtin/*.toml")])
@@ -60,7 +61,12 @@ def test_the_lock_names_no_address_of_a_registry() -> None:
 
 def test_the_notice_names_what_is_carried_and_goes_into_the_wheel() -> None:
     text = (WEB / "carried.txt").read_text("utf-8")
-    owners = (("smol-toml", "Squirrel Chat et al."), ("uqr", "Project Nayuki"), ("fflate", "Barrett"))
+    owners = (
+        ("smol-toml", "Squirrel Chat et al."),
+        ("uqr", "Project Nayuki"),
+        ("clipper2-ts", "Angus Johnson"),
+        ("fflate", "Barrett"),
+    )
     for library, owner in owners:
         assert f"* {library}: " in text
         assert f"\n{library}\n" in text

@@ -5,20 +5,28 @@ the levels of Fruin.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-import shapely
-from shapely.geometry import Point, Polygon
+import numpy as np
 
+from benchdragon import budget
+from benchdragon.analysis.clock import Clock
+from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.findings import Finding
+from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.analysis.obstacles import least_distance
-from benchdragon.analysis.swept import Shape, SweptArea
+from benchdragon.analysis.rings import Ring, area_of, holds, outermost, round_ring
+from benchdragon.analysis.swept import SweptArea
 from benchdragon.i18n import N_
 from benchdragon.model.answer import Answer
+from benchdragon.model.base_curve import Point
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.model.outline import shape_of
+from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 
+# The spectators' line where the plan says none, m.
+DISTANCE = 2.0
 # Least density, people per m2, of each level of Fruin, as tabulated in EPJ Data Science (2014).
 LEVELS = (
     (7.1, N_("critical even where nobody moves")),
@@ -31,6 +39,10 @@ LEVELS = (
 MOST = 3.6
 # The entrance is taken for a post so thick, m; how near to it benches come is sought to this, m.
 POST, TOLERANCES = 1e-3, (1e-3,)
+# Time step of samples of whether an entrance is shut, s, larger where that were too many; times
+# no farther apart than APART, s, are one. No point of a bench is faster than so many times the fastest
+# handle: its ends stand out beyond the handles by less than half of what lies between these.
+STEP, MOST_LOOKS, APART, WHIP = 0.25, 20_000, 10.0, 2.0
 
 
 @dataclass(frozen=True)
@@ -59,22 +71,69 @@ class Crowd:
         return self.people / self.ground if self.ground > 0.0 else math.inf
 
 
-def crowd_of(plan: Plan, swept: SweptArea) -> Crowd:
-    """The space of spectators beside the ground that a dance covers."""
+@dataclass(frozen=True)
+class Entrance:
+    """What a dance leaves of an entrance.
+
+    Attributes:
+        place: m.
+        nearest: how near benches come to it, m; the witness tells when, and which.
+        inside: whether it lies inside the spectators' line.
+        shut: from when to when benches are nearer to it than spectators may be, s.
+    """
+
+    place: Point
+    nearest: Answer
+    inside: bool
+    shut: tuple[tuple[float, float], ...]
+
+
+def distance_of(plan: Plan) -> float:
+    """How far the spectators' line is from the ground that benches cover, m."""
+    return DISTANCE if plan.event.distance is None else plan.event.distance
+
+
+def outer_lines(swept: SweptArea) -> list[Ring]:
+    """The spectators' lines around the outside, none of which lies within another."""
+    return outermost([ring.tolist() for ring in swept.lines.outer])
+
+
+def within_lines(lines: Sequence[Ring]) -> float:
+    """The area that spectators' lines go round, holes included, m2."""
+    return sum(area_of(line) for line in lines)
+
+
+def crowd_of(plan: Plan, lines: Sequence[Ring], edge: float) -> Crowd:
+    """The space of spectators beside a dance.
+
+    Args:
+        plan: of it.
+        lines: those of spectators around the outside.
+        edge: the least that benches keep from the venue's edge, m.
+    """
     people, obstacles = plan.event.spectators, plan.obstacles()
-    venue = next((shape_of(one) for one in obstacles if one.kind == "venue"), None)
-    if venue is None:
+    venues = [one.outline.tolist() for one in obstacles if one.kind == "venue"]
+    if not venues:
         return Crowd(people, None, None)
-    line = within_line(swept)
-    taken = [line, *(shape_of(one).buffer(one.radius) for one in obstacles if one.kind != "venue")]
-    ground = venue.difference(shapely.union_all(taken)).area
-    way = venue.boundary.distance(line) if venue.contains(line) else 0.0
-    return Crowd(people, float(ground), float(way))
+    standing = [_ring(one) for one in obstacles if one.kind in ("circle", "rectangle", "polygon")]
+    ground = ground_left(venues[0], [*lines, *standing])
+    return Crowd(people, ground, max(edge - distance_of(plan), 0.0))
 
 
-def within_line(swept: SweptArea) -> Shape:
-    """All that the outer spectators' lines go round, holes included."""
-    return shapely.union_all([Polygon(ring) for ring in swept.lines.outer])
+def _ring(obstacle: Obstacle) -> Ring:
+    """The ring about an obstacle."""
+    corners = obstacle.outline.tolist()
+    if obstacle.kind == "circle":
+        return round_ring(corners[0], obstacle.radius)
+    return [*corners, corners[0]]
+
+
+def ground_left(edge: Ring, taken: Sequence[Ring]) -> float:
+    """The area within a venue's edge and outside all that is taken, m2."""
+    import shapely  # its union is another in pages
+
+    rings = shapely.union_all([shapely.Polygon(ring) for ring in taken])
+    return float(shapely.Polygon(edge).difference(rings).area)
 
 
 def density_text(density: float) -> str:
@@ -82,35 +141,78 @@ def density_text(density: float) -> str:
     return next(text for least, text in LEVELS if density >= least)
 
 
-def body_nearest(plan: Plan, swept: SweptArea) -> list[Answer]:
-    """How near benches come to each entrance, m; the witness tells when, and which bench."""
-    return [
-        least_distance(
-            swept.walk, Obstacle.circle("", place, POST), swept.start, swept.end,
-            tolerances=TOLERANCES,
-        )
-        for place in plan.event.entrances
-    ]  # fmt: skip
-
-
-def event_findings(plan: Plan, swept: SweptArea, crowd: Crowd) -> tuple[Finding, ...]:
-    """The findings about spectators in the plan of an event."""
-    return (*_entrance_findings(plan, swept), *_crowd_findings(crowd))
-
-
-def _entrance_findings(plan: Plan, swept: SweptArea) -> list[Finding]:
-    """Entrances that lie inside the spectators' line."""
-    line, found = within_line(swept), []
-    sentence = N_(
-        "entrance {n} lies inside the spectators' line, {away} m from the ground that benches cover: "
-        "move the entrance, the dance, or the line (event.distance)"
-    )
-    for n, place in enumerate(plan.event.entrances, start=1):
-        if line.covers(Point(place)):
-            away = float(swept.polygon.distance(Point(place)))
-            words = {"n": str(n), "away": f"{away:.2f}"}
-            found.append(Finding("entrance", None, (), away, swept.margin, sentence, words))
+@budget.question()
+def entrances_of(
+    plan: Plan, walk: Walk, span: tuple[float, float], lines: Sequence[Ring], fastest: float
+) -> list[Entrance]:
+    """What a walk over a span, s, leaves of the plan's entrances, its handles as fast as that, m/s."""
+    (start, end), found = span, []
+    for place in plan.event.entrances:
+        post = Obstacle.circle("", place, POST)
+        near = least_distance(walk, post, start, end, tolerances=TOLERANCES)
+        inside = any(holds(line, place) for line in lines)
+        shut = _shut(walk, span, post, distance_of(plan), fastest) if inside else ()
+        found.append(Entrance(place, near, inside, shut))
     return found
+
+
+def _shut(
+    walk: Walk, span: tuple[float, float], post: Obstacle, near: float, fastest: float
+) -> tuple[tuple[float, float], ...]:
+    """When benches are nearer to a post than so far, m: told rather too long, and never too short.
+
+    Within half a step of a sample benches come no nearer than by what their fastest
+    point goes meanwhile.
+    """
+    start, end = span
+    count = min(max(math.ceil((end - start) / STEP), 1), MOST_LOOKS)
+    half = 0.5 * (end - start) / count
+    found: list[tuple[float, float]] = []
+    for time in np.linspace(start, end, count + 1).tolist():
+        if away_at(walk, time, post) > near + WHIP * fastest * half:
+            continue
+        since = found.pop()[0] if found and time - half - found[-1][1] <= APART else time - half
+        found.append((max(since, start), min(time + half, end)))
+    return tuple(found)
+
+
+def away_at(walk: Walk, time: float, post: Obstacle) -> float:
+    """How far the nearest bench is from a post's middle at a time, s, in m."""
+    return float(nearest_boxes(boxes(walk.motion([time]), 0), post)[0].min())
+
+
+def event_findings(
+    plan: Plan, crowd: Crowd, entrances: Sequence[Entrance], clock: Clock
+) -> tuple[Finding, ...]:
+    """The findings about spectators in the plan of an event."""
+    return (*_entrance_findings(plan, entrances, clock), *_crowd_findings(crowd))
+
+
+def _entrance_findings(plan: Plan, entrances: Sequence[Entrance], clock: Clock) -> list[Finding]:
+    """Entrances that lie inside the spectators' line."""
+    found, line = [], distance_of(plan)
+    for n, one in enumerate(entrances, start=1):
+        if not one.inside:
+            continue
+        sentence = N_(
+            "entrance {n} lies inside the spectators' line, {away} m from the ground that benches "
+            "cover, and is shut by them ({times}): move the entrance, the dance, or the line"
+        )
+        if not one.shut:
+            sentence = N_(
+                "entrance {n} lies inside the spectators' line, {away} m from the ground that benches "
+                "cover, which goes round it: move the entrance, the dance, or the line"
+            )
+        away = one.nearest.sure(up=False)
+        words = {"n": str(n), "away": f"{away:.2f}", "times": shut_text(one, clock)}
+        found.append(Finding("entrance", None, (), away, line, sentence, words))
+    return found
+
+
+def shut_text(entrance: Entrance, clock: Clock) -> str:
+    """From when to when an entrance is shut, in figures as papers tell times."""
+    times = [f"{clock.tell(since)}–{clock.tell(until)}" for since, until in entrance.shut]
+    return "; ".join(times)
 
 
 def _crowd_findings(crowd: Crowd) -> list[Finding]:
@@ -126,6 +228,6 @@ def _crowd_findings(crowd: Crowd) -> list[Finding]:
         "people": str(crowd.people), "ground": f"{crowd.ground:.0f}", "density": f"{density:.1f}",
         "level": density_text(density),
     }  # fmt: skip
-    if math.isinf(density):
+    if density == math.inf:
         sentence = N_("there is no ground for {people} spectators: their line takes all of the venue")
     return [Finding("crowd", None, (), density, MOST, sentence, words)]

@@ -1,27 +1,21 @@
 """Posts for marshals along the spectators' line, and the reason for each.
 
-The rule is this program's own and no regulation's: a post where the ground that benches cover comes
-nearest to the venue's edge, at each entrance, where benches come nearest to one another, where the
-fastest handle is, unless all are about as fast, and where else handles run; and others between them, so
-that no two that follow one another are farther apart along the line than EVERY.
+The rule is this program's own and no regulation's: a post where benches come nearest to the venue's
+edge, at each entrance, where benches come nearest to one another, where the fastest handle is, unless
+all are about as fast, and where else handles run; and others between them, so that no two that follow
+one another are farther apart along the line than EVERY.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-import numpy as np
-import shapely
-from shapely.geometry import LinearRing, Point
-
 from benchdragon import budget
 from benchdragon.analysis.check import Report
+from benchdragon.analysis.rings import Ring, length_of, nearest_on, place_on
 from benchdragon.analysis.running import APART, Running, running_stretches
-from benchdragon.analysis.swept import SweptArea
-from benchdragon.model import base_curve
-from benchdragon.model.answer import Answer
-from benchdragon.model.outline import shape_of
+from benchdragon.model.base_curve import Point
 
 # The farthest that two posts that follow one another are apart along the line, m; posts nearer to one
 # another along it than JOINED, m, are one.
@@ -61,65 +55,57 @@ class Post:
         reasons: at least one.
     """
 
-    point: base_curve.Point
+    point: Point
     reasons: tuple[Reason, ...]
 
 
 @budget.question()
 def marshal_posts(
-    report: Report, swept: SweptArea, entrances: Sequence[base_curve.Point] = ()
+    report: Report, lines: Sequence[Ring], entrances: Sequence[Point] = ()
 ) -> tuple[Post, ...]:
-    """Posts on the outer spectators' lines of a dance, in going round each.
+    """Posts on spectators' lines of a dance, in going round each.
 
     Posts are moved to the nearest point of the lines.
 
     Args:
         report: the check of the plan.
-        swept: the ground that its benches cover, with the spectators' line.
+        lines: the spectators' lines, those around the outside.
         entrances: where people come in, m.
     """
-    lines = [LinearRing(ring) for ring in swept.lines.outer]
     wanted: list[list[tuple[float, Reason]]] = [[] for _line in lines]
-    for place, reason in _places(report, swept, entrances):
-        at = Point(place)
-        n = int(np.argmin([line.distance(at) for line in lines]))
-        wanted[n].append((float(lines[n].project(at)), reason))
+    for place, reason in _places(report, entrances):
+        near = [nearest_on(line, place) for line in lines]
+        n = near.index(min(near))
+        wanted[n].append((near[n][1], reason))
     return tuple(
-        Post((float(point.x), float(point.y)), reasons)
+        Post(place_on(line, along), reasons)
         for line, some in zip(lines, wanted, strict=True)
-        for along, reasons in _spaced(some, float(line.length))
-        for point in [line.interpolate(along)]
+        for along, reasons in _spaced(some, length_of(line))
     )
 
 
-def _places(
-    report: Report, swept: SweptArea, entrances: Sequence[base_curve.Point]
-) -> Iterable[tuple[base_curve.Point, Reason]]:
+def _places(report: Report, entrances: Sequence[Point]) -> Iterator[tuple[Point, Reason]]:
     """Where posts are needed, before they are moved to the line."""
     for one in report.obstacles:
-        if one.obstacle.kind == "venue":
-            edge = shape_of(one.obstacle).boundary
-            (x, y), _foot = shapely.get_coordinates(shapely.shortest_line(swept.polygon, edge))
-            # The check's answer about the benches: the polygon is a little larger than what they cover.
-            yield (float(x), float(y)), Reason("venue", one.distance.sure(up=False))
+        nearest = one.distance.witness
+        if one.obstacle.kind == "venue" and nearest is not None:
+            yield nearest.point, Reason("venue", one.distance.sure(up=False))
     for place in entrances:
         yield place, Reason("entrance")
-    answers: dict[Why, Answer] = {"tightest": report.clearance}
-    if _fastest_stands_out(report):
-        answers["fastest"] = report.greatest_speed
-    for why, found in answers.items():
-        near = found.witness
-        if near is not None and near.time is not None:
-            yield near.point, Reason(why, found.sure(up=why == "fastest"), near.time)
+    near, fastest = report.clearance.witness, report.greatest_speed.witness
+    if near is not None and near.time is not None:
+        yield near.point, Reason("tightest", report.clearance.sure(up=False), near.time)
+    if fastest is not None and fastest.time is not None and _fastest_stands_out(report):
+        yield fastest.point, Reason("fastest", report.greatest_speed.sure(up=True), fastest.time)
     for run in _runs(report):
         yield run.point, Reason("run", run.speed, run.time)
 
 
 def _fastest_stands_out(report: Report) -> bool:
     """Whether the fastest handle is faster than the head ever is at its slowest, stops left out."""
-    speeds = report.walk.profile.stretches(report.start, report.end).speeds
-    slowest = float(speeds.min(initial=math.inf, where=speeds > 0.0))
-    return report.greatest_speed.value > FASTER * slowest
+    cut = report.walk.profile.stretches(report.start, report.end)
+    speeds = [speed for ends in cut.speeds.tolist() for speed in ends if speed > 0.0]
+    return report.greatest_speed.value > FASTER * min(speeds, default=math.inf)
 
 
 def _runs(report: Report) -> list[Running]:

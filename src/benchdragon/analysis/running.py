@@ -4,12 +4,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import shapely
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from benchdragon import budget
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
 
@@ -37,28 +33,51 @@ def running_stretches(walk: Walk, start: float, end: float, run_from: float) -> 
     Raises:
         WalkError: if the dragon cannot stand at some time.
     """
-    seen = _seen(walk, start, end, run_from)
-    if not len(seen):
-        return ()
-    points = shapely.get_parts(shapely.MultiPoint(seen[:, :2]))
-    one, other = shapely.STRtree(points).query(points, predicate="dwithin", distance=APART)
-    near = coo_array((np.ones(len(one), dtype=bool), (one, other)), shape=(len(seen), len(seen)))
-    _count, stretch = connected_components(near, directed=False)
-    _stretches, first = np.unique(stretch, return_index=True)
-    return tuple(Running((x, y), speed, time) for x, y, speed, time in seen[np.sort(first)].tolist())
+    left = _seen(walk, start, end, run_from)
+    found = []
+    for one in sorted(left.values(), key=lambda seen: -seen.speed):
+        square = _square(*one.point)
+        if square in left:
+            found.append(one)
+            _leave_out(left, square)
+    return tuple(found)
 
 
-def _seen(walk: Walk, start: float, end: float, run_from: float) -> FloatArray:
-    """x, y, m, speed, m/s, and time, s, of the fastest handle in each square, (n, 4), fastest first."""
+def _square(x: float, y: float) -> str:
+    return f"{math.floor(x / SQUARE)} {math.floor(y / SQUARE)}"
+
+
+def _leave_out(left: dict[str, Running], first: str) -> None:
+    """Take all of a stretch out of what is left, by one of its squares."""
+    reach = math.ceil(APART / SQUARE)
+    waiting = [left.pop(first)]
+    while waiting:
+        x, y = waiting.pop().point
+        for i in range(-reach, reach + 1):
+            for j in range(-reach, reach + 1):
+                square = _square(x + i * SQUARE, y + j * SQUARE)
+                other = left.get(square)
+                if other is not None and math.dist((x, y), other.point) <= APART:
+                    waiting.append(left.pop(square))
+
+
+def _seen(walk: Walk, start: float, end: float, run_from: float) -> dict[str, Running]:
+    """The fastest handle that runs in each square."""
     most = max(MOST_LOOKS // (len(walk.dragon) + 1), 2)
-    times = np.linspace(start, end, min(math.ceil((end - start) / STEP) + 1, most))
-    rows = np.empty((0, 4))
-    for motion in walk.motions(times):
-        time, handle = np.nonzero(motion.speed >= run_from)
-        columns = (motion.x, motion.y, motion.speed)
-        found = (*(column[time, handle] for column in columns), motion.times[time])
-        rows = np.concatenate([rows, np.column_stack(found)])
-        rows = rows[np.argsort(-rows[:, 2], kind="stable")]
-        _squares, first = np.unique(np.floor(rows[:, :2] / SQUARE), axis=0, return_index=True)
-        rows = rows[np.sort(first)]
-    return rows
+    count = min(math.ceil((end - start) / STEP) + 1, most)
+    found: dict[str, Running] = {}
+    for time in np.linspace(start, end, count).tolist():
+        for x, y, speed in runners(walk, time, run_from):
+            square = _square(x, y)
+            known = found.get(square)
+            if known is None or speed > known.speed:
+                found[square] = Running((x, y), speed, time)
+    return found
+
+
+def runners(walk: Walk, time: float, run_from: float) -> list[tuple[float, float, float]]:
+    """Where handles are at a time, s, that go at a speed, m/s, or faster: x, y, m, and the speed."""
+    motion = walk.motion([time])
+    fast = motion.speed[0] >= run_from
+    columns = (motion.x[0, fast], motion.y[0, fast], motion.speed[0, fast])
+    return [(x, y, speed) for x, y, speed in np.column_stack(columns).tolist()]

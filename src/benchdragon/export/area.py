@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import shapely
 
-from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.swept import ERROR, Shape, SweptArea, rings, swept_area
 from benchdragon.errors import MissingExtraError, in_order
@@ -86,12 +85,10 @@ def _standing(walk: Walk, start: float, end: float) -> float:
     return last
 
 
-def drawing_of(
-    plan: Plan, swept: SweptArea, ground: Ground | None = None, clock: Clock | None = None
-) -> AreaDrawing:
+def drawing_of(plan: Plan, swept: SweptArea) -> AreaDrawing:
     """The drawing of an area of a plan, with the plan's title, venue and obstacles."""
-    ground = Ground((0.0, 0.0), north=plan.survey.north) if ground is None else ground
-    return AreaDrawing(plan.title(language()), swept, plan.obstacles(), ground, clock)
+    ground = Ground((0.0, 0.0), north=plan.survey.north)
+    return AreaDrawing(plan.title(language()), swept, plan.obstacles(), ground)
 
 
 def write_area(

@@ -1,9 +1,7 @@
 """The ground that a dance covers, drawn to scale on a sheet of paper."""
 
-import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 import shapely
@@ -12,15 +10,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.swept import Shape, SweptArea
-from benchdragon.errors import InputError
 from benchdragon.figures.framing import route_positions
 from benchdragon.figures.scale import (
     EDGE,
-    SCALES,
-    STRIP,
     Sheet,
     corners_of,
     draw_obstacles,
@@ -30,12 +24,7 @@ from benchdragon.figures.scale import (
 from benchdragon.figures.style import BODY, HEAD, ROUTE, drawable
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.base_curve import Point
 from benchdragon.model.obstacle import Obstacle
-
-# A drawing on a page of text, mm, and the scales that are tried there in turn.
-PAGE = (178.0, 200.0)
-PAGE_SCALES = (*SCALES, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5)
 
 
 @dataclass(frozen=True)
@@ -46,15 +35,13 @@ class AreaDrawing:
         title: of the dance.
         swept: the ground, and the spectators' line.
         obstacles: the venue's edge and the obstacles in it.
-        ground: the peg from which papers measure, and the ways x and y point; a page shows the peg.
-        clock: by which a paper tells times; without one they are seconds of the plan.
+        ground: the ways x and y point.
     """
 
     title: str
     swept: SweptArea
     obstacles: tuple[Obstacle, ...] = ()
     ground: Ground = field(default_factory=lambda: Ground((0.0, 0.0)))
-    clock: Clock | None = None
 
     def route(self) -> FloatArray:
         """Points of the route under the benches, m, (n, 2)."""
@@ -75,32 +62,9 @@ def area_picture(drawing: AreaDrawing, paper: str = "A3", scale: float | None = 
     Raises:
         InputError: as `sheet_for`.
     """
-    return _drawn_on(sheet_for(drawing.bounds(), paper, scale), drawing, paper)
-
-
-def page_picture(drawing: AreaDrawing, posts: Sequence[Point] = ()) -> tuple[Figure, float]:
-    """The same between the margins of an A4 page, with the peg and numbered posts.
-
-    And its scale: the 500 of 1:500.
-
-    Raises:
-        InputError: for ground that fits at none of PAGE_SCALES.
-    """
-    bounds = drawing.bounds()
-    room = np.array(PAGE) - [2.0 * EDGE, 2.0 * EDGE + STRIP]
-    needed = 1000.0 * float(((bounds[1] - bounds[0]) / room).max())
-    scale = next((one for one in PAGE_SCALES if one >= needed), None)
-    if scale is None:
-        text = _("ground of 1:{needed} on a page is too large for the annex")
-        raise InputError(text.format(needed=math.ceil(needed)))
-    sheet = Sheet(*PAGE, scale, 0.5 * bounds.sum(axis=0))
-    return _drawn_on(sheet, drawing, "A4", [drawing.ground.peg, *posts]), scale
-
-
-def _drawn_on(sheet: Sheet, drawing: AreaDrawing, paper: str, spots: Sequence[Point] = ()) -> Figure:
+    sheet = sheet_for(drawing.bounds(), paper, scale)
     with drawn_sheet(sheet, drawing.ground) as (figure, axes):
         _draw_ground(axes, sheet, drawing)
-        _draw_spots(axes, sheet, spots)
         _write_names(axes, sheet, drawing, paper)
         return figure
 
@@ -136,34 +100,11 @@ def _draw_ground(axes: Axes, sheet: Sheet, drawing: AreaDrawing) -> None:
     draw_obstacles(axes, sheet, drawing.obstacles)
 
 
-def _draw_spots(axes: Axes, sheet: Sheet, spots: Sequence[Point]) -> None:
-    """The peg, if there is one, and posts for marshals by their numbers, from 1."""
-    if not spots:
-        return
-    (x, y), *posts = sheet.place(np.array(spots)).tolist()
-    look: dict[str, Any] = {"ls": "none", "color": "black", "zorder": 8}
-    axes.plot([x], [y], marker="P", ms=6.0, mec="white", mew=0.5, label=_("peg"), gid="peg", **look)
-    axes.text(x + 1.5, y + 1.0, _("peg"), fontsize=7, fontweight="bold", zorder=9)
-    if posts:
-        label = _("post for a marshal")
-        axes.plot(
-            *np.array(posts).T, marker="o", ms=9.5, mfc=(1.0, 1.0, 1.0, 0.7), mew=0.8, gid="posts",
-            label=label, **look,
-        )  # fmt: skip
-    for n, (u, v) in enumerate(posts, start=1):
-        axes.text(
-            u, v, f"{n}", fontsize=6.5, fontweight="bold", ha="center", va="center_baseline", zorder=9
-        )
-
-
 def _write_names(axes: Axes, sheet: Sheet, drawing: AreaDrawing, paper: str) -> None:
     """Title, what the numbers are, and the legend."""
     swept = drawing.swept
     text = _("{area} m² within {error} m, from t = {start} s to t = {end} s; {paper}")
     start, end = f"{swept.start:g}", f"{swept.end:.6g}"
-    if drawing.clock is not None:
-        text = _("what boards pass over: {area} m² within {error} m, from {start} to {end}; {paper}")
-        start, end = drawing.clock.tell(swept.start), drawing.clock.tell(swept.end)
     text = text.format(
         area=f"{swept.area:.1f}", error=f"{swept.error:.2g}", start=start, end=end, paper=paper
     )

@@ -47,7 +47,7 @@ def planner_page(
         "formations": [_named(one).model_dump(mode="json") for one in FORMATIONS.values()],
         "plan": None if plan is None else plan.data(),
         "papers": None if papers is None else papers.model_dump(mode="json"),
-        "worker": f'"use strict";\n{inlined(WORKER)}\nserve(globalThis);\n',
+        "worker": _deflated(f'"use strict";\n{inlined(WORKER)}\nserve(globalThis);\n'.encode()),
         "engine": _deflated(ENGINE.read_bytes()),
     }
     notices = "\n".join(path.read_text("utf-8") for path in NOTICES)

@@ -1,1 +1,1 @@
-"""Papers for the dancers: sheets for each bench, the chalk plan, timetable, permit annex."""
+"""Papers for the dancers: sheets for each bench, the chalk plan, timetable."""

@@ -8,8 +8,9 @@ from benchdragon.analysis.beats import counted_in, score_of
 from benchdragon.export.metronome import write_track
 from benchdragon.i18n import N_, _
 from benchdragon.progress import Progress, silent, stages
-from benchdragon.sheets.annex import annex_names, write_annex
 from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.chalk import FILES, write_chalk
+from benchdragon.sheets.options import ChalkOptions
 
 # Writes the files of a paper into a folder, each whole or not at all.
 Write = Callable[[Briefing, Path, Progress], None]
@@ -30,6 +31,10 @@ class Paper:
     write: Write
 
 
+def _chalk(briefing: Briefing, folder: Path, _progress: Progress) -> None:
+    write_chalk(briefing, folder, ChalkOptions())
+
+
 def _beat(briefing: Briefing, folder: Path, progress: Progress) -> None:
     report = briefing.report
     score = counted_in(score_of(report.plan, report.start, report.end))
@@ -37,13 +42,9 @@ def _beat(briefing: Briefing, folder: Path, progress: Progress) -> None:
     write_track(folder / "beat.wav", score, (start, report.end), progress=progress)
 
 
-def _annex(briefing: Briefing, folder: Path, progress: Progress) -> None:
-    write_annex(folder, briefing, progress)
-
-
 MADE_HERE: dict[str, Paper] = {
+    "chalk": Paper(N_("chalk plan"), FILES, _chalk),
     "beat": Paper(N_("drum beat"), ("beat.wav",), _beat),
-    "annex": Paper(N_("permit annex"), annex_names(), _annex),
 }
 
 

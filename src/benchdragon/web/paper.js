@@ -22,7 +22,7 @@ const SCALES = [
 const DENSITY = 4;
 
 /** The scale at which ground fits onto paper that is so tall, mm. @param {Ground} ground @param {number} tall */
-function scaleOf([left, bottom, right, top], tall) {
+export function scaleOf([left, bottom, right, top], tall) {
   const least = 1000 * Math.max((right - left) / WIDTH, (top - bottom) / tall);
   return SCALES.find((scale) => scale >= least) ?? 10 ** Math.ceil(Math.log10(least));
 }

@@ -73,7 +73,7 @@ export async function start() {
   else if (!plan) asking.open(true);
   try {
     const engine = await WebAssembly.compile(await inflated(held("engine")));
-    const script = new Blob([held("worker")], { type: "text/javascript" });
+    const script = new Blob([await inflated(held("worker"))], { type: "text/javascript" });
     const answers = new WorkerAnswers(URL.createObjectURL(script), {
       engine,
       words,

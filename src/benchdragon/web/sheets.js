@@ -1,7 +1,7 @@
 // The papers of a dance on a page of their own: asked for, seen, printed.
 
+import { annexSheet } from "./annex_sheet.js";
 import { benchSheets } from "./bench_sheet.js";
-import { chalkSheet, chalkTable } from "./chalk_sheet.js";
 import { InputError } from "./compute/errors.js";
 import { planName } from "./names.js";
 import { choice, make, tick } from "./elements.js";
@@ -72,12 +72,7 @@ const PAPERS = [
       { label: N_("save the drum"), name: N_("drum"), data: drumFile },
     ],
   },
-  {
-    name: "chalk",
-    label: N_("chalk plan"),
-    build: chalkSheet,
-    saved: [{ label: N_("save ticks as CSV"), name: N_("chalk plan"), data: chalkTable }],
-  },
+  { name: "annex", label: N_("the permit annex"), question: "annex", build: annexSheet },
 ];
 // Width of a page, in pixels of 96 to an inch, and of what is around it.
 const [WIDE, AROUND] = [(210 / 25.4) * 96, 20];

@@ -7,17 +7,17 @@ import { shownName } from "../made/findings.js";
 import { Ground, ownPeg } from "../made/ground.js";
 import { benchWalks } from "../made/bench_walks.js";
 import { sentence } from "../made/check.js";
-import { chalkPlan } from "../made/chalk.js";
-import { Trail } from "../made/chalk_line.js";
+import { Trail, among, usualGap } from "../made/marks.js";
 import { timetable } from "../made/timetable.js";
 import { timetableText } from "../made/timetable_text.js";
 import { overviewText } from "../made/overview_text.js";
 import { part } from "../made/stages.js";
 import { _, both, language } from "../words.js";
-import { doubles, withArena, withArenaAsync, within } from "./arena.js";
+import { withArena, withArenaAsync, within } from "./arena.js";
 import { check } from "./check.js";
 import { InputError } from "./errors.js";
 import { linspace } from "./numbers.js";
+import { py } from "./python.js";
 import { places } from "./walk_facts.js";
 
 /** @typedef {import("../made/bench_walks.js").BenchWalk} BenchWalk */
@@ -33,15 +33,6 @@ import { places } from "./walk_facts.js";
 /** @typedef {{ name: string, columns: string[], rows: string[][], lines: string[] }} TimetableText */
 /** @typedef {Record<"verdict" | "tightest" | "coming" | "leaving" | "room" | "starts", string[]>} OverviewText */
 /** @typedef {[number, number]} Point */
-
-/**
- * The chalk plan, as analysis/chalk.py says.
- * @typedef {{ stake: Point, place: Point, spokes: number, reach: number, wheel: number, chord: number }} Star
- * @typedef {{ start: Point, end: Point, place: Point, way: Point, length: number, swing: number }} Leg
- * @typedef {{ s: number, point: Point, star: number, tape: number, along: number, aside: number, out: boolean, kind: string }} Tick
- * @typedef {{ obstacle: number, star: number, tapes: number[] }} Met
- * @typedef {{ stars: Star[], legs: Leg[], ticks: Tick[], met: Met[], allowed: number, stray: number }} ChalkPlan
- */
 
 /**
  * The dance as maps show it.
@@ -62,8 +53,7 @@ import { places } from "./walk_facts.js";
  * @property {Record<"en" | "zh", OverviewText>} overview
  * @property {BenchWalk[]} benches the head's first
  * @property {Record<"en" | "zh", Landmark[]>} landmarks near the place where each starts
- * @property {ChalkPlan | null} chalk tapes and ticks of the chalk line; null for too many
- * @property {Point[]} venue its edge, corner by corner, m; none
+ * @property {Array<[number, number] | null>} marks the mark, from 1, at or behind which each starts, and how far, m
  * @property {Ground} ground from which places are told
  * @property {number} start of the dance, s
  * @property {string} clock the time of day then; ""
@@ -88,11 +78,7 @@ export function briefing({ engine, plan, progress }) {
     const walk = plan.build(arena);
     const span = plan.span(walk);
     const own = /** @type {any} */ (plan);
-    const report = await check(own, walk, span, { progress: part(progress, 0, 0.3) });
-    if (report.findings.length)
-      throw new InputError(
-        _("Sheets are made of a plan that is safe alone. {verdict}", { verdict: sentence(report) }),
-      );
+    const report = await safeReport(own, walk, span, part(progress, 0, 0.3));
     const told = part(progress, 0.3, 1, _("what each bench does"));
     const facts = await briefed(plan, walk, span, told);
     const { benches, ground } = facts;
@@ -111,6 +97,16 @@ export function ways({ engine, plan, progress }) {
   });
 }
 
+/** The check of a plan, if nothing was found. @param {any} plan @param {Walk} walk @param {[number, number]} span @param {Progress} progress */
+export async function safeReport(plan, walk, span, progress) {
+  const report = await check(plan, walk, span, { progress });
+  if (report.findings.length)
+    throw new InputError(
+      _("Sheets are made of a plan that is safe alone. {verdict}", { verdict: sentence(report) }),
+    );
+  return report;
+}
+
 /**
  * The same of any walk over a span, s, whether it is safe or not.
  * @param {Plan} plan
@@ -121,7 +117,7 @@ export function ways({ engine, plan, progress }) {
 export async function briefed(plan, walk, span, progress) {
   const benches = await benchWalks(plan, walk, span, 0, progress);
   const s = places(walk, ...span);
-  const { people, cues, route, survey, event } = plan;
+  const { people, cues, chalk, route, survey, event } = plan;
   const near = (/** @type {BenchWalk} */ one) =>
     withArena(walk.engine, (own) => within(own, () => landmarkOf(plan, one, ground)));
   const { points, low, high } = wayOf(walk, s);
@@ -134,8 +130,7 @@ export async function briefed(plan, walk, span, progress) {
     title: both(() => plan.title(language())),
     benches,
     landmarks: both(() => benches.map(near)),
-    chalk: chalkOf(plan, walk, span, s[0], ground),
-    venue: edges[0] ?? [],
+    marks: marksOf(walk, span, s[0], chalk.every),
     ground,
     start: span[0],
     clock: String(cues.clock),
@@ -163,15 +158,18 @@ function timed(plan, walk, span, ground) {
   return { timetable: told, seconds };
 }
 
-/** @param {Plan} plan @param {Walk} walk @param {[number, number]} span @param {number[]} starts where handles stand at first, m @param {Ground} ground @returns {ChalkPlan | null} */
-function chalkOf(plan, walk, [start, end], starts, ground) {
+/** @param {Walk} walk @param {[number, number]} span @param {number[]} starts where front handles stand at first, m @param {number | null} every m between marks; null: as usual */
+function marksOf(walk, [start, end], starts, every) {
   const [head, last] = [start, end].map((time) => walk.headPosition(time));
   const high = Math.min(last, walk.route.length);
   const trail = new Trail(walk.route, starts[starts.length - 1], head, high);
-  const link = Math.min(...doubles(walk.dragon.links));
-  return withArena(walk.engine, (arena) =>
-    within(arena, () => chalkPlan(trail, link, ground, plan.chalk.stray, plan.obstacles())),
+  const places = withArena(walk.engine, (arena) =>
+    within(arena, () => py.tolist(trail.marked(trail.every(every))[0])),
   );
+  const usual = usualGap(places);
+  return starts
+    .slice(0, -1)
+    .map((s) => /** @type {[number, number] | null} */ (among(places, usual, s)));
 }
 
 /** The route from where the tail starts to where the head ends. @param {Walk} walk @param {number[][]} s */

@@ -55,8 +55,6 @@ export const Status = {
   LINK_OVER_DIAMETER: 5,
 };
 
-export const ANALYSIS_CHALK = { ARM: 5 };
-
 export const ANALYSIS_CONTACT_SEARCH = { REFINING: 0.25, REFINING_ON: 0.05 };
 
 export const ANALYSIS_LEFT_OPEN = { REST: 0.25 };
@@ -64,6 +62,20 @@ export const ANALYSIS_LEFT_OPEN = { REST: 0.25 };
 export const ANALYSIS_NEARBY = { FAR: 100, SPREADS: 4, NOWHERE: [0, 0] };
 
 export const ANALYSIS_NOT_LOOKED_AT = { DUST: 1e-6 };
+
+export const ANALYSIS_POSTS = { EVERY: 25, MOST_RUNS: 5 };
+
+export const ANALYSIS_RUNNING = { APART: 5 };
+
+export const ANALYSIS_SWEPT_STEPS = {
+  FIRST_STEP: 0.25,
+  LEAST_STEP: 1e-7,
+  MOST_STEPS: 200000,
+  BATCH: 4096,
+  SLACK: 1e-7,
+  STRAY_SHARE: 0.1,
+  FILL_SHARE: 0.6,
+};
 
 export const BUDGET = { WORK: 1000000000, MEMORY: 600000000 };
 
@@ -121,6 +133,8 @@ export const ROSTERS_EXTENT = {
 };
 
 export const ROSTERS_GRID = { MOST_BYTES: 20000000 };
+
+export const SOLVE_IMPRECISE = { RISK: 0.05 };
 
 export const SOLVE_SIZE = { QUICK_SIZE: 1e-5 };
 

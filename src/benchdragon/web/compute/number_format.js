@@ -29,10 +29,15 @@ function wholeOf(value, digits) {
 /** So many decimals, without the sign of a zero: "z.6f". @param {number} value @param {number} count */
 export function decimals(value, count = 6) {
   const whole = wholeOf(Number.isFinite(value) ? value : 0, count);
+  return unlimited(value) ?? pointed(whole, count, value < 0);
+}
+
+/** A whole number with a point before its last digits. @param {bigint} whole @param {number} count @param {boolean} less whether it is below 0 */
+function pointed(whole, count, less) {
   const text = String(whole).padStart(count + 1, "0");
   const point = text.length - count;
   const said = count ? `${text.slice(0, point)}.${text.slice(point)}` : text;
-  return unlimited(value) ?? (value < 0 && whole ? `-${said}` : said);
+  return less && whole ? `-${said}` : said;
 }
 
 /**
@@ -72,6 +77,18 @@ export function general(value, count = 6) {
   if (power < 0) return `${sign}0.${"0".repeat(-power - 1)}${shown}`;
   const whole = shown.slice(0, power + 1).padEnd(power + 1, "0");
   return shown.length > power + 1 ? `${sign}${whole}.${shown.slice(power + 1)}` : sign + whole;
+}
+
+/** So many decimals, rounded up or down: to the side on which what is said stays true; "-" for none. @param {number} value @param {number} count @param {boolean} up */
+export function decimalsTowards(value, count, up) {
+  if (!Number.isFinite(value)) return "-";
+  const [shortest, exponent] = Math.abs(value).toExponential().split("e");
+  const digits = shortest.replace(".", "");
+  const shift = Number(exponent) - digits.length + 1 + count;
+  const [over, under] = [10n ** BigInt(Math.max(shift, 0)), 10n ** BigInt(Math.max(-shift, 0))];
+  const cut = (BigInt(digits) * over) % under;
+  const whole = (BigInt(digits) * over) / under + (cut && up === value > 0 ? 1n : 0n);
+  return pointed(whole, count, value < 0);
 }
 
 /** Five significant figures, rounded up or down: to the side on which what is said stays true. @param {number} value @param {boolean} up */

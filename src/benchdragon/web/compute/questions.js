@@ -4,6 +4,7 @@ import { TomlError, parse, stringify } from "../carried.js";
 import { occasionsFound, tighten } from "../made/occasions.js";
 import { verdictOf } from "../made/records.js";
 import { _ } from "../words.js";
+import { annex } from "./annex.js";
 import { withArenaAsync } from "./arena.js";
 import { briefing, ways } from "./briefing.js";
 import { check } from "./check.js";
@@ -46,6 +47,7 @@ export const QUESTIONS = {
   "job/speed": headSpeed,
   "job/pace": pace,
   "job/margins": margins,
+  annex,
   sheets: briefing,
   ways,
   propose: proposed,

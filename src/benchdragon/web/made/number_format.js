@@ -1,7 +1,7 @@
 // @ts-nocheck
 // Made from number_format.py by tools/make_twins.py; to make it again: make generate
 
-import { decimals } from "../compute/number_format.js";
+import { decimals, decimalsTowards } from "../compute/number_format.js";
 import { py } from "../compute/python.js";
 
 const TIME_DECIMALS = 2;
@@ -10,6 +10,11 @@ const SMALL_DECIMALS = 6;
 const MOST_DECIMALS = 15;
 const DUST = 1e-06;
 const BESIDE = 1e-09;
+export function outward(low, high, count = 4) {
+  let highest, lowest;
+  [lowest, highest] = py.list([decimalsTowards(low, count, false), decimalsTowards(high, count, true)]);
+  return `${py.str(lowest)}..${py.str(highest)}`;
+}
 export function known(low, high, unit, up, limit = /** @type {any} */ (null)) {
   let count, least, text, value;
   value = (py.truth(up) ? high : low);
@@ -57,4 +62,7 @@ export function atMost(value) {
 }
 export function finiteOrNone(value) {
   return (py.isfinite(value) ? value : null);
+}
+export function roundedUp(metres) {
+  return `${py.format((py.ceil(((100.0 * metres) + 0.2)) / 100.0), `.2f`)}`;
 }

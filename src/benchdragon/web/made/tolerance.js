@@ -69,7 +69,7 @@ export async function neededPitch(plan, draw, guess) {
     return (await draw.ask(plan.with_value("route.pitch", guess), 0, guess));
   });
 }
-function chance(hits, count, confidence = CONFIDENCE) {
+export function chance(hits, count, confidence = CONFIDENCE) {
   return [(hits / count), ...py.iter(py.entry("bd_binomial_chance_bounds", hits, count, confidence))];
 }
 export class Tolerance {

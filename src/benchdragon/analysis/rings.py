@@ -1,0 +1,80 @@
+"""Closed lines on the ground: how long they are, what they hold, which of their points is nearest.
+
+A ring is a list of points, m, of which the last is the first.
+"""
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+from benchdragon.model.base_curve import Point
+
+Ring = Sequence[Point]
+# Corners of a circle that stands for what is round.
+ROUND = 64
+
+
+def outermost(rings: Sequence[Ring]) -> list[Ring]:
+    """Those of some rings that do not cross which lie within no other of them."""
+    return [
+        ring for ring in rings if not any(holds(other, ring[0]) for other in rings if other is not ring)
+    ]
+
+
+def length_of(ring: Ring) -> float:
+    """How long a ring is, m."""
+    return sum(math.dist(a, b) for a, b in pairwise(ring))
+
+
+def area_of(ring: Ring) -> float:
+    """The area within a ring, m2, whichever way it goes round."""
+    (x, y), *_others = ring
+    twice = [(ax - x) * (by - y) - (bx - x) * (ay - y) for (ax, ay), (bx, by) in pairwise(ring)]
+    return 0.5 * abs(sum(twice))
+
+
+def holds(ring: Ring, place: Point) -> bool:
+    """Whether a place lies within a ring: to the right of it the ring passes an odd number of times."""
+    x, y = place
+    crossed = [
+        (ax, ay)
+        for (ax, ay), (bx, by) in pairwise(ring)
+        if (ay > y) != (by > y) and x < ax + (y - ay) / (by - ay) * (bx - ax)
+    ]
+    return len(crossed) % 2 == 1
+
+
+def nearest_on(ring: Ring, place: Point) -> tuple[float, float]:
+    """How far a ring is from a place, m, and how far along the ring its nearest point is, m."""
+    x, y = place
+    nearest, found, passed = math.inf, 0.0, 0.0
+    for (ax, ay), (bx, by) in pairwise(ring):
+        way = math.hypot(bx - ax, by - ay)
+        if way > 0.0:
+            ahead = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / way
+            along = min(max(ahead, 0.0), way)
+            away = math.hypot(ax + along / way * (bx - ax) - x, ay + along / way * (by - ay) - y)
+            if away < nearest:
+                nearest, found = away, passed + along
+        passed += way
+    return nearest, found
+
+
+def place_on(ring: Ring, along: float) -> Point:
+    """The place so far along a ring, m."""
+    left = along
+    for (ax, ay), (bx, by) in pairwise(ring):
+        way = math.hypot(bx - ax, by - ay)
+        if 0.0 < way and left <= way:
+            return (ax + left / way * (bx - ax), ay + left / way * (by - ay))
+        left -= way
+    return ring[-1]
+
+
+def round_ring(centre: Point, radius: float) -> list[Point]:
+    """A ring of ROUND corners about a circle: it holds all of that."""
+    x, y = centre
+    far = radius / math.cos(math.pi / ROUND)
+    turns = [2.0 * math.pi * n / ROUND for n in range(ROUND)]
+    found = [(x + far * math.cos(turn), y + far * math.sin(turn)) for turn in turns]
+    return [*found, found[0]]

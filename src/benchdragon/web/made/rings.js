@@ -1,0 +1,62 @@
+// @ts-nocheck
+// Made from analysis/rings.py by tools/make_twins.py; to make it again: make generate
+
+import { py } from "../compute/python.js";
+
+const ROUND = 64;
+export function outermost(rings) {
+  return py.list(rings).flatMap((ring) => ((!py.list(rings).some((other) => ((other !== ring)) && py.truth(holds(other, py.at(ring, 0))))) ? [ring] : []));
+}
+export function lengthOf(ring) {
+  return py.sum(py.list(py.pairwise(ring)).map(([a, b]) => py.dist(a, b)));
+}
+export function areaOf(ring) {
+  let _others, twice, x, y;
+  [[x, y], ..._others] = py.list(ring);
+  twice = py.list(py.pairwise(ring)).map(([[ax, ay], [bx, by]]) => py.sub((py.sub(ax, x) * py.sub(by, y)), (py.sub(bx, x) * py.sub(ay, y))));
+  return (0.5 * py.abs(py.sum(twice)));
+}
+export function holds(ring, place) {
+  let crossed, x, y;
+  [x, y] = py.list(place);
+  crossed = py.list(py.pairwise(ring)).flatMap(([[ax, ay], [bx, by]]) => (((!py.eq((ay > y), (by > y)) && (x < py.add(ax, ((py.sub(y, ay) / py.sub(by, ay)) * py.sub(bx, ax)))))) ? [[ax, ay]] : []));
+  return (py.mod(py.len(crossed), 2) === 1);
+}
+export function nearestOn(ring, place) {
+  let ahead, along, away, ax, ay, bx, by, found, nearest, passed, way, x, y;
+  [x, y] = py.list(place);
+  [nearest, found, passed] = py.list([Infinity, 0.0, 0.0]);
+  for ([[ax, ay], [bx, by]] of py.iter(py.pairwise(ring))) {
+    way = py.hypot(py.sub(bx, ax), py.sub(by, ay));
+    if ((way > 0.0)) {
+      ahead = (py.add((py.sub(x, ax) * py.sub(bx, ax)), (py.sub(y, ay) * py.sub(by, ay))) / way);
+      along = py.min(py.max(ahead, 0.0), way);
+      away = py.hypot(py.sub(py.add(ax, ((along / way) * py.sub(bx, ax))), x), py.sub(py.add(ay, ((along / way) * py.sub(by, ay))), y));
+      if ((away < nearest)) {
+        [nearest, found] = py.list([away, py.add(passed, along)]);
+      }
+    }
+    passed = py.extend(passed, way);
+  }
+  return [nearest, found];
+}
+export function placeOn(ring, along) {
+  let ax, ay, bx, by, left, way;
+  left = along;
+  for ([[ax, ay], [bx, by]] of py.iter(py.pairwise(ring))) {
+    way = py.hypot(py.sub(bx, ax), py.sub(by, ay));
+    if (((0.0 < way) && (left <= way))) {
+      return [py.add(ax, ((left / way) * py.sub(bx, ax))), py.add(ay, ((left / way) * py.sub(by, ay)))];
+    }
+    left = py.sub(left, way);
+  }
+  return py.at(ring, -1);
+}
+export function roundRing(centre, radius) {
+  let far, found, turns, x, y;
+  [x, y] = py.list(centre);
+  far = (radius / py.cos((Math.PI / ROUND)));
+  turns = py.list(py.range(ROUND)).map((n) => (((2.0 * Math.PI) * n) / ROUND));
+  found = py.list(turns).map((turn) => [py.add(x, (far * py.cos(turn))), py.add(y, (far * py.sin(turn)))]);
+  return [...py.iter(found), py.at(found, 0)];
+}

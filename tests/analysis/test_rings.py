@@ -1,0 +1,56 @@
+"""Closed lines: measured, and their nearest points found, as Shapely does."""
+
+import numpy as np
+import pytest
+import shapely
+
+from benchdragon.analysis.rings import (
+    area_of,
+    holds,
+    length_of,
+    nearest_on,
+    outermost,
+    place_on,
+    round_ring,
+)
+
+# A star with hollows between its arms, not about the origin.
+DICE = np.random.default_rng(40)
+TURNS = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
+REACH = np.where(np.arange(24) % 2, 3.0, 8.0) + DICE.uniform(0.0, 1.0, 24)
+STAR = [(100.0 + r * np.cos(t), -40.0 + r * np.sin(t)) for r, t in zip(REACH, TURNS, strict=True)]
+RING = [*STAR, STAR[0]]
+PLACES = [(100.0 + x, -40.0 + y) for x, y in DICE.uniform(-10.0, 10.0, (500, 2))]
+
+
+@pytest.mark.parametrize("ring", [RING, RING[::-1]], ids=["left", "right"])
+def test_rings_are_measured_as_shapely_measures_them(ring: list[tuple[float, float]]) -> None:
+    true, line = shapely.Polygon(ring), shapely.LinearRing(ring)
+    assert area_of(ring) == pytest.approx(true.area, rel=1e-12)
+    assert length_of(ring) == pytest.approx(true.length, rel=1e-12)
+    inside = [holds(ring, place) for place in PLACES]
+    assert inside == [true.contains(shapely.Point(place)) for place in PLACES]
+    assert 50 < sum(inside) < 450
+    for place in PLACES:
+        away, along = nearest_on(ring, place)
+        assert away == pytest.approx(line.distance(shapely.Point(place)), abs=1e-11)
+        foot = place_on(ring, along)
+        assert np.hypot(foot[0] - place[0], foot[1] - place[1]) == pytest.approx(away, abs=1e-9)
+
+
+def test_a_place_at_the_end_of_a_ring_is_its_beginning() -> None:
+    assert place_on(RING, 0.0) == RING[0]
+    assert place_on(RING, length_of(RING) + 1e-9) == RING[-1]
+
+
+def test_rings_within_others_are_left_out() -> None:
+    within = [(100.0 + 0.1 * (x - 100.0), -40.0 + 0.1 * (y + 40.0)) for x, y in RING]
+    beside = [(x + 50.0, y) for x, y in RING]
+    assert outermost([within, RING, beside]) == [RING, beside]
+
+
+def test_the_ring_about_a_circle_holds_it_and_hardly_more() -> None:
+    ring = shapely.Polygon(round_ring((3.0, -2.0), 4.0))
+    circle = shapely.Point(3.0, -2.0).buffer(4.0 - 1e-9, 256)
+    assert ring.covers(circle)
+    assert ring.area < 1.001 * circle.area
