@@ -156,7 +156,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "plot_route": (ROUTE,),
     "plot_speeds": (MOTION,),
     "plot_sweep": (bd.sweep(PLAN, {"route.pitch": [0.6]}, ["first_contact"]),),
-    "placed_marks": (bd.Trail.of(WALK, 0.0, 1.0), 1.0, (0.0, 0.0)),
+    "chalk_plan": (bd.Trail.of(WALK, 0.0, 1.0), 1.0, (0.0, 0.0)),
     "propose": (bd.Wishes(2, 1.5, 0.15, radius=9.0, kind="spiral-in"),),
     "roster_of": (PLAN,),
     "timetable": (PLAN, WALK, 0.0, 1.0),
@@ -192,7 +192,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
 }
 # What the package makes, and nobody else has to.
 MADE = {
-    "BenchWalk", "Marks", "Passing", "Person", "Proposal", "Roster", "TooSmall", "Trail",
+    "BenchWalk", "ChalkPlan", "Passing", "Person", "Proposal", "Roster", "TooSmall", "Trail",
     "Answer", "BestTurn", "BoundingCircle", "BoundingRectangle", "ClearanceCurve", "Comparison",
     "Connection", "Enclosing", "Formation", "Motion", "Nearness", "Obstacle", "Offsets", "PlacedDance",
     "Plan", "Points", "Report", "Rings", "Status", "Sweep", "SweptArea", "Tolerance", "Widest",

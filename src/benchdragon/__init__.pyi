@@ -1,6 +1,9 @@
 # All public names and where they live: the one list, for people, type checkers and Python.
 from .analysis.bench_walks import BenchWalk as BenchWalk
 from .analysis.bench_walks import bench_walks as bench_walks
+from .analysis.chalk import ChalkPlan as ChalkPlan
+from .analysis.chalk import chalk_plan as chalk_plan
+from .analysis.chalk_line import Trail as Trail
 from .analysis.check import Report as Report
 from .analysis.check import check as check
 from .analysis.contact import ClearanceCurve as ClearanceCurve
@@ -12,9 +15,6 @@ from .analysis.contact import least_clearance as least_clearance
 from .analysis.distance import Nearness as Nearness
 from .analysis.distance import clearances as clearances
 from .analysis.distance import tightest_pairs as tightest_pairs
-from .analysis.marks import Marks as Marks
-from .analysis.marks import Trail as Trail
-from .analysis.marks import placed_marks as placed_marks
 from .analysis.obstacles import first_touch as first_touch
 from .analysis.obstacles import least_distance as least_distance
 from .analysis.offsets import Offsets as Offsets

@@ -5,11 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from benchdragon.analysis.ground import Ground, base_angle, way_out
-from benchdragon.analysis.marks import Trail, placed_marks
+from benchdragon.analysis.ground import Ground, base_angle, edge_lengths, own_peg, peg_line, way_out
 from benchdragon.i18n import spoken_in
 from benchdragon.model.obstacle import rectangle_outline
-from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.plans.schema import Plan, checked, read_plan
 
 BENCHES = ["dragon.benches=10", "walk.start=-5", "walk.end=20"]
 
@@ -52,21 +51,39 @@ def test_north_comes_before_the_venues_edges() -> None:
     assert "y north" in ground.legend
 
 
-def test_base_points_stand_along_the_edges_and_the_marks_lie_where_their_lengths_meet() -> None:
-    plan, ground = planned("venue.rectangle=[40, 30]", "venue.angle=30")
-    trail = Trail.of(plan.build(), -5.0, 20.0)
-    marks = placed_marks(trail, 1.0, ground, obstacles=plan.obstacles())
-    assert marks.arms == pytest.approx(marks.reach * np.eye(2), abs=1e-9)
-    plain = placed_marks(trail, 1.0, ground.peg, obstacles=plan.obstacles())
-    assert marks.radius == pytest.approx(plain.radius)
-    turned = (marks.angle - plain.angle + 30.0 + 180.0) % 360.0
-    assert turned == pytest.approx(np.full(len(marks), 180.0), abs=1e-6)
-    for n in range(len(marks)):
-        base = marks.bases[marks.base[n]]
-        assert marks.cross[n] == pytest.approx(math.dist(base, marks.points[n]))
-        arm = base - np.array(ground.peg)
-        off = marks.points[n] - np.array(ground.peg)
-        assert marks.on_left[n] == bool(arm[0] * off[1] - arm[1] * off[0] > 0.0)
+def test_the_peg_is_told_by_lengths_to_the_venues_edge_each_way() -> None:
+    plan, ground = planned("venue.rectangle=[40, 30]", "venue.angle=30", "venue.centre=[1, 2]")
+    edges = next(one.outline for one in plan.obstacles() if one.kind == "venue")
+    far = [way_out(edges, ground.peg, np.array(way)) for way in ground.ways]
+    wanted = [one[0] for one in far if one is not None]
+    edge = [(float(x), float(y)) for x, y in edges]
+    assert edge_lengths(ground, edge) == pytest.approx(wanted)
+    assert edge_lengths(ground, edge[::-1]) == pytest.approx(wanted)
+    told = peg_line(ground, edge)
+    assert f"it is {wanted[0]:.2f} m to the right, {wanted[1]:.2f} m forward, {wanted[2]:.2f} m" in told
+    outside = Ground((40.0, 0.0), ground.turned, False, True)
+    assert edge_lengths(outside, edge) is None
+    assert peg_line(outside, edge) == ""
+
+
+def test_the_peg_is_the_centre_of_the_route_where_it_is_danced_unless_the_plan_says_otherwise() -> None:
+    for settings, peg in [
+        (["route.at=[3, 4]"], (3.0, 4.0)),
+        (["chalk.peg=[1, 2]", "route.at=[3, 4]"], (1.0, 2.0)),
+    ]:
+        plan, ground = planned(*settings)
+        assert ground.peg == own_peg(plan, plan.build().route) == pytest.approx(peg)
+    part = {"kind": "line", "length": 20}
+    read = checked(
+        {
+            "schema": 1,
+            "dragon": {"benches": 4},
+            "route": {"kind": "parts", "at": [5, 6], "part": [part]},
+            "walk": {"end": 5},
+        },
+        "plan",
+    )
+    assert own_peg(read, read.build().route) == (5.0, 6.0)
 
 
 OCTAGON = [
@@ -89,6 +106,7 @@ L_SHAPE = [(0.0, 0.0), (20.0, 0.0), (20.0, 10.0), (10.0, 10.0), (10.0, 20.0), (0
         (L_SHAPE, (5.0, 15.0), (1.0, 0.0), 5.0, (1.0, 0.0)),
         (L_SHAPE, (5.0, 10.0), (1.0, 0.0), 5.0, (1.0, 0.0)),  # along an edge from its corner on
         (L_SHAPE, (4.0, 4.0), (0.6, -0.8), 5.0, (0.0, -1.0)),
+        (L_SHAPE, (12.0, 6.0), (2.0 / 5.0**0.5, 1.0 / 5.0**0.5), 80.0**0.5, (1.0, 0.0)),  # at a corner
         (L_SHAPE, (9.0, 4.0), None, 4.0, (0.0, -1.0)),
         (OCTAGON, (5.0, 5.0), None, 2.0**0.5, (0.5**0.5, 0.5**0.5)),
         (OCTAGON, (5.0, 5.0), (1.0, 0.0), 2.0, (0.5**0.5, 0.5**0.5)),

@@ -151,7 +151,7 @@ def test_axe_finds_nothing_wrong_in_sheets(
 ) -> None:
     page = opened_sheets(language, device)
     given(page, LIST)
-    for what in ("benches", "overview", "timetable"):
+    for what in ("benches", "overview", "timetable", "chalk"):
         sheets(page).get_by_role("combobox").first.select_option(what)
         assert violations(page) == [], what
 
@@ -541,7 +541,7 @@ SMALLEST = """() => {
 def test_no_type_on_paper_is_smaller_than_seven_points(opened_sheets: Opened) -> None:
     page = opened_sheets()
     page.set_viewport_size({"width": 1366, "height": 768})
-    for what, kind in ((1, "a4"), (1, "quarter"), (1, "lanyard"), (0, "overview")):
+    for what, kind in ((1, "a4"), (1, "quarter"), (1, "lanyard"), (0, "overview"), (0, "chalk")):
         sheets(page).get_by_role("combobox").nth(what).select_option(kind)
         assert page.evaluate(SMALLEST) >= 7 - 1e-3
 

@@ -201,7 +201,7 @@ def test_what_was_written_into_a_plan_by_hand_is_named_when_it_is_proposed_anew(
     well = '[[obstacle]]\nkind = "circle"\nname = "well"\ncentre = [30, 30]\nradius = 0.6\n'
     counted = '[people]\nroster = "names.csv"\nunit = "qiao"\ncount_head = false'
     text = plan.read_text("utf-8").replace("[people]", counted)
-    plan.write_text(f"{text}\n{well}[chalk]\nevery = 2\n", "utf-8")
+    plan.write_text(f"{text}\n{well}[chalk]\nstray = 0.2\n", "utf-8")
     capsys.readouterr()
     assert run(line) == 0
     wanted = "not in the new plan, as they were in the one it replaces: "

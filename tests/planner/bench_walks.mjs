@@ -7,7 +7,7 @@ const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const [{ Engine }, { withArenaAsync }, { briefed }, { checked }] = await Promise.all(
   ["engine", "compute/arena", "compute/briefing", "compute/plan"].map(load),
 );
-const [{ Sayings, markLine }, { called }, { speak, useWords }] = await Promise.all(
+const [{ Sayings }, { called }, { speak, useWords }] = await Promise.all(
   ["sayings", "made/people", "words"].map(load),
 );
 const engine = await Engine.load(readFileSync(file));
@@ -17,7 +17,7 @@ function sentences(told, spoken) {
   speak(spoken);
   const said = new Sayings(told, new Map());
   const name = (bench) => called(told.people, bench, told.benches.length);
-  return told.benches.map((_one, k) => [said.text(k + 1, name), markLine(told.marks[k])]);
+  return told.benches.map((_one, k) => said.text(k + 1, name));
 }
 
 const { plans, words } = JSON.parse(readFileSync(questions, "utf-8"));
@@ -31,6 +31,7 @@ for (const { plan: data, span } of plans) {
     );
     answers.push({
       benches: told.benches,
+      chalk: told.chalk,
       en: sentences(told, "en"),
       zh: sentences(told, "zh"),
       timetable: told.timetable,

@@ -11,13 +11,14 @@ from typing import Any
 import pytest
 
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
+from benchdragon.analysis.chalk import chalk_plan
+from benchdragon.analysis.chalk_line import Trail
 from benchdragon.analysis.ground import Ground
-from benchdragon.analysis.marks import Marks, Trail, between, placed_marks
 from benchdragon.analysis.timetable import Passing, timetable
 from benchdragon.errors import BenchDragonError
 from benchdragon.explain.bench_basis import bench_text
 from benchdragon.explain.timetable_text import timetable_text
-from benchdragon.i18n import LANGUAGES, _, spoken_in
+from benchdragon.i18n import LANGUAGES, spoken_in
 from benchdragon.model.walk import Walk
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan, checked, read_plan
@@ -62,7 +63,7 @@ SURVEYED: Tables = {
         "clock": "23：59：45",
         "cue": [{"kind": "hold", "at": 5, "hold": 4, "text": "bow", "text_zh": "拜庙"}],
     },
-    "chalk": {"every": 0.7, "peg": [2, -1]},
+    "chalk": {"stray": 0.2, "peg": [2, -1]},
     "event": {"entrances": [[4, 1], [-15, 0]]},
 }  # fmt: skip
 ROOT = Path(__file__).parents[2]
@@ -85,11 +86,12 @@ def here(data: Tables) -> tuple[list[float], Any]:
     told["timetable"] = {}
     for spoken in LANGUAGES:
         with spoken_in(spoken):
-            told[spoken] = sentences(read, walk, span, benches)
+            told[spoken] = sentences(read, walk, benches)
             passings = timetable(read, walk, *span)
             ground = Ground.of(read, walk.route)
             told["timetable"][spoken] = asdict(timetable_text(read, walk, span, ground, passings))
     told["seconds"] = [[since(time, span) for time in times(one, span[1])] for one in passings]
+    told["chalk"] = chalked(read, walk, span)
     return list(span), json.loads(json.dumps(told))
 
 
@@ -104,32 +106,29 @@ def since(time: float | None, span: tuple[float, float]) -> float | None:
     return None if time is None else time - span[0]
 
 
-def mark_line(marks: Marks, s: float) -> str:
-    """By which marks of the chalk plan a front handle starts, m along the route."""
-    found = between(marks, s)
+def chalked(read: Plan, walk: Walk, span: tuple[float, float]) -> Any:
+    """The chalk plan as a page has it."""
+    trail, ground = Trail.of(walk, *span), Ground.of(read, walk.route)
+    link = float(walk.dragon.links.min())
+    found = chalk_plan(trail, link, ground, read.chalk.stray, read.obstacles())
     if found is None:
-        return ""
-    n, past = found
-    if not past:
-        return _("Your front handle starts at mark {n} of the chalk plan.").format(n=n)
-    text = _(
-        "Your front handle starts between marks {n} and {next} of the chalk plan, {past} m past mark "
-        "{n} along the line."
-    )
-    return text.format(n=n, next=n + 1, past=f"{past:.2f}")
+        return None
+    legs = [
+        {**asdict(leg), "swing": None if math.isnan(leg.swing) else leg.swing} for leg in found.legs
+    ]
+    return {
+        **asdict(found),
+        "legs": legs,
+        "ticks": [tick._asdict() for tick in found.ticks],
+        "met": [one._asdict() for one in found.met],
+    }
 
 
-def sentences(read: Plan, walk: Walk, span: tuple[float, float], benches: Sequence[BenchWalk]) -> Any:
+def sentences(read: Plan, walk: Walk, benches: Sequence[BenchWalk]) -> Any:
     """What stands on the sheets of all benches, in the language in use."""
     ground = Ground.of(read, walk.route)
-    trail = Trail.of(walk, *span)
-    marks = placed_marks(trail, read.chalk.every or trail.usual_every, ground)
-    starts = walk.motion(span[:1]).s[0].tolist()
     name = partial(called, read.people, count=len(benches))
-    return [
-        [asdict(bench_text(read, one, name, ground)), mark_line(marks, starts[one.bench - 1])]
-        for one in benches
-    ]
+    return [asdict(bench_text(read, one, name, ground)) for one in benches]
 
 
 def compared(plans: list[Tables]) -> list[tuple[Any, Any]]:
@@ -164,7 +163,7 @@ def fault(own: Any, twin: Any) -> str:
         if near["upper"] <= TOUCHING and near["side"] != its["side"]:
             its["side"] = near["side"]
             for spoken in LANGUAGES:
-                twin[spoken][k][0]["tightest"] = own[spoken][k][0]["tightest"]
+                twin[spoken][k]["tightest"] = own[spoken][k]["tightest"]
     return difference(own, twin)
 
 
@@ -198,9 +197,14 @@ def test_plans_of_all_kinds_are_compared(found: list[tuple[Any, Any]]) -> None:
     assert {one["pace"] for one in stretches} == {"wait", "walk", "hurry", "run"}
     assert {one["turning"] for one in stretches} == {"left", "right", "straight"}
     assert {one["tightest"]["side"] for one in benches if one["tightest"]} >= {"left", "right"}
-    told = [line for own, _twin in found for text, mark in own["en"] for line in (*text["place"], mark)]
-    for said in (" edge of ", "(north) from the peg", "at mark", "between marks"):
+    told = [line for own, _twin in found for text in own["en"] for line in text["place"]]
+    for said in (" edge of ", "(north) from the peg"):
         assert any(said in line for line in told), said
-    assert "" in told
-    waits = [line for own, _twin in found for text, _mark in own["zh"] for line in text["stretches"]]
+    waits = [line for own, _twin in found for text in own["zh"] for line in text["stretches"]]
     assert any(line.endswith("等：拜庙。") for line in waits)
+    chalk = [own["chalk"] for own, _twin in found]
+    assert {len(one["stars"]) for one in chalk} >= {0, 1}
+    assert any(leg["swing"] for one in chalk for leg in one["legs"])
+    ticks = [tick for one in chalk for tick in one["ticks"]]
+    assert any(tick["out"] for tick in ticks)
+    assert any(tick["aside"] for tick in ticks if tick["star"] >= 0)

@@ -289,7 +289,7 @@ VARIED: dict[str, Any] = {
     "cues.cue.1.tempo": 100,
     "cues.cue.0.text": "bow",
     "cues.cue.0.text_zh": "拜庙",
-    "chalk.every": 2.0,
+    "chalk.stray": 0.3,
     "chalk.peg": [1.0, 2.0],
     "event.place": "Temple square",
     "event.place_zh": "祠堂广场",

@@ -105,6 +105,6 @@ def test_what_was_added_to_a_placed_plan_is_named_when_it_is_placed_anew(
     ]
     assert run(line) == 0
     assert "WARNING" not in capsys.readouterr().err
-    found.write_text(found.read_text("utf-8") + "[chalk]\nevery = 2\n", "utf-8")
+    found.write_text(found.read_text("utf-8") + "[chalk]\nstray = 0.2\n", "utf-8")
     assert run(line) == 0
     assert "as they were in the one it replaces: [chalk]." in capsys.readouterr().err

@@ -16,8 +16,10 @@ from benchdragon import (
     budget,
     greatest_speed,
 )
+from benchdragon.analysis.chalk import chalk_plan
+from benchdragon.analysis.chalk_line import Trail
 from benchdragon.analysis.check import check
-from benchdragon.analysis.marks import Trail
+from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.speed import QUANTITIES, greatest_of
 from benchdragon.analysis.stops import stops_of
 from benchdragon.plans.schema import Plan, checked, read_plan
@@ -277,7 +279,7 @@ def test_a_walk_of_no_length_has_no_pace() -> None:
     ],
 )
 @pytest.mark.parametrize("speed", [0.6, 1.1])
-def test_the_same_dance_at_another_speed_has_its_marks_where_they_were(
+def test_the_same_dance_at_another_speed_has_its_ticks_where_they_were(
     settings: list[str], speed: float
 ) -> None:
     plan = read_plan("turn", settings)
@@ -288,12 +290,14 @@ def test_the_same_dance_at_another_speed_has_its_marks_where_they_were(
         walk = one.build()
         span = one.span(walk)
         trail = Trail.of(walk, *span)
-        marks.append(trail.marked(1.0))
+        chalk = chalk_plan(trail, 1.65, Ground.of(one, walk.route))
+        assert chalk is not None
+        marks.append(chalk.ticks)
         held = sum(stop.end - stop.start for stop in stops_of(walk, *span))
         seconds.append((trail.high - trail.start, span[1] - span[0], held))
-    (s, kinds), (other_s, other_kinds) = marks
-    assert kinds == other_kinds
-    assert other_s == pytest.approx(s, abs=1e-9)
+    ticks, others = marks
+    assert [one.kind for one in ticks] == [one.kind for one in others]
+    assert [one.s for one in others] == pytest.approx([one.s for one in ticks], abs=1e-9)
     (way, _lasts, held), (other_way, lasts, other_held) = seconds
     assert other_way == pytest.approx(way, abs=1e-9)
     assert other_held == pytest.approx(held, abs=1e-9)

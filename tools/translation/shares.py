@@ -5,6 +5,8 @@ TWINS = {
     "analysis.beats": ("beats", "counted_in", "score_of"),
     "analysis.bench_walks": ("bench_walks", "BenchWalk", "bench_walks"),
     "analysis.bends": ("bends", "Bends"),
+    "analysis.chalk": ("chalk", "chalk_plan"),
+    "analysis.chalk_line": ("chalk_line", "Trail"),
     "analysis.check": ("check", "BRIEF", "checked", "in_one_coil", "kept", "peak_text", "sentence"),
     "analysis.clock": ("clock", "Clock", "lasting"),
     "analysis.contact": (
@@ -19,9 +21,8 @@ TWINS = {
     "analysis.findings": (
         "findings", "Finding", "all_findings", "named", "shown_name", "touch_text",
     ),
-    "analysis.ground": ("ground", "Ground", "own_peg"),
+    "analysis.ground": ("ground", "Ground", "own_peg", "peg_line"),
     "analysis.head_times": ("head_times", "HeadTimes"),
-    "analysis.marks": ("marks", "Trail", "among", "usual_gap"),
     "analysis.nearby": ("nearby", "checked_off"),
     "analysis.posts": ("posts", "marshal_posts"),
     "analysis.rings": ("rings", "area_of", "length_of", "outermost"),
@@ -186,6 +187,7 @@ GIVEN = {
 # Functions that check what Python is called with, and what they give where pages call.
 UNASKED = {
     "analysis.asked.asked_of": "(of, start, end, walk = of) => [walk, start, end]",
+    "analysis.chalk._ground": "(ground) => ground",
     "analysis.proof.prove_obstacle": "() => null",
     "analysis.room._proved": "() => null",
     "errors.as_number": "(_name, value) => value",
@@ -219,7 +221,7 @@ AS_FUNCTIONS = {
 # What only Python has of records, of one or of all of a module.
 LEFT_OUT = {
     "analysis.beats.Run": ("time",),
-    "analysis.marks.Trail": ("of",),
+    "analysis.chalk_line.Trail": ("of",),
     "analysis.obstacle_search.ObstacleSearch": ("ways",),
     "analysis.ground.Ground": ("of", "seen"),
     "analysis.check.Report": ("__str__",),

@@ -202,6 +202,42 @@ def way_out(
     return least, max(there, key=lambda out: out[0] * u + out[1] * v)
 
 
+def edge_lengths(ground: Ground, edges: Sequence[Point]) -> list[float] | None:
+    """From the peg to a venue's edge the ways x and y point and against them, m; None from outside it.
+
+    Args:
+        ground: the peg and the base line.
+        edges: the venue's outline, corner by corner, m.
+    """
+    lengths: list[float] = []
+    for ux, uy in ground.ways:
+        met: list[float] = []
+        for (ax, ay), (bx, by) in zip(edges, [*edges[1:], edges[0]], strict=True):
+            px, py, qx, qy = ax - ground.peg[0], ay - ground.peg[1], bx - ax, by - ay
+            across = ux * qy - uy * qx
+            side, other = ux * py - uy * px, ux * (py + qy) - uy * (px + qx)
+            if across and (side < 0.0) != (other < 0.0):
+                met.append((px * qy - py * qx) / across)
+        ahead = [one for one in met if one >= 0.0]
+        if len(ahead) % 2 == 0:
+            return None
+        lengths.append(min(ahead))
+    return lengths
+
+
+def peg_line(ground: Ground, edges: Sequence[Point]) -> str:
+    """How far the peg is from a venue's edge each way, in the language in use; "" from outside it."""
+    lengths = edge_lengths(ground, edges)
+    if lengths is None:
+        return ""
+    first, second, third, fourth = (f"{one:.2f}" for one in lengths)
+    a, b, c, d = ground.way_names
+    return _(
+        "From the peg to the venue's edge it is {first} m {a}, {second} m {b}, {third} m {c}, "
+        "{fourth} m {d}. Find the peg's place by these lengths, and the directions with it."
+    ).format(first=first, second=second, third=third, fourth=fourth, a=a, b=b, c=c, d=d)
+
+
 def own_peg(plan: Plan, route: Route) -> Point:
     """Where the plan says, m; else the centre of the route's first spiral, else the route's origin."""
     if plan.chalk.peg is not None:

@@ -57,15 +57,16 @@ class Sheet:
         return half + (points - self.middle) * (1000.0 / self.scale)
 
 
-def check_scale(scale: float | None, most: float = MOST_SCALE) -> None:
+def check_scale(scale: float | None) -> None:
     """Refuse a scale that no sheet has; None is left to the sheet.
 
     Raises:
-        InputError: if it is not from LEAST_SCALE to `most`.
+        InputError: if it is not from LEAST_SCALE to MOST_SCALE.
     """
-    if scale is not None and not LEAST_SCALE <= scale <= most:
+    if scale is not None and not LEAST_SCALE <= scale <= MOST_SCALE:
         text = _("scale must be from 1:{least} to 1:{most}, not 1:{value}")
-        raise InputError(text.format(least=f"{LEAST_SCALE:g}", most=f"{most:g}", value=f"{scale:g}"))
+        most = f"{MOST_SCALE:g}"
+        raise InputError(text.format(least=f"{LEAST_SCALE:g}", most=most, value=f"{scale:g}"))
 
 
 def needed_scale(bounds: FloatArray, paper: str) -> tuple[float, tuple[float, float]]:
@@ -78,14 +79,13 @@ def needed_scale(bounds: FloatArray, paper: str) -> tuple[float, tuple[float, fl
     )
 
 
-def sheet_for(bounds: FloatArray, paper: str, scale: float | None, most: float = MOST_SCALE) -> Sheet:
+def sheet_for(bounds: FloatArray, paper: str, scale: float | None) -> Sheet:
     """The sheet for ground within bounds, m, (2, 2), upright or lying as gives it most room.
 
     Args:
         bounds: least and greatest corner.
         paper: a key of PAPERS.
         scale: None for the largest of SCALES that fits.
-        most: the smallest scale that is drawn, 1 to this.
 
     Raises:
         InputError: for a paper or scale that is not known, or ground that does not fit.
@@ -93,10 +93,10 @@ def sheet_for(bounds: FloatArray, paper: str, scale: float | None, most: float =
     if paper not in PAPERS:
         text = _("paper must be one of {known}, not {value}")
         raise InputError(text.format(known=", ".join(PAPERS), value=paper))
-    check_scale(scale, most)
+    check_scale(scale)
     size = bounds[1] - bounds[0]
     needed, sheet = needed_scale(bounds, paper)
-    chosen = scale or next((one for one in SCALES if needed <= one <= most), most)
+    chosen = scale or next((one for one in SCALES if needed <= one), MOST_SCALE)
     if chosen < needed:
         raise InputError(
             _(

@@ -14,7 +14,7 @@ from benchdragon.plans.schema import Plan
 from benchdragon.rosters.roster import Person, Roster
 
 # Those of web/sheets.js.
-PAPERS = ("benches", "overview", "timetable", "annex")
+PAPERS = ("benches", "overview", "timetable", "chalk", "annex")
 
 
 def chosen_papers(names: str | None, known: Sequence[str] = PAPERS) -> list[str]:

@@ -1,4 +1,4 @@
-"""The table of a plan file about marks on the ground, by which all papers give places."""
+"""The table of a plan file about the chalk line, and the peg from which all papers give places."""
 
 from typing import Annotated
 
@@ -6,17 +6,17 @@ from pydantic import Field
 
 from benchdragon.plans.tables import Length, Metres, Table
 
-# The least distance between marks along the route, m.
-LEAST_EVERY = 0.1
+# The least that the chalk line may be allowed to stray between ticks that are joined straight, m.
+LEAST_STRAY = 0.05
 
 
 class ChalkTable(Table):
-    """Marks on the ground: all papers of a dance number them alike, and measure from one peg.
+    """The chalk line and the peg: all papers of a dance measure from one.
 
     Attributes:
-        every: m between marks along the route; None for 1 m, or more where those were too many.
+        stray: how far the line may stray where ticks are joined straight, m; None for half a link.
         peg: where the peg stands, m; None for the centre of the route.
     """
 
-    every: Annotated[Length, Field(ge=LEAST_EVERY)] | None = None
+    stray: Annotated[Length, Field(ge=LEAST_STRAY)] | None = None
     peg: tuple[Metres, Metres] | None = None

@@ -418,10 +418,11 @@ SECTIONS = (
     ),
     Section(
         "[chalk]",
-        N_("Marks on the ground; without effect on the dance. All papers go by them."), ChalkTable,
+        N_("The chalk line, and the peg; without effect on the dance."), ChalkTable,
         {
-            "every": Key(
-                N_("between marks along the route; else 1 m, or more where those were too many"), 2, "m"
+            "stray": Key(
+                N_("how far the line may stray where ticks are joined straight; else half a link"),
+                0.3, "m",
             ),
             "peg": Key(
                 N_("where the peg stands, x and y, from which all papers measure; else the "

@@ -5,12 +5,11 @@ from datetime import date
 from functools import cached_property
 
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
+from benchdragon.analysis.chalk_line import Trail
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
-from benchdragon.analysis.marks import Marks, Trail, check_marks, placed_marks
 from benchdragon.i18n import _
-from benchdragon.plans.chalk import ChalkTable
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.rosters.roster import Roster
@@ -59,20 +58,6 @@ class Briefing:
         """What the dragon covers of its route."""
         return Trail.of(self.report.walk, self.report.start, self.report.end)
 
-    @property
-    def every(self) -> float:
-        """How far apart the chalk plan's marks are along the route, m."""
-        return self.trail.every(self.plan.chalk.every)
-
-    @cached_property
-    def marks(self) -> Marks:
-        """The chalk plan's marks, as all papers number them.
-
-        Raises:
-            InputError: for marks that are too many.
-        """
-        return placed_marks(self.trail, self.every, self.ground, obstacles=self.plan.obstacles())
-
     def called(self, bench: int) -> str:
         """What the village calls a bench (number, from 1), in the language in use."""
         return called(self.plan.people, bench, len(self.report.walk.dragon))
@@ -84,14 +69,6 @@ def dated(checked_on: str) -> str:
 
 
 def briefing_of(report: Report, roster: Roster) -> Briefing:
-    """What papers are made from: a check that found nothing, and the people.
-
-    Raises:
-        InputError: for a plan with too many marks, and for a peg that no tape reaches.
-    """
+    """What papers are made from: a check that found nothing, and the people."""
     benches = bench_walks(report.plan, report.walk, (report.start, report.end))
-    today = date.today().isoformat()
-    briefing = Briefing(report, roster, benches, today, report.plan.sha256)
-    if report.plan.chalk != ChalkTable():
-        check_marks(briefing.trail, briefing.every, briefing.ground.peg)
-    return briefing
+    return Briefing(report, roster, benches, date.today().isoformat(), report.plan.sha256)

@@ -9,8 +9,6 @@ from benchdragon.export.metronome import write_track
 from benchdragon.i18n import N_, _
 from benchdragon.progress import Progress, silent, stages
 from benchdragon.sheets.briefing import Briefing
-from benchdragon.sheets.chalk import FILES, write_chalk
-from benchdragon.sheets.options import ChalkOptions
 
 # Writes the files of a paper into a folder, each whole or not at all.
 Write = Callable[[Briefing, Path, Progress], None]
@@ -31,10 +29,6 @@ class Paper:
     write: Write
 
 
-def _chalk(briefing: Briefing, folder: Path, _progress: Progress) -> None:
-    write_chalk(briefing, folder, ChalkOptions())
-
-
 def _beat(briefing: Briefing, folder: Path, progress: Progress) -> None:
     report = briefing.report
     score = counted_in(score_of(report.plan, report.start, report.end))
@@ -43,7 +37,6 @@ def _beat(briefing: Briefing, folder: Path, progress: Progress) -> None:
 
 
 MADE_HERE: dict[str, Paper] = {
-    "chalk": Paper(N_("chalk plan"), FILES, _chalk),
     "beat": Paper(N_("drum beat"), ("beat.wav",), _beat),
 }
 

@@ -49,17 +49,15 @@ function carriersOf({ people }) {
 }
 
 /** What may be left out of what is said of a bench, the last first; and what may not, but where nothing else helps. @param {Told} told @param {boolean} several whether other benches stand on the sheet */
-function factsOf({ called, text, marks, kin }, several) {
+function factsOf({ called, text, kin }, several) {
   const line = (/** @type {string} */ said, name = "") => make("p", name ? { class: name } : {}, said);
   const facts = [
     ...text.people.map((said) => line(said, "strong")),
     line(text.tightest),
-    ...(marks ? [marks] : text.place).map((said) => line(said)),
+    ...text.place.map((said) => line(said)),
   ];
   const spare = [
-    ...[...(marks ? text.place : []), ...(kin ? [kin] : []), ...text.stretches].map((said) =>
-      line(said),
-    ),
+    ...[...(kin ? [kin] : []), ...text.stretches].map((said) => line(said)),
     ...text.paces.map((said) => line(said, "small")),
   ];
   return { name: several ? [line(called, "strong")] : [], facts, spare };

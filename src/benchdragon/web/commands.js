@@ -37,7 +37,7 @@ const FILES = [
     command: `check ${PLAN_FILE} -o ${NAME}-check`,
   },
   {
-    text: () => _("sheets as PDF with QR codes, chalk plan, timetable, permit annex"),
+    text: () => _("sheets as PDF with QR codes, timetable, permit annex"),
     command: `sheets ${PLAN_FILE} --check -o ${NAME}-papers`,
   },
   { text: () => _("film"), command: `animate ${PLAN_FILE} -o ${NAME}.mp4` },

@@ -48,14 +48,14 @@ export interface BenchTable {
 }
 
 /**
- * Marks on the ground: all papers of a dance number them alike, and measure from one peg.
+ * The chalk line and the peg: all papers of a dance measure from one.
  *
  * Attributes:
- *     every: m between marks along the route; None for 1 m, or more where those were too many.
+ *     stray: how far the line may stray where ticks are joined straight, m; None for half a link.
  *     peg: where the peg stands, m; None for the centre of the route.
  */
 export interface ChalkTable {
-  every?: number | null;
+  stray?: number | null;
   peg?: [number, number] | null;
 }
 

@@ -1,6 +1,5 @@
 // What the sheets of a dance say, and who carries its benches.
 
-import { decimals } from "./compute/number_format.js";
 import { Basis, benchLines, tightestLine } from "./made/bench_text.js";
 import { Clock } from "./made/clock.js";
 import { Ground } from "./made/ground.js";
@@ -13,7 +12,7 @@ import { _, language } from "./words.js";
 /** Somebody who carries a bench. @typedef {{ name: string, household: string, phone: string, remarks: string, home_phone: string }} Person */
 /** Who carries each bench (number, from 1). @typedef {Map<number, Person[]>} People */
 
-/** What is said of a bench on its sheet; `address` opens the player at it, if the plan says where that is. @typedef {{ bench: number, called: string, title: string, people: string[], text: BenchText, marks: string, kin: string, address: string }} Told */
+/** What is said of a bench on its sheet; `address` opens the player at it, if the plan says where that is. @typedef {{ bench: number, called: string, title: string, people: string[], text: BenchText, kin: string, address: string }} Told */
 /** What one gets: one's bench, or benches of a household under its name. @typedef {{ title: string, entries: Told[] }} Sheet */
 
 // People of another bench, and benches of a household, who are named on a sheet.
@@ -145,7 +144,6 @@ export class Sayings {
       title: this.titled(bench),
       people: this.carriers(bench, phones),
       text: this.text(bench, (other) => this.named(other)),
-      marks: markLine(this.briefing.marks[bench - 1]),
       kin: this.kin(bench),
       address: this.#address(bench),
     };
@@ -166,15 +164,4 @@ function phonesOf(people, asked) {
   const all = new Set(people.flatMap(({ phone, home_phone }) => [phone, home_phone]));
   const home = [...all].filter((phone) => phone && !own.includes(phone));
   return { own, home: home.map((phone) => _("phone of the household: {phone}", { phone })) };
-}
-
-/** Where a front handle starts by the chalk plan's marks: `mark_line` of sheets/benches.py. @param {[number, number] | null} place */
-export function markLine(place) {
-  if (!place) return "";
-  const [n, past] = place;
-  if (!past) return _("Your front handle starts at mark {n} of the chalk plan.", { n });
-  return _(
-    "Your front handle starts between marks {n} and {next} of the chalk plan, {past} m past mark {n} along the line.",
-    { n, next: n + 1, past: decimals(past, 2) },
-  );
 }

@@ -174,6 +174,49 @@ export class SheetMaps {
     return draw("path", { class: "mark", d: "M1.4 0L-1 1.1L-1 -1.1Z", transform });
   }
 
+  /** The chalk plan: tapes with their numbers, ticks, and letters at places that have a name. @param {import("./compute/briefing.js").ChalkPlan} chalk @param {Record<string, string>} letters */
+  chalk({ stars, legs, ticks }, letters) {
+    const { unit } = this;
+    const { turned } = this.briefing.ground;
+    const spokes = stars.flatMap(({ stake: [x, y], spokes: count, reach }) =>
+      Array.from({ length: count }, (_spoke, k) => {
+        const angle = turned + (2 * Math.PI * k) / count;
+        const [u, v] = [Math.cos(angle), Math.sin(angle)];
+        const far = reach + 2.5 * unit;
+        const number = this.#number([x + far * u, y + far * v], String(k + 1));
+        return [this.#tape([x, y], [x + reach * u, y + reach * v]), number];
+      }).flat(),
+    );
+    const tapes = legs.flatMap(({ start, end }, n) => {
+      const [x, y] = [0, 1].map((k) => 0.5 * (start[k] + end[k]));
+      return [this.#tape(start, end), this.#number([x, y + 2 * unit], String(n + 1))];
+    });
+    const marks = ticks.flatMap(({ point: [x, y], star, out, kind }) => {
+      // Letters stand towards the stake: beyond the ticks are the spokes' numbers.
+      const [u, v] = star < 0 ? [x, y - 1] : stars[star].stake;
+      const share = (2.5 * unit) / Math.max(Math.hypot(u - x, v - y), unit);
+      const letter = kind
+        ? [this.#number([x + share * (u - x), y + share * (v - y)], letters[kind])]
+        : [];
+      return [tickSign([x, y], out, 0.6 * unit), ...letter];
+    });
+    return this.#map(_("The route, tapes and ticks"), ...spokes, ...tapes, ...marks);
+  }
+
+  /** @param {Point} from @param {Point} to */
+  #tape(from, to) {
+    const width = { "stroke-width": String(THIN * this.unit) };
+    return draw("path", { class: "tape", d: `M${placed(from)}L${placed(to)}`, ...width });
+  }
+
+  /** A number or a letter at a place. @param {Point} place @param {string} said */
+  #number([x, y], said) {
+    const at = { x: x.toFixed(3), y: (-y + 0.4 * DIGITS * this.unit).toFixed(3) };
+    const text = draw("text", { ...at, class: "number middle" });
+    text.textContent = said;
+    return text;
+  }
+
   /** Where all benches start, with as many numbers as find room. @param {(bench: number) => string} called */
   starts(called) {
     const { briefing, unit } = this;
@@ -196,6 +239,13 @@ export class SheetMaps {
       ...marks,
     );
   }
+}
+
+/** A tick, or a cross. @param {Point} place @param {boolean} out @param {number} size m */
+function tickSign([x, y], out, size) {
+  if (!out) return disc([x, y], size);
+  const d = `M${x - size} ${-y - size}l${2 * size} ${2 * size}m${-2 * size} 0l${2 * size} ${-2 * size}`;
+  return draw("path", { class: "cross", d, "stroke-width": String(0.6 * size) });
 }
 
 /** Have no letters on a map that stands in the page smaller than LEAST, and names in their places. @param {Element} map */

@@ -2,6 +2,7 @@
 
 import { annexSheet } from "./annex_sheet.js";
 import { benchSheets } from "./bench_sheet.js";
+import { chalkSheet, chalkTable } from "./chalk_sheet.js";
 import { InputError } from "./compute/errors.js";
 import { planName } from "./names.js";
 import { choice, make, tick } from "./elements.js";
@@ -71,6 +72,12 @@ const PAPERS = [
       { label: N_("save the timetable as CSV"), name: N_("timetable"), data: timetableTable },
       { label: N_("save the drum"), name: N_("drum"), data: drumFile },
     ],
+  },
+  {
+    name: "chalk",
+    label: N_("chalk plan"),
+    build: chalkSheet,
+    saved: [{ label: N_("save ticks as CSV"), name: N_("chalk plan"), data: chalkTable }],
   },
   { name: "annex", label: N_("the permit annex"), question: "annex", build: annexSheet },
 ];

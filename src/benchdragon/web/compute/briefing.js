@@ -7,17 +7,17 @@ import { shownName } from "../made/findings.js";
 import { Ground, ownPeg } from "../made/ground.js";
 import { benchWalks } from "../made/bench_walks.js";
 import { sentence } from "../made/check.js";
-import { Trail, among, usualGap } from "../made/marks.js";
+import { chalkPlan } from "../made/chalk.js";
+import { Trail } from "../made/chalk_line.js";
 import { timetable } from "../made/timetable.js";
 import { timetableText } from "../made/timetable_text.js";
 import { overviewText } from "../made/overview_text.js";
 import { part } from "../made/stages.js";
 import { _, both, language } from "../words.js";
-import { withArena, withArenaAsync, within } from "./arena.js";
+import { doubles, withArena, withArenaAsync, within } from "./arena.js";
 import { check } from "./check.js";
 import { InputError } from "./errors.js";
 import { linspace } from "./numbers.js";
-import { py } from "./python.js";
 import { places } from "./walk_facts.js";
 
 /** @typedef {import("../made/bench_walks.js").BenchWalk} BenchWalk */
@@ -33,6 +33,15 @@ import { places } from "./walk_facts.js";
 /** @typedef {{ name: string, columns: string[], rows: string[][], lines: string[] }} TimetableText */
 /** @typedef {Record<"verdict" | "tightest" | "coming" | "leaving" | "room" | "starts", string[]>} OverviewText */
 /** @typedef {[number, number]} Point */
+
+/**
+ * The chalk plan, as analysis/chalk.py says.
+ * @typedef {{ stake: Point, place: Point, spokes: number, reach: number, wheel: number, chord: number }} Star
+ * @typedef {{ start: Point, end: Point, place: Point, way: Point, length: number, swing: number }} Leg
+ * @typedef {{ s: number, point: Point, star: number, tape: number, along: number, aside: number, out: boolean, kind: string }} Tick
+ * @typedef {{ obstacle: number, star: number, tapes: number[] }} Met
+ * @typedef {{ stars: Star[], legs: Leg[], ticks: Tick[], met: Met[], allowed: number, stray: number }} ChalkPlan
+ */
 
 /**
  * The dance as maps show it.
@@ -53,7 +62,8 @@ import { places } from "./walk_facts.js";
  * @property {Record<"en" | "zh", OverviewText>} overview
  * @property {BenchWalk[]} benches the head's first
  * @property {Record<"en" | "zh", Landmark[]>} landmarks near the place where each starts
- * @property {Array<[number, number] | null>} marks the mark, from 1, at or behind which each starts, and how far, m
+ * @property {ChalkPlan | null} chalk tapes and ticks of the chalk line; null for too many
+ * @property {Point[]} venue its edge, corner by corner, m; none
  * @property {Ground} ground from which places are told
  * @property {number} start of the dance, s
  * @property {string} clock the time of day then; ""
@@ -117,7 +127,7 @@ export async function safeReport(plan, walk, span, progress) {
 export async function briefed(plan, walk, span, progress) {
   const benches = await benchWalks(plan, walk, span, 0, progress);
   const s = places(walk, ...span);
-  const { people, cues, chalk, route, survey, event } = plan;
+  const { people, cues, route, survey, event } = plan;
   const near = (/** @type {BenchWalk} */ one) =>
     withArena(walk.engine, (own) => within(own, () => landmarkOf(plan, one, ground)));
   const { points, low, high } = wayOf(walk, s);
@@ -130,7 +140,8 @@ export async function briefed(plan, walk, span, progress) {
     title: both(() => plan.title(language())),
     benches,
     landmarks: both(() => benches.map(near)),
-    marks: marksOf(walk, span, s[0], chalk.every),
+    chalk: chalkOf(plan, walk, span, s[0], ground),
+    venue: edges[0] ?? [],
     ground,
     start: span[0],
     clock: String(cues.clock),
@@ -158,18 +169,15 @@ function timed(plan, walk, span, ground) {
   return { timetable: told, seconds };
 }
 
-/** @param {Walk} walk @param {[number, number]} span @param {number[]} starts where front handles stand at first, m @param {number | null} every m between marks; null: as usual */
-function marksOf(walk, [start, end], starts, every) {
+/** @param {Plan} plan @param {Walk} walk @param {[number, number]} span @param {number[]} starts where handles stand at first, m @param {Ground} ground @returns {ChalkPlan | null} */
+function chalkOf(plan, walk, [start, end], starts, ground) {
   const [head, last] = [start, end].map((time) => walk.headPosition(time));
   const high = Math.min(last, walk.route.length);
   const trail = new Trail(walk.route, starts[starts.length - 1], head, high);
-  const places = withArena(walk.engine, (arena) =>
-    within(arena, () => py.tolist(trail.marked(trail.every(every))[0])),
+  const link = Math.min(...doubles(walk.dragon.links));
+  return withArena(walk.engine, (arena) =>
+    within(arena, () => chalkPlan(trail, link, ground, plan.chalk.stray, plan.obstacles())),
   );
-  const usual = usualGap(places);
-  return starts
-    .slice(0, -1)
-    .map((s) => /** @type {[number, number] | null} */ (among(places, usual, s)));
 }
 
 /** The route from where the tail starts to where the head ends. @param {Walk} walk @param {number[][]} s */

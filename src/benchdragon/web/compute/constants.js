@@ -55,6 +55,8 @@ export const Status = {
   LINK_OVER_DIAMETER: 5,
 };
 
+export const ANALYSIS_CHALK = { ARM: 5 };
+
 export const ANALYSIS_CONTACT_SEARCH = { REFINING: 0.25, REFINING_ON: 0.05 };
 
 export const ANALYSIS_LEFT_OPEN = { REST: 0.25 };

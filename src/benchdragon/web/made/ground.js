@@ -135,6 +135,37 @@ export function wayOut(outline, place, way = /** @type {any} */ (null)) {
   there = py.list(met).flatMap(([far, out]) => (((far <= py.add(least, CORNER))) ? [out] : []));
   return [least, py.max(there, (out) => py.add((py.at(out, 0) * u), (py.at(out, 1) * v)))];
 }
+function edgeLengths(ground, edges) {
+  let across, ahead, ax, ay, bx, by, lengths, met, other, px, py_, qx, qy, side, ux, uy;
+  lengths = [];
+  for ([ux, uy] of py.iter(ground.ways)) {
+    met = [];
+    for ([[ax, ay], [bx, by]] of py.iter(py.zip(edges, [...py.iter(py.slice(edges, 1, null)), py.at(edges, 0)]))) {
+      [px, py_, qx, qy] = py.list([py.sub(ax, py.at(ground.peg, 0)), py.sub(ay, py.at(ground.peg, 1)), py.sub(bx, ax), py.sub(by, ay)]);
+      across = py.sub((ux * qy), (uy * qx));
+      [side, other] = py.list([py.sub((ux * py_), (uy * px)), py.sub((ux * py.add(py_, qy)), (uy * py.add(px, qx)))]);
+      if ((py.truth(across) && !py.eq((side < 0.0), (other < 0.0)))) {
+        py.append(met, (py.sub((px * qy), (py_ * qx)) / across));
+      }
+    }
+    ahead = py.list(met).flatMap((one) => (((one >= 0.0)) ? [one] : []));
+    if ((py.mod(py.len(ahead), 2) === 0)) {
+      return null;
+    }
+    py.append(lengths, py.min(ahead));
+  }
+  return lengths;
+}
+export function pegLine(ground, edges) {
+  let a, b, c, d, first, fourth, lengths, second, third;
+  lengths = edgeLengths(ground, edges);
+  if ((lengths == null)) {
+    return "";
+  }
+  [first, second, third, fourth] = py.list(py.list(lengths).map((one) => `${py.format(one, `.2f`)}`));
+  [a, b, c, d] = py.list(ground.way_names);
+  return py.filled(_("From the peg to the venue's edge it is {first} m {a}, {second} m {b}, {third} m {c}, {fourth} m {d}. Find the peg's place by these lengths, and the directions with it."), { first: first, second: second, third: third, fourth: fourth, a: a, b: b, c: c, d: d });
+}
 export function ownPeg(plan, route) {
   if ((plan.chalk.peg != null)) {
     return plan.chalk.peg;
