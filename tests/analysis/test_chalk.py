@@ -101,6 +101,7 @@ def test_ticks_are_places_of_the_route_and_found_by_what_is_told(name: str) -> N
     for n, (tick, point) in enumerate(zip(found.ticks, points, strict=True)):
         assert tick.point == pytest.approx(point, abs=1e-9)
         assert told_place(found, ground, n) == pytest.approx(point, abs=1e-8)
+        assert tick.along >= 0.0, "no tape is laid backwards"
     kinds = {tick.kind: tick.s for tick in found.ticks if tick.kind}
     assert kinds["tail"] == pytest.approx(trail.low, abs=0.02)
     assert kinds["end"] == pytest.approx(trail.high, abs=0.02)
