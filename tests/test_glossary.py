@@ -44,6 +44,7 @@ OTHER_SENSES = {
     r"\barc length\b": "length of any curve: 弧长",
     r"\b[Cc]halk plan": "a drawing of the ground: 放样图",
     r"^\{where\} is not a known key$": "to who writes the plan it is a name: 名字",
+    r"^send this dance$": "the label of a button: 发给大家 says what is sent by where it stands",
     r"^spiral pitch$": "the label of a slider: 螺距 alone says it",
 }
 # Chinese terms that say one thing: they appear only beside their English term, or a form of it.

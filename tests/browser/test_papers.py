@@ -19,7 +19,7 @@ from tests.browser.firefox import firefox_path
 from tests.browser.pages import Pages, browser_path
 from tests.browser.planners import address
 from tests.browser.test_planner_sheets import sheets
-from tests.sheets.village import PLAN, village
+from tests.browser.village import PLAN, village
 
 LIST = "桥号,姓名,户主,电话\n龙头,张三,张家,138-0000-0001\n1,王五,张家,\n5,赵六,赵家,\n"
 MILLIMETRE = 72 / 25.4

@@ -16,7 +16,7 @@ from benchdragon.plans.schema import read_plan
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
 from tests.browser.planners import settled
-from tests.sheets.village import PLAN, village
+from tests.browser.village import PLAN, village
 
 SHEETS = {"en": "benches' sheets", "zh": "板凳单"}
 SAID = (

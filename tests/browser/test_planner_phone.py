@@ -12,7 +12,7 @@ from tests.browser.players import until
 from tests.browser.test_planner import shown_plan
 from tests.browser.test_planner_share import ADDRESS, SENDING, shared
 from tests.browser.test_planner_sheets import NAMES, assert_says, printed, sheets, told
-from tests.sheets.village import PLAN, village
+from tests.browser.village import PLAN, village
 
 SQUARE = """
 [venue]

@@ -34,8 +34,8 @@ from benchdragon.rosters.roster import Roster
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
 from tests.browser.planners import PITCH, change, settled
+from tests.browser.village import PLAN, checked, village
 from tests.rosters.lists import xlsx_bytes
-from tests.sheets.village import PLAN, briefing, village
 
 NAMES = {"en": "benches' sheets", "zh": "板凳单"}
 OVERVIEW = {"en": "the leader's overview", "zh": "领队总表"}
@@ -173,8 +173,8 @@ def test_the_overview_is_printed_and_saved(
     with page.expect_download() as found:
         sheets(page).get_by_role("button", name=SAVE).click()
     saved = Path(found.value.path()).read_text("utf-8-sig")
-    whole = briefing(read_plan(str(plan)), Roster())
-    assert all(one.tightest is None for one in whole.benches)
+    _report, benches = checked(read_plan(str(plan)))
+    assert all(one.tightest is None for one in benches)
     for entry in told(plan, language, Roster()):
         for line in (entry.title, entry.text.quick):
             assert "".join(line.split()) in text
@@ -195,14 +195,14 @@ def test_the_overview_says_what_pythons_says(pages: Pages, tmp_path: Path, langu
     sheets(page).get_by_role("combobox").first.select_option("overview")
     shown = page.locator("#sheets .overview")
     with spoken_in(language):
-        whole = briefing(long, Roster())
-        text = overview_text(whole.report, whole.benches, whole.ground)
+        report, benches = checked(long)
+        text = overview_text(report, benches, Ground.of(long, report.walk.route))
     assert 1 < len(text.tightest) <= 3
     told_here = shown.locator(":scope > p").all_inner_texts()
     lines = [*text.verdict, *text.tightest, *text.coming, *text.leaving]
     assert [line for line in told_here if line in lines] == lines
     assert shown.locator("tbody tr td:nth-child(3)").all_inner_texts() == list(text.starts)
-    dashes = sum(one.tightest is None for one in whole.benches)
+    dashes = sum(one.tightest is None for one in benches)
     assert 0 < dashes < 30
     assert shown.locator("td", has_text=re.compile(r"^-$")).count() == dashes
 

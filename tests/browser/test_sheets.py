@@ -10,20 +10,21 @@ from playwright.sync_api import expect
 
 from benchdragon.i18n import spoken_in
 from benchdragon.planner.papers import wanted_papers, write_papers
+from benchdragon.plans.people import called
 from benchdragon.player.page import player_page, write_player
 from benchdragon.player.scene import checked_dance
 from tests.browser.pages import Language, Pages
 from tests.browser.players import ready
-from tests.sheets.village import small
+from tests.browser.village import ROSTER, small
 
 
 def test_the_code_on_a_sheet_opens_the_player_at_its_bench(pages: Pages, tmp_path: Path) -> None:
     player = tmp_path / "player.html"
     ours = small(tmp_path, "people.address=player.html")
-    write_player(player, checked_dance(ours.report))
+    write_player(player, checked_dance(ours))
     papers = tmp_path / "papers.html"
     wanted = {"paper": "a4", "by": "bench", "night": False, "phones": False}
-    write_papers(papers, ours.plan, wanted_papers(["benches"], ours.roster, wanted))
+    write_papers(papers, ours.plan, wanted_papers(["benches"], ROSTER, wanted))
     printed = pages.open(papers.as_uri())
     expect(printed.locator("#sheets")).to_have_attribute("aria-busy", "false")
     sheet = pypdfium2.PdfDocument(printed.pdf(prefer_css_page_size=True))[5]
@@ -50,17 +51,17 @@ def test_a_card_calls_each_bench_as_its_sheet_does(
 ) -> None:
     player = tmp_path / "player.html"
     ours = small(tmp_path, f"people.count_head={head}")
-    player.write_text(player_page(checked_dance(ours.report), language), "utf-8")
+    player.write_text(player_page(checked_dance(ours), language), "utf-8")
     page = ready(pages.open(player.as_uri(), "phone", language, "light"))
     plan = {"en": " (bench {n} of the plan)", "zh": "（方案里的第 {n} 节）"}[language]
     for bench in range(1, 9):
         page.evaluate(f"benchdragon.choose({bench - 1})")
         with spoken_in(language):
-            name = ours.called(bench)
+            name = called(ours.plan.people, bench, 8)
         assert page.locator("aside.card h2").inner_text() == name + plan.format(n=bench)
         buttons = page.locator("aside.card nav button").all_inner_texts()
         with spoken_in(language):
-            beside = [ours.called(n) for n in (bench - 1, bench + 1) if 1 <= n <= 8]
+            beside = [called(ours.plan.people, n, 8) for n in (bench - 1, bench + 1) if 1 <= n <= 8]
         assert [text.strip("\u2190\u2192 ") for text in buttons] == beside
 
 
@@ -70,11 +71,11 @@ def test_a_card_calls_the_nearest_bench_as_the_village_does(
 ) -> None:
     player = tmp_path / "player.html"
     ours = small(tmp_path, "dragon.benches=30")
-    player.write_text(player_page(checked_dance(ours.report), language), "utf-8")
+    player.write_text(player_page(checked_dance(ours), language), "utf-8")
     page = ready(pages.open(player.as_uri(), "phone", language, "light"))
     page.evaluate("benchdragon.choose(2)")
     other = page.evaluate("benchdragon.scene.sent.nearest.other[2]")
     assert other > 0
     with spoken_in(language):
-        name = ours.called(other)
+        name = called(ours.plan.people, other, 30)
     assert name in page.locator("aside.card dd").nth(5).inner_text()

@@ -18,8 +18,8 @@ from benchdragon.i18n import spoken_in
 from benchdragon.planner import printing
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import Progress
+from tests.browser.village import PLAN, village
 from tests.player.test_page import Parsed
-from tests.sheets.village import PLAN, village
 
 LIST = "桥号,姓名,户主,电话,备注\n龙头,张三,张家,138-0000-0001,wet paint\n1,王五,王家,,\n99,钱七,,,\n"
 

@@ -15,6 +15,8 @@ from benchdragon.cli.parsing import check_ending
 from benchdragon.i18n import N_, _
 from benchdragon.progress import part
 
+# The drum as a sound file, which is written beside what a browser prints.
+DRUM = "beat"
 # Options by the papers that they speak of.
 SPEAK_OF = {
     ("benches",): ("paper", "by", "night"),
@@ -43,9 +45,7 @@ SPEAK_OF = {
     ),
 )
 @take("force")
-@click.option(
-    "--only", metavar="LIST", help=N_("Make these papers alone, for example benches,overview.")
-)
+@click.option("--only", metavar="LIST", help=N_("Make these papers alone, for example overview,chalk."))
 @click.option(
     "--paper",
     type=click.Choice(["a4", "quarter", "lanyard"], case_sensitive=False),
@@ -79,24 +79,23 @@ def sheets(
     benchdragon sheets village.dragon.toml -o papers.html --paper quarter
     """
     from benchdragon.analysis.check import check
+    from benchdragon.export.metronome import write_drum
     from benchdragon.files import refuse_existing
     from benchdragon.planner.papers import PAPERS, chosen_papers, wanted_papers, write_papers
     from benchdragon.planner.printing import found_browser, print_papers
     from benchdragon.plans.roster import roster_of
-    from benchdragon.sheets.briefing import briefing_of
-    from benchdragon.sheets.papers import MADE_HERE, files_made_here, make_here
 
     check_ending("-o", output, [".html"])
-    names = chosen_papers(options["only"], (*PAPERS, *MADE_HERE))
+    names = chosen_papers(options["only"], (*PAPERS, DRUM))
     for kinds, speaking in SPEAK_OF.items():
         only_with(" / ".join(kinds), any(kind in names for kind in kinds), *speaking)
-    shown, made = ([name for name in names if name in some] for some in (PAPERS, MADE_HERE))
+    shown = [name for name in names if name != DRUM]
     read = plan_to_walk(plan, settings, quiet)
     read.build()  # says what is wrong, before a folder is made
     roster = roster_of(read)
     printed = {name: folder / f"{name}.pdf" for name in shown} if folder else {}
-    others = files_made_here(folder, made) if folder else []
-    files = [output, *printed.values(), *others]
+    drums = [folder / f"{DRUM}.wav"] if folder and DRUM in names else []
+    files = [output, *printed.values(), *drums]
     refuse_existing(files, force)
     if "benches" in names and not read.people.address and not quiet:
         click.echo(_("No QR codes: the plan does not say people.address."), err=True)
@@ -106,9 +105,8 @@ def sheets(
             write_papers(output, read, wanted_papers(shown, roster, options))
             if printed:
                 print_papers(found_browser(output), output, printed, part(progress, 0.2, 0.8))
-            if others and folder:
-                briefing = briefing_of(report, roster)
-                make_here(briefing, folder, made, part(progress, 0.8, 1.0))
+            for path in drums:
+                write_drum(path, read, (report.start, report.end), part(progress, 0.8, 1.0))
     tell_names(roster.notes, quiet)
     if not report.safe:
         print_report(report)

@@ -8,10 +8,11 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.analysis.beats import Score
+from benchdragon.analysis.beats import Score, counted_in, score_of
 from benchdragon.errors import InputError
 from benchdragon.files import whole_file
 from benchdragon.i18n import _
+from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 
 Samples = npt.NDArray[np.int16]
@@ -44,6 +45,18 @@ def sounds_of(score: Score, start: float) -> list[tuple[float, str]]:
             time = run.time(n) - start
             found.setdefault(round(time, 9), (time, name))
     return sorted(found.values())
+
+
+def write_drum(path: Path, plan: Plan, span: tuple[float, float], progress: Progress = silent) -> None:
+    """Write the drum of a plan's dance over a span, s, after the beats that count in.
+
+    Raises:
+        InputError: for a dance of more than MOST_SECONDS.
+    """
+    start, end = span
+    score = counted_in(score_of(plan, start, end))
+    first = min([start, *(run.start for run in score.runs[:1])])
+    write_track(path, score, (first, end), progress=progress)
 
 
 def write_track(

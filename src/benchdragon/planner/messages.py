@@ -56,7 +56,7 @@ class WantedPapers(Record):
         households: whether benches of a household share a sheet.
         night: whether the type is large.
         phones: whether phone numbers are printed.
-        names: who carries; null: nobody is named.
+        names: who carries; null: without names.
     """
 
     only: list[str]

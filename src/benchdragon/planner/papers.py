@@ -34,7 +34,7 @@ def chosen_papers(names: str | None, known: Sequence[str] = PAPERS) -> list[str]
 
 
 def wanted_papers(names: Sequence[str], roster: Roster, options: Mapping[str, Any]) -> WantedPapers:
-    """Papers as the options of `benchdragon sheets` want them; without `phones` they hold none."""
+    """Papers by the options of `benchdragon sheets`; without `phones` they hold no phone number."""
     phones = bool(options["phones"])
     people = [
         (bench, [Bearer.model_validate(one if phones else _without_phones(one)) for one in there])

@@ -105,7 +105,7 @@ def _until_made(shown: "_Page", progress: Progress) -> None:
     begun, share = time.monotonic(), 0.0
     while (state := json.loads(shown.evaluate(STATE))) is None or state["busy"]:
         if state is not None:
-            share = max(share, state["share"])  # each step of a page begins anew
+            share = max(share, state["share"])  # each step of a page begins again at 0
             progress(share, state["text"])
         elif time.monotonic() - begun > BEGINNING:
             raise BrowserError(_("{browser} does not show the page").format(browser=shown.browser))
@@ -189,7 +189,7 @@ class _Page(ABC):
         """The page as it is printed."""
 
     def _ask(self, method: str, params: Mapping[str, Any], **more: str) -> dict[str, Any]:
-        """The answer to a command; what is told meanwhile is passed over."""
+        """The answer to a command; other messages are skipped."""
         number = next(self._numbers)
         self._wire.send({"id": number, "method": method, "params": params, **more})
         while (said := self._wire.receive()).get("id") != number:

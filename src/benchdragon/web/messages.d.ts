@@ -942,7 +942,7 @@ export interface WalkTable {
  *     households: whether benches of a household share a sheet.
  *     night: whether the type is large.
  *     phones: whether phone numbers are printed.
- *     names: who carries; null: nobody is named.
+ *     names: who carries; null: without names.
  */
 export interface WantedPapers {
   only: Array<string>;

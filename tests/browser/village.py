@@ -1,12 +1,11 @@
 """A small dance with people, checked."""
 
-from dataclasses import replace
 from pathlib import Path
 
-from benchdragon.analysis.check import check
+from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
+from benchdragon.analysis.check import Report, check
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.rosters.roster import Person, Roster
-from benchdragon.sheets.briefing import Briefing, briefing_of
 
 PLAN = """schema = 1
 base = "spiral-in"
@@ -42,11 +41,12 @@ def village(folder: Path, text: str = PLAN) -> Path:
     return path
 
 
-def briefing(plan: Plan, roster: Roster = ROSTER) -> Briefing:
-    """What papers of a plan are made from."""
-    return replace(briefing_of(check(plan), roster), checked_on="2026-02-17")
+def checked(plan: Plan) -> tuple[Report, tuple[BenchWalk, ...]]:
+    """A plan's check, and what each bench does."""
+    report = check(plan)
+    return report, bench_walks(plan, report.walk, (report.start, report.end))
 
 
-def small(folder: Path, *settings: str) -> Briefing:
-    """What the papers of the small dance are made from."""
-    return briefing(read_plan(str(village(folder)), settings))
+def small(folder: Path, *settings: str) -> Report:
+    """The check of the small dance."""
+    return check(read_plan(str(village(folder)), settings))

@@ -1,1 +1,0 @@
-"""Papers for the dancers: sheets for each bench, the chalk plan, timetable."""

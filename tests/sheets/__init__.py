@@ -1,1 +1,0 @@
-"""Tests of the papers that people hold in their hands."""
