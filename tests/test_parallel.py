@@ -34,6 +34,7 @@ from benchdragon.parallel import (
     dask,
     given,
     in_blocks,
+    interrupts_held,
     kept,
     place,
     place_of,
@@ -425,3 +426,32 @@ def test_places_are_named() -> None:
     assert place_of(default, processes(1)) is default
     assert not place_of(Here(), default).again
     assert place("processes").again
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="masks of signals")
+def test_an_interrupt_that_another_thread_takes_is_held_back_too() -> None:
+    over, came = threading.Event(), os.pipe()
+    os.set_blocking(came[1], False)
+    other = threading.Thread(target=over.wait)  # it was there before what this thread holds back
+    other.start()
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    woken, done = signal.set_wakeup_fd(came[1]), []
+
+    def held() -> None:
+        with interrupts_held():
+            signal.pthread_kill(other.ident or 0, signal.SIGINT)
+            done.append(os.read(came[0], 1))
+            done.append(b"on")
+
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            held()
+        assert done == [bytes([signal.SIGINT]), b"on"]
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    finally:
+        signal.set_wakeup_fd(woken)
+        signal.signal(signal.SIGINT, before)
+        over.set()
+        other.join()
+        for end in came:
+            os.close(end)

@@ -379,15 +379,25 @@ def interrupts_held() -> Iterator[None]:
     """Hold Ctrl-C back until the block ends, where the system has masks of signals.
 
     A process that is started within is deaf to it, and known to who kills it once the interrupt comes.
+    Another thread may take the signal: Python then calls the handler here, which keeps it to the end.
     """
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
+    came: list[int] = []
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    handler = signal.getsignal(signal.SIGINT)
+    handled = callable(handler) and threading.current_thread() is threading.main_thread()
+    if handled:
+        signal.signal(signal.SIGINT, lambda number, _frame: came.append(number))
     try:
         yield
     finally:
+        if handled:
+            signal.signal(signal.SIGINT, handler)
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        if came:
+            signal.raise_signal(signal.SIGINT)
 
 
 class Worker(SpawnProcess):
