@@ -119,7 +119,8 @@ def room_fault(report: Report, found: Finding) -> str:
             sides = {"beside": value, "ahead": 0.0} if key == "beside" else {**asked, "ahead": value}
         else:
             margin -= (1.0 if found.obstacle else 2.0) * (wanted - value)
-        return apart(report, found, when, **sides) > margin - 1e-7
+        # Where nothing is asked for beside, 0 is a touch.
+        return apart(report, found, when, **sides) > max(margin - 1e-7, 0.0)
 
     if (there > 0.0 and not kept(there)) or kept(there + 1.1e-3) or kept(wanted):
         return f"room for {there} told of {key}"
