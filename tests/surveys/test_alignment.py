@@ -137,7 +137,7 @@ def test_a_line_is_no_worse_for_being_long() -> None:
 
 def test_parts_without_a_moved_end_are_not_cut() -> None:
     # The first winds round a quarter of a million times; the gap is between two others.
-    wound = Arc(2.0, 1.5e6)
+    wound = Arc(2.0, 1.5e6, many=True)
     point, heading = wound.end_pose
     line = Line(10.0, point, heading)
     (x, y), _heading = line.end_pose
@@ -147,9 +147,9 @@ def test_parts_without_a_moved_end_are_not_cut() -> None:
 
 
 def test_a_part_that_winds_too_often_to_be_cut_is_refused_before_it_is() -> None:
-    wound = Arc(2.0, 1.5e6)
+    wound = Arc(2.0, 1.5e6, many=True)
     (x, y), heading = wound.end_pose
     with pytest.raises(InputError, match=r"part 1 of the drawing winds round 2\.387e\+05 times"):
         joined_alignment([wound, Line(10.0, (x + 1e-3, y), heading)])
     with pytest.raises(InputError, match=r"100000 points at most, not 2\.37\d+e\+12"):
-        chords([Arc(2.0, 1.5e6)], 1e-13)
+        chords([Arc(2.0, 1.5e6, many=True)], 1e-13)
