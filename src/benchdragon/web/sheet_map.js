@@ -277,7 +277,7 @@ export function compass(ground) {
   const turned = ((-ground.turned * 180) / Math.PI).toFixed(2);
   const d = "M8 11V3M8 0L5.6 4.2H10.4Z";
   const arrow = draw("path", { d, class: "compass", transform: `rotate(${turned} 8 5.5)` });
-  const text = draw("text", { x: "8", y: "15", "text-anchor": "middle" });
+  const text = draw("text", { x: "8", y: "16.2", "text-anchor": "middle" });
   text.textContent = new Ground(ground.peg, ground.turned, ground.north, ground.venue).y_word;
   return draw("svg", { class: "compass", viewBox: "-4 0 24 17", "aria-hidden": "true" }, arrow, text);
 }
