@@ -35,17 +35,6 @@ def wire_version(scene: Scene) -> str:
     return f"benchdragon {scene.dance.version}"
 
 
-def test_a_player_that_papers_were_made_with_shows_their_number(
-    pages: Pages, turn: Scene, tmp_path: Path
-) -> None:
-    path = tmp_path / "player.html"
-    dance = turn.dance.model_copy(update={"papers_sha256": 5 * "0123456789ab"})
-    path.write_text(player_page(dance, "zh"), "utf-8")
-    foot = pages.open(path.as_uri()).locator("footer").inner_text()
-    assert "0123456789ab" in foot
-    assert turn.dance.plan_sha256[:12] not in foot
-
-
 def test_an_old_browser_is_told_so(pages: Pages, turn: Scene, tmp_path: Path) -> None:
     path = tmp_path / "old.html"
     page = player_page(turn.dance, "zh")

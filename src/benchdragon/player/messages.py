@@ -198,7 +198,6 @@ class Dance(Record):
             square alone.
         beats: of plans with cues alone.
         papers: of plans with people or cues alone.
-        papers_sha256: what papers made with it bear; "" where none were.
         village: of plans that say how benches are counted alone.
         north: whether y points north.
         entrances: where people come in, m.
@@ -223,7 +222,6 @@ class Dance(Record):
     verdict: Verdict | None
     beats: Beats | None = None
     papers: Papers | None = None
-    papers_sha256: str = ""
     village: Village | None = None
     north: bool = False
     entrances: list[tuple[float, float]] = Field(default_factory=list)

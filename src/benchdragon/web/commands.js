@@ -37,8 +37,8 @@ const FILES = [
     command: `check ${PLAN_FILE} -o ${NAME}-check`,
   },
   {
-    text: () => _("sheets as PDF with QR codes, timetable, permit annex"),
-    command: `sheets ${PLAN_FILE} --check -o ${NAME}-papers`,
+    text: () => _("all papers as PDF: sheets, overview, timetable, chalk plan, permit annex"),
+    command: `sheets ${PLAN_FILE} -o ${NAME}-papers.html --pdf ${NAME}-papers`,
   },
   { text: () => _("film"), command: `animate ${PLAN_FILE} -o ${NAME}.mp4` },
 ];

@@ -243,13 +243,11 @@ export class Face {
   }
 
   #footer() {
-    const { frames, plan_sha256: hash, papers_sha256: papers, version } = this.scene.sent;
+    const { frames, plan_sha256: hash, version } = this.scene.sent;
     const error = decimals(0.01 * Math.ceil(1e5 * frames.largest_error), 2);
-    const made = papers
-      ? _("benchdragon {version}, number of the papers {hash}", { version, hash: papers.slice(0, 12) })
-      : hash
-        ? _("benchdragon {version}, plan {hash}", { version, hash: hash.slice(0, 12) })
-        : `benchdragon ${version}`;
+    const made = hash
+      ? _("benchdragon {version}, plan {hash}", { version, hash: hash.slice(0, 12) })
+      : `benchdragon ${version}`;
     return make(
       "footer",
       {},

@@ -138,7 +138,6 @@ export interface CuesTable {
  *         square alone.
  *     beats: of plans with cues alone.
  *     papers: of plans with people or cues alone.
- *     papers_sha256: what papers made with it bear; "" where none were.
  *     village: of plans that say how benches are counted alone.
  *     north: whether y points north.
  *     entrances: where people come in, m.
@@ -163,7 +162,6 @@ export interface Dance {
   verdict: Verdict | null;
   beats?: Beats | null;
   papers?: Papers | null;
-  papers_sha256?: string;
   village?: Village | null;
   north?: boolean;
   entrances?: Array<[number, number]>;

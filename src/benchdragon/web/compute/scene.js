@@ -92,7 +92,6 @@ async function plainDance(walk, shown, progress = silent) {
     verdict: null,
     beats: null,
     papers: null,
-    papers_sha256: "",
     village: null,
     north: false,
     entrances: [],
