@@ -357,6 +357,7 @@ export function fitting(plan) {
   for (const { key, usual, when } of GROUPS.flatMap(({ fields }) => fields)) {
     const [table, name] = key.split(".");
     if (!when || !(CHOSEN.includes(table) || CHOSEN.includes(key))) continue;
+    if (table === "route" && copy.route.kind === "formation") continue; // these are sizes of its own
     if (!when(copy)) delete copy[table][name];
     else if (usual !== undefined) copy[table][name] ??= usual;
   }
