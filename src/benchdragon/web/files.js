@@ -82,14 +82,15 @@ export class Files {
     const open = make("button", { type: "button", onclick: () => input.click() });
     open.append(_("open a plan file"));
     const text = _("or paste its link, its letters, or the text of its file");
-    const asked = make("p", { class: "asked", role: "alert" });
+    const asked = make("p", { class: "asked", role: "alert", hidden: true });
     const box = make("textarea", {
       rows: "1",
       autocomplete: "off",
       spellcheck: "false",
       oninput: async () => {
         asked.textContent = await this.paste(box.value);
-        if (!asked.textContent) box.value = "";
+        asked.hidden = !asked.textContent;
+        if (asked.hidden) box.value = "";
       },
     });
     return [
