@@ -85,8 +85,14 @@ def spiral_route(dice: random.Random) -> Tables:
     return table | ({"clockwise": dice.random() < 0.5} if dice.random() < 0.5 else {})
 
 
+def beside(dice: random.Random, what: str) -> random.Random:
+    """Dice for a key that came later: all else of a plan stays what its seed gave before."""
+    return random.Random(f"{dice.getstate()[1][1]} {what}")
+
+
 def turn_route(dice: random.Random) -> Tables:
     table: Tables = {"pitch": length(dice, 1.2, 2.2)}
+    dice = beside(dice, "rounds")
     if dice.random() < 0.3:
         table["rounds"] = dice.randrange(1, 5)
         table |= {"outer_radius": length(dice, 5.0, 14.0)} if dice.random() < 0.4 else {}
@@ -156,8 +162,8 @@ def route(dice: random.Random) -> Tables:
         table["at"] = dice.choice([[0, 0], [dice.uniform(-20, 20), 3]])
     if dice.random() < 0.3:
         table["turned"] = dice.choice([0, dice.uniform(-180, 180)])
-    if kind != "drawn" and dice.random() < 0.2:
-        table["street"] = street(dice)
+    if kind != "drawn" and beside(dice, "street").random() < 0.2:
+        table["street"] = street(beside(dice, "where the street is"))
     return table
 
 
@@ -216,12 +222,13 @@ def obstacle(dice: random.Random) -> Tables:
 def cues(dice: random.Random) -> Tables:
     found: list[Tables] = []
     time = 5.0
-    for _n in range(dice.randrange(1, 5)):
+    for n in range(dice.randrange(1, 5)):
         time += dice.uniform(4, 15)
         where: Tables = {"at": round(time, 2)} if dice.random() < 0.6 else {"head": round(time, 2)}
-        if dice.random() < 0.2:
-            where = {"round": dice.randrange(1, 3)} if dice.random() < 0.5 else {}
-            where |= {"place": [dice.uniform(-9, 9), dice.uniform(-9, 9)]}
+        later = beside(dice, f"cue {n}")
+        if later.random() < 0.2:
+            where = {"round": later.randrange(1, 3)} if later.random() < 0.5 else {}
+            where |= {"place": [later.uniform(-9, 9), later.uniform(-9, 9)]}
         kind = dice.choice(["beat", "hold", "stop", "note", "tempo"])
         more: Tables = {"hold": dice.uniform(1, 5)} if kind == "hold" else {}
         more |= {"tempo": dice.randrange(60, 140)} if kind == "tempo" else {}
