@@ -25,7 +25,7 @@ QUESTIONS = (
     "solve length PLAN --json", "solve disc PLAN --json", "solve speed PLAN --json",
     "solve speed PLAN --json --pace OUT/b.dragon.toml", "solve turn PLAN --json",
     "timetable PLAN --json", "check PLAN --explain", "plan PLAN",
-    "check PLAN --record; sheets PLAN -o OUT/sheets", "view PLAN -o OUT/a.html", "motion PLAN --json",
+    "sheets PLAN -o OUT/papers.html", "view PLAN -o OUT/a.html", "motion PLAN --json",
     "margins PLAN --json --aside 0.02 --stray 0.02 --draws 2 -j 1",
 )  # fmt: skip
 # A question that takes longer than this is taken to be endless, CPU s.
