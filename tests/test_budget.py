@@ -158,3 +158,25 @@ def test_bounds_of_a_pace_are_refused_before_they_are_begun(monkeypatch: pytest.
     monkeypatch.setenv(budget.VARIABLE, "0.0001")
     with budget.question(), pytest.raises(OverBudgetError, match=WORK):
         head_speed._fastest(plan, plan.build(), 0.0, 100.0, silent)
+
+
+@pytest.mark.parametrize("share", ["0.02", "0.01", "0.005"])
+def test_a_search_goes_on_after_a_pass_whose_room_was_too_large(
+    monkeypatch: pytest.MonkeyPatch, share: str
+) -> None:
+    """The pass gave its tables back: what comes after makes its own, and tells a wider bracket."""
+    plan = read_plan(
+        "spiral-in",
+        {
+            "route.pitch": 0.87, "route.start_turn": 10.24, "route.clockwise": True,
+            "dragon.benches": 24, "dragon.width": 0.53, "dragon.front_inset": 0.23,
+            "dragon.tail_length": 1.267, "disc.radius": 4.5, "walk.start": 5.84, "walk.end": 70,
+            "walk.profile": [[-20, 0.5], [-3, 0], [4, 0.766], [10, 1]],
+        },
+    )  # fmt: skip
+    whole = check(plan).clearance
+    monkeypatch.setenv(budget.VARIABLE, share)
+    found = check(plan).clearance
+    assert found.lower < whole.lower - 0.1
+    assert found.lower <= whole.upper
+    assert found.upper >= whole.lower

@@ -12,7 +12,7 @@ from benchdragon.kernels.curve import RouteRow, length_at
 from benchdragon.kernels.double_double import head_drift
 from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import gather, put
-from benchdragon.kernels.memory import drop, group_at, integers_at
+from benchdragon.kernels.memory import Header, drop, group_at, integers_at
 from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.nearness import called, nearness
 from benchdragon.kernels.question import QuestionEnding, Told
@@ -188,7 +188,8 @@ def begun(block: int, reach: float) -> int:
 def begun_again(block: int) -> int:
     """Begin once more with what was begun: ROOMY, or how a step ends."""
     hunt = group_at(Hunt, block + told.BASE)
-    if hunt.figures[ContactTold.SPAN] != 0.0:
+    known = integers_at(block, told.CONTACT_END_SLOT)[Header.OWNED + SearchMemory.GROUND]
+    if hunt.figures[ContactTold.SPAN] != 0.0 or known == 0:  # which was too large, and given back
         return span_begun(block, 0)
     way, tally = hunt.room.course.way, hunt.room.course.tally
     for n in range(COURSE):
