@@ -20,7 +20,7 @@ const MOST_BENCHES = 2;
 
 // What is tried until a sheet fits, as shares of the format's type: by day, and by night.
 const DAY = [1, 0.93, 0.86, 0.8, 0.74];
-const NIGHT = [1.5, 1.4, 1.3, 1.2, 1.1];
+const NIGHT = [1.5, 1.4, 1.3, 1.2, 1.1, 1];
 // People of a bench who have a line each where that leaves too little room; who are named then.
 const MOST_LINES = 2;
 const FEWER = [24, 12, 6, 3, 1];
