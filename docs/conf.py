@@ -63,7 +63,8 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 autodoc_preserve_defaults = True
 napoleon_use_ivar = True
-# A method that is a public function has its listing there; else all of that module would lead to the record.
+# A method that is a public function has its listing where that is.
+# Followed, all of its module would lead to the record.
 viewcode_follow_imported_members = False
 
 html_theme = "pydata_sphinx_theme"

@@ -79,6 +79,8 @@ def standing(one: Obstacle) -> BaseGeometry:
         return Point(one.outline[0])
     if one.kind == "line":
         return LineString(one.outline)
+    if one.open is not None:  # an edge with a gate
+        return LineString(one.open)
     whole = Polygon(one.outline)
     return whole if one.kind != "venue" else whole.buffer(1e3).difference(whole)
 
