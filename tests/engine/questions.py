@@ -32,7 +32,6 @@ from benchdragon.kernels import entries, time_of_impact
 from benchdragon.kernels.binomial import tails
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.every_pair import search_all_pairs
-from benchdragon.kernels.marks import lay_marks
 from benchdragon.kernels.motion_bounds import place_chain
 from benchdragon.kernels.pair_queries import ANSWER_COLUMNS, NUMBERS, search_pairs
 from benchdragon.kernels.rounding import SEAM_COLUMNS
@@ -87,8 +86,6 @@ def questions() -> None:
     following(few.build(), 0.0, 4.0, 1e-3, (0.5,), compared=60)
     walk = few.build()
     assert chalk_plan(Trail.of(walk, 0.0, 4.0), 1.65, Ground.of(few, walk.route)) is not None
-    lags, s, kinds = np.empty(2 * len(walk.route.rows)), np.empty(99), np.empty(99, np.int64)
-    lay_marks(walk.route.rows, 0.0, 1.0, 4.0, 1.0, lags, s, kinds)
     read_plan("spiral-in", ["dragon.benches=12", 'cues.cue=[{kind="hold", head=5, hold=3}]']).build()
     well = '[{kind="circle", centre=[8, 3], radius=0.5}, {kind="line", points=[[0, 2], [1, 2]]}]'
     check(read_plan("spiral-in", ["dragon.benches=12", "venue.rectangle=[30, 30]", f"obstacle={well}"]))
