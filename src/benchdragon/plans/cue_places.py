@@ -13,14 +13,13 @@ from benchdragon.model.curves import Route
 from benchdragon.plans.cues import CueTable
 from benchdragon.plans.source import Fault, KeyedError
 
-# A route is sampled every so many metres; nearest points are then sought to NEAREST, m. Of those as
-# near, to ALIKE, m, the first is meant.
-STEP, NEAREST, ALIKE = 0.1, 1e-7, 1e-6
+# A route is sampled every so many metres. Of nearest points as near, to ALIKE, m, the first is meant.
+STEP, ALIKE = 0.1, 1e-6
 MOST_SAMPLES = 100_000
 # A place is meant that the head comes so near to, m.
 BESIDE = 10.0
-# Parts into which a stretch about a nearest point is cut.
-PARTS = 8
+# So often two steps about a nearest point are halved: to 1e-14 m.
+HALVINGS = 44
 
 
 def heads_of(cues: Sequence[CueTable], route: Route, first: float, last: float) -> list[float | None]:
@@ -91,12 +90,23 @@ def _nearest(place: Point, rows: FloatArray, span: tuple[float, float], key: str
 def _descended(
     place: Point, rows: FloatArray, way: float, step: float, span: tuple[float, float]
 ) -> tuple[float, float]:
-    """The least distance from a place within a step about a way, m, and where that is."""
-    low, high, best = max(span[0], way - step), min(span[1], way + step), math.inf
-    while high - low > NEAREST:
-        cut = [low + (high - low) * n / PARTS for n in range(PARTS + 1)]
-        away = _away(place, rows, cut)
-        n = away.index(min(away))
-        best, way = away[n], cut[n]
-        low, high = cut[max(n - 1, 0)], cut[min(n + 1, PARTS)]
-    return best, way
+    """The least distance from a place within a step about a way, m, and where that is.
+
+    A least distance itself, which hardly changes there, would tell its place to half the digits.
+    """
+    low, high = max(span[0], way - step), min(span[1], way + step)
+    for _halving in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if _approaches(place, rows, middle):
+            low = middle
+        else:
+            high = middle
+    return _away(place, rows, [high])[0], high
+
+
+def _approaches(place: Point, rows: FloatArray, way: float) -> bool:
+    """Whether the route comes nearer to a place at a way, m."""
+    pose = np.empty((1, 4))
+    evaluate(rows, np.array([way]), pose)
+    ((x, y, heading, _bend),) = pose.tolist()
+    return (x - place[0]) * math.cos(heading) + (y - place[1]) * math.sin(heading) < 0.0

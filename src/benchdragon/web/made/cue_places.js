@@ -6,11 +6,10 @@ import { _ } from "../words.js";
 import { Fault, KeyedError } from "./source.js";
 
 const STEP = 0.1;
-const NEAREST = 1e-07;
 const ALIKE = 1e-06;
 const MOST_SAMPLES = 100000;
 const BESIDE = 10.0;
-const PARTS = 8;
+const HALVINGS = 44;
 export function headsOf(cues, route, first, last) {
   let at, begun, cue, found, key, n, span, text;
   begun = _begun(route.rows, first);
@@ -65,14 +64,23 @@ function _nearest(place, rows, span, key) {
   return py.next(py.list(ends).flatMap(([distance, way]) => (((distance <= py.add(best, ALIKE))) ? [way] : [])));
 }
 function _descended(place, rows, way, step, span) {
-  let away, best, cut, high, low, n;
-  [low, high, best] = py.list([py.max(py.at(span, 0), py.sub(way, step)), py.min(py.at(span, 1), py.add(way, step)), Infinity]);
-  while ((py.sub(high, low) > NEAREST)) {
-    cut = py.list(py.range((PARTS + 1))).map((n) => py.add(low, ((py.sub(high, low) * n) / PARTS)));
-    away = _away(place, rows, cut);
-    n = py.index(away, py.min(away));
-    [best, way] = py.list([py.at(away, n), py.at(cut, n)]);
-    [low, high] = py.list([py.at(cut, py.max((n - 1), 0)), py.at(cut, py.min((n + 1), PARTS))]);
+  let _halving, high, low, middle;
+  [low, high] = py.list([py.max(py.at(span, 0), py.sub(way, step)), py.min(py.at(span, 1), py.add(way, step))]);
+  for (_halving of py.iter(py.range(HALVINGS))) {
+    middle = (0.5 * py.add(low, high));
+    if (py.truth(_approaches(place, rows, middle))) {
+      low = middle;
+    }
+    else {
+      high = middle;
+    }
   }
-  return [best, way];
+  return [py.at(_away(place, rows, [high]), 0), high];
+}
+function _approaches(place, rows, way) {
+  let _bend, heading, pose, x, y;
+  pose = py.empty([1, 4]);
+  py.entry("bd_route_evaluate", rows, py.array([way]), pose);
+  [[x, y, heading, _bend]] = py.list(py.tolist(pose));
+  return (py.add((py.sub(x, py.at(place, 0)) * py.cos(heading)), (py.sub(y, py.at(place, 1)) * py.sin(heading))) < 0.0);
 }
