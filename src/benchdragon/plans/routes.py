@@ -120,6 +120,10 @@ class RouteTable(Table):
         route, begun = self.build(plan)
         return self.placed(route), begun
 
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position at the end of the walk, m."""
+        return walk.route.length
+
     def gated(self, edge: Obstacle, _route: Route, _plan: Beside) -> Obstacle:
         """The edge of the square as the dance meets it: with a gate where a street leads in."""
         return edge
@@ -279,10 +283,6 @@ class SpiralInRoute(AfterStreet):
             )
         return Route((Spiral(self.pitch, start, end, mirrored=not self.clockwise),)), 0.0
 
-    def last_position(self, walk: Walk) -> float:
-        """The head's route position at the end of the walk, m."""
-        return walk.route.length
-
 
 class TurnRoute(AfterStreet):
     """In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin.
@@ -411,10 +411,6 @@ class PartsRoute(AfterStreet):
             curves[0] = curves[0].moved(self.start or point, heading)
         return Route.joined(curves), 0.0
 
-    def last_position(self, walk: Walk) -> float:
-        """The head's route position at the end of the walk, m."""
-        return walk.route.length
-
 
 class FormationRoute(AfterStreet, FormationTable):
     """One formation; at time 0 the whole dragon stands on it, its tail at the start."""
@@ -429,10 +425,6 @@ class FormationRoute(AfterStreet, FormationTable):
     def links_below(self) -> float:
         """See `RouteTable.links_below`."""
         return links_below(self)
-
-    def last_position(self, walk: Walk) -> float:
-        """The head's route position at the end of the walk, m."""
-        return walk.route.length
 
 
 class ProgrammeRoute(AfterStreet):
@@ -459,10 +451,6 @@ class ProgrammeRoute(AfterStreet):
     def links_below(self) -> float:
         """See `RouteTable.links_below`."""
         return min([2.0 * self.radius, *[links_below(one) for one in self.formation]])
-
-    def last_position(self, walk: Walk) -> float:
-        """The head's route position at the end of the walk, m."""
-        return walk.route.length
 
 
 class DrawnRoute(RouteTable, Drawing):
@@ -495,10 +483,6 @@ class DrawnRoute(RouteTable, Drawing):
     def fit(self, link: float) -> Fit:
         """See `_along`."""
         return _along(self, link, self.closed, "route")
-
-    def last_position(self, walk: Walk) -> float:
-        """The head's route position at the end of the walk, m."""
-        return walk.route.length
 
 
 def _whole_dragon_on(route: Route, plan: Beside) -> float:

@@ -38,6 +38,9 @@ class RouteTable {
     [route, begun] = py.list(this.build(plan));
     return [this.placed(route), begun];
   }
+  last_position(walk) {
+    return walk.route.length;
+  }
   gated(edge, _route, _plan) {
     return edge;
   }
@@ -140,9 +143,6 @@ export class SpiralInRoute extends AfterStreet {
     }
     return [new Route([new Spiral(this.pitch, start, end, undefined, undefined, !py.truth(this.clockwise))]), 0.0];
   }
-  last_position(walk) {
-    return walk.route.length;
-  }
 }
 export class TurnRoute extends AfterStreet {
   get once() {
@@ -229,9 +229,6 @@ export class PartsRoute extends AfterStreet {
     }
     return [Route.joined(curves), 0.0];
   }
-  last_position(walk) {
-    return walk.route.length;
-  }
 }
 export class FormationRoute extends AfterStreet {
   build(plan) {
@@ -241,9 +238,6 @@ export class FormationRoute extends AfterStreet {
   }
   links_below() {
     return linksBelow(this);
-  }
-  last_position(walk) {
-    return walk.route.length;
   }
 }
 export class ProgrammeRoute extends AfterStreet {
@@ -262,9 +256,6 @@ export class ProgrammeRoute extends AfterStreet {
   links_below() {
     return py.min([(2.0 * this.radius), ...py.iter(py.list(this.formation).map((one) => linksBelow(one)))]);
   }
-  last_position(walk) {
-    return walk.route.length;
-  }
 }
 export class DrawnRoute extends RouteTable {
   build(plan) {
@@ -282,9 +273,6 @@ export class DrawnRoute extends RouteTable {
   }
   fit(link) {
     return _along(this, link, this.closed, "route");
-  }
-  last_position(walk) {
-    return walk.route.length;
   }
 }
 function _wholeDragonOn(route, plan) {
