@@ -1,6 +1,6 @@
 """How long the page takes to lay out the papers of a village of 120 benches.
 
-Run it as `python benchmarks/papers.py`: the page that `benchdragon sheets` writes of the village among
+Run it as `python -m benchmarks.papers`: the page that `benchdragon sheets` writes of the village among
 the examples, in Chromium on this machine, from its address to papers that may be printed, at the speed
 of this machine and with the page and its Workers stopped three quarters of the time, as on a phone.
 """
@@ -10,8 +10,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from playwright.sync_api import expect, sync_playwright
-from sliders import slowed
 from tests.browser.pages import FLAGS, browser_path, clean_pages
+from tests.browser.slowed import slowed
 
 from benchdragon.i18n import spoken_in
 from benchdragon.planner.papers import PAPERS, wanted_papers, write_papers

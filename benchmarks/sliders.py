@@ -10,18 +10,15 @@ fast as they are: for the phone the process of page and Workers is stopped three
 
 import argparse
 import os
-import signal
 import statistics
 import sys
 import tempfile
-import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 from playwright.sync_api import Browser, Page, sync_playwright
 from tests.browser.pages import FLAGS, Device, Pages, browser_path
+from tests.browser.slowed import renderers, slowed
 
 from benchdragon.planner.page import write_planner
 from benchdragon.plans.schema import read_plan
@@ -43,8 +40,8 @@ ASKED = {
     "dances": "dance to be shown",
 }
 MEGABYTE = 1e6
-# Seconds between looks at the memory, and of a turn in which a slowed process runs and is stopped.
-LOOK, TURN = 15.0, 0.02
+# Seconds between looks at the memory.
+LOOK = 15.0
 # From a move to the first verdict of its plan or of a later one, ms.
 WATCH = """() => {
   const page = globalThis.benchdragon;
@@ -119,37 +116,6 @@ def measure(page: Page, where: str, slider: tuple[str, str, float, float]) -> No
         for what, text in ASKED.items():
             times = page.evaluate(f"benchdragon.{what}.times")
             print(f"{head} | {text} | {told(times)} |", flush=True)
-
-
-def renderers(browser: Browser) -> list[int]:
-    """Processes that draw and compute pages."""
-    session = browser.new_browser_cdp_session()
-    told = session.send("SystemInfo.getProcessInfo")["processInfo"]
-    session.detach()
-    return [int(one["id"]) for one in told if one["type"] == "renderer"]
-
-
-@contextmanager
-def slowed(browser: Browser, times: int) -> Iterator[None]:
-    """Let the pages' processes run one part in so many of the time."""
-    processes, over = renderers(browser) if times > 1 else [], threading.Event()
-
-    def stop_and_go() -> None:
-        while not over.is_set():
-            for sent, share in ((signal.SIGSTOP, 1.0 - 1.0 / times), (signal.SIGCONT, 1.0 / times)):
-                for process in processes:
-                    os.kill(process, sent)
-                time.sleep(TURN * share)
-
-    thread = threading.Thread(target=stop_and_go)
-    if processes:
-        thread.start()
-    try:
-        yield
-    finally:
-        over.set()
-        if processes:
-            thread.join()
 
 
 def latency(browser: Browser, pages: Pages, address: str) -> None:
