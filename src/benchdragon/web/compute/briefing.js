@@ -1,5 +1,4 @@
-// What the benches' sheets are made from: the plan as it was checked, and what each bench does. Twin of
-// sheets/briefing.py.
+// What papers are made from: the plan as it was checked, and what each bench does.
 
 import { countedIn, scoreOf } from "../made/beats.js";
 import { haltsOf, landmarkOf } from "../made/bench_basis.js";
