@@ -1,7 +1,7 @@
 // A question of `benchdragon new` on the page: its boxes, and beside them what is asked back.
 
 import { InputError } from "./compute/error_kinds.js";
-import { TAP, make } from "./elements.js";
+import { TAP, make, textButton } from "./elements.js";
 import { _ } from "./words.js";
 
 /** @typedef {typeof import("./made/answers.js").QUESTIONS[number]} Question */
@@ -200,7 +200,7 @@ export class AnswerBox {
       this.#typed();
       this.focus();
     };
-    this.asked.append(make("button", { type: "button", onclick: take }, text));
+    this.asked.append(textButton(text, take));
   }
 
   focus() {

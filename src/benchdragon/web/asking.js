@@ -2,7 +2,7 @@
 
 import { keepChoice } from "./address.js";
 import { AnswerBox } from "./answer_box.js";
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { Frame } from "./grip_kinds.js";
 import { QUESTIONS, wished } from "./made/answers.js";
 import { valueOf } from "./number_control.js";
@@ -73,7 +73,7 @@ export class Asking {
     this.button = make("button", { class: "main" });
     this.bar = make("progress", { max: "1" });
     this.far = make("span", { class: "far" });
-    this.cancel = make("button", { type: "button", onclick: () => this.#lane?.close() });
+    this.cancel = textButton("", () => this.#lane?.close());
     this.go.append(this.button, this.bar, this.far, this.cancel);
     /** What was proposed, to be read again beside the dance. */
     this.said = make("details");
@@ -127,14 +127,9 @@ export class Asking {
 
   #head() {
     const other = language() === "zh" ? "en" : "zh";
-    const translate = make("button", {
-      type: "button",
-      lang: other,
-      onclick: () => this.#translate(other),
-    });
-    translate.append(other === "zh" ? "\u4e2d\u6587" : "English");
-    const close = make("button", { type: "button", hidden: this.#first, onclick: () => this.#away() });
-    close.append(_("close"));
+    const spoken = other === "zh" ? "\u4e2d\u6587" : "English";
+    const translate = textButton(spoken, () => this.#translate(other), { lang: other });
+    const close = textButton(_("close"), () => this.#away(), { hidden: this.#first });
     const sentence = _(
       "Say how many benches you have and how large the square is: this page searches for a dance that they can walk, shows it from above, and prints a sheet for each bench.",
     );
@@ -189,7 +184,7 @@ export class Asking {
 
   /** The button that opens it later, in the language in use. */
   control() {
-    this.opener = make("button", { type: "button", onclick: () => this.open(false) }, _("my benches"));
+    this.opener = textButton(_("my benches"), () => this.open(false));
     return this.opener;
   }
 
@@ -325,13 +320,11 @@ export class Asking {
   /** Say why there is no dance, and offer what has one. @param {string[]} said @param {{ benches?: number, under?: boolean }} fits */
   #tell(said = [], { benches = 0, under = false } = {}) {
     /** @param {string} text @param {string} name @param {unknown} answer */
-    const offer = (text, name, answer) => {
-      const onclick = () => {
+    const offer = (text, name, answer) =>
+      textButton(text, () => {
         this.boxes.find(({ question }) => question.name === name)?.take(answer);
         this.element.querySelector("form")?.requestSubmit();
-      };
-      return make("button", { type: "button", onclick }, text);
-    };
+      });
     this.told.replaceChildren(
       ...said.map((text) => make("p", {}, text)),
       ...(under ? [offer(_("walk under the benches"), "carry", 1)] : []),

@@ -1,6 +1,6 @@
 // The time axis: clearance over time, what happens when, and where we are.
 
-import { draw, make } from "./elements.js";
+import { draw, make, signButton } from "./elements.js";
 import { _, decimals, language, shortLength } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
@@ -190,18 +190,9 @@ export class Axis {
   #marks(jump) {
     return this.scene.sent.occasions.map((occasion) => {
       const name = `${occasionText(occasion)} (${toldTime(this.scene, occasion.time, clock(occasion.time, 2))})`;
-      const mark = make(
-        "button",
-        {
-          type: "button",
-          class: `mark ${occasion.kind}`,
-          title: name,
-          "aria-label": name,
-          tabindex: "-1",
-          onclick: () => jump(occasion.time, occasion.benches),
-        },
-        SIGNS[occasion.kind],
-      );
+      const go = () => jump(occasion.time, occasion.benches);
+      const how = { class: `mark ${occasion.kind}`, tabindex: "-1" };
+      const mark = signButton(SIGNS[occasion.kind], name, go, how);
       mark.style.left = `${100 * this.#share(occasion.time)}%`;
       return mark;
     });

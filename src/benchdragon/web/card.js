@@ -1,7 +1,7 @@
 // A bench's own card: what it does now, its largest, its tightest, its neighbours.
 
 import { clock, toldTime } from "./axis.js";
-import { make, signButton } from "./elements.js";
+import { make, signButton, textButton } from "./elements.js";
 import { _, decimals, language, shortLength } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
@@ -58,11 +58,7 @@ export class Card {
         {},
         text,
         " ",
-        make(
-          "button",
-          { type: "button", onclick: () => this.jump(time, [bench + 1]) },
-          toldTime(scene, time, clock(time)),
-        ),
+        textButton(toldTime(scene, time, clock(time)), () => this.jump(time, [bench + 1])),
       );
     const far = _("never within {reach}", { reach: shortLength(nearest.reach) });
     const other = nearest.other[bench];
@@ -105,7 +101,7 @@ export class Card {
   #neighbours(scene, bench) {
     const found = [];
     const button = (/** @type {number} */ other, /** @type {string} */ text) =>
-      make("button", { type: "button", onclick: () => this.choose(other) }, text);
+      textButton(text, () => this.choose(other));
     if (bench > 0) found.push(button(bench - 1, `\u2190 ${shortName(scene, bench)}`));
     if (bench + 1 < scene.benches)
       found.push(button(bench + 1, `${shortName(scene, bench + 2)} \u2192`));

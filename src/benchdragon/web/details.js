@@ -1,6 +1,6 @@
 // What is behind the verdict's word: each finding in plain words, what mends it, and all numbers for who checks.
 
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { evidence, limitRow } from "./evidence.js";
 import { BRIEF } from "./made/check.js";
 import { distinct, mendable, orNothing, remedies } from "./remedies.js";
@@ -64,11 +64,7 @@ function plainText({ kind, decided, text, benches, time, value, limit, obstacle 
 function item(finding, verdict, jump) {
   const { time } = finding;
   const slot = make("div", { class: "remedies" });
-  const see = make(
-    "button",
-    { type: "button", onclick: () => jump?.(time ?? 0) },
-    _("show the moment"),
-  );
+  const see = textButton(_("show the moment"), () => jump?.(time ?? 0));
   if (jump && time !== null) slot.append(see);
   if (mendable(finding))
     slot.append(make("span", { class: "told" }, _("looking for what mends it ...")));

@@ -22,6 +22,11 @@ export function make(tag, attributes = {}, ...children) {
   return element;
 }
 
+/** A button outside of forms, and what it does. @param {Node | string} shown on it @param {() => void} action @param {Record<string, string | boolean>} [attributes] */
+export function textButton(shown, action, attributes = {}) {
+  return make("button", { type: "button", onclick: action, ...attributes }, shown);
+}
+
 /**
  * A button with a sign on it and a name for those who cannot see it.
  * @param {Node | string} sign
@@ -30,11 +35,7 @@ export function make(tag, attributes = {}, ...children) {
  * @param {Record<string, string>} [attributes]
  */
 export function signButton(sign, name, action, attributes = {}) {
-  return make(
-    "button",
-    { type: "button", title: name, "aria-label": name, onclick: action, ...attributes },
-    sign,
-  );
+  return textButton(sign, action, { title: name, "aria-label": name, ...attributes });
 }
 
 /**

@@ -4,7 +4,7 @@ import { bracketed } from "./compute/answer.js";
 import { figures } from "./compute/number_format.js";
 import { shown, sure } from "./made/answer.js";
 import { seconds } from "./made/number_format.js";
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./messages").Answer} Answer */
@@ -77,10 +77,7 @@ function row(name, answer, value, jump, place = answer ? whereText(answer) : "")
       ? "\u2013"
       : make("span", {}, String(lower), make("br"), String(upper));
   const time = answer.witness?.time ?? null;
-  const where =
-    time === null || jump === null
-      ? place
-      : make("button", { type: "button", onclick: () => jump(time) }, place);
+  const where = time === null || jump === null ? place : textButton(place, () => jump(time));
   return make(
     "tr",
     {},

@@ -3,7 +3,7 @@
 import { Axis, clock, FRAME, occasionText, toldTime } from "./axis.js";
 import { Card } from "./card.js";
 import { endTexts, kindName, KINDS } from "./colours.js";
-import { choice, drawnSign, make, signButton, tick, wordButton } from "./elements.js";
+import { choice, drawnSign, make, signButton, textButton, tick, wordButton } from "./elements.js";
 import { showKeys, showLegendOf } from "./help.js";
 import { Painter } from "./paint.js";
 import { Story } from "./story.js";
@@ -72,14 +72,11 @@ export class Face {
     this.storyButtons = make(
       "div",
       { class: "tales" },
-      ...this.tales.map((tale) =>
-        make(
-          "button",
-          { type: "button", class: "tell", onclick: () => this.tell(tale) },
-          drawnSign(PLAY),
-          ` ${tale.name()}`,
-        ),
-      ),
+      ...this.tales.map((tale) => {
+        const told = textButton(drawnSign(PLAY), () => this.tell(tale), { class: "tell" });
+        told.append(` ${tale.name()}`);
+        return told;
+      }),
     );
     this.showStory(false);
     this.stage = make("div", { class: "stage" }, this.canvas, this.legend, this.lists[0]);
@@ -128,19 +125,13 @@ export class Face {
         ),
       );
     }
+    const other = language() === "zh" ? "en" : "zh";
+    const spoken = other === "zh" ? "\u4e2d\u6587" : "English";
     header.append(
       make(
         "div",
         { class: "tools" },
-        make(
-          "button",
-          {
-            type: "button",
-            lang: language() === "zh" ? "en" : "zh",
-            onclick: () => this.player.translate(),
-          },
-          language() === "zh" ? "English" : "\u4e2d\u6587",
-        ),
+        textButton(spoken, () => this.player.translate(), { lang: other }),
         signButton(drawnSign(HALF), _("light or dark"), () => this.player.nextTheme()),
         signButton(drawnSign(SHAPES), _("what is drawn"), () =>
           showLegendOf(this.player.root, this.scene),
@@ -237,7 +228,7 @@ export class Face {
         { class: "zooms" },
         signButton("+", _("nearer"), () => this.player.zoom(1.4)),
         signButton("\u2212", _("farther"), () => this.player.zoom(1 / 1.4)),
-        make("button", { type: "button", onclick: () => this.player.fit() }, _("show all")),
+        textButton(_("show all"), () => this.player.fit()),
       ),
     );
   }

@@ -2,7 +2,7 @@
 
 import { keep, kept } from "./address.js";
 import { commandList } from "./commands.js";
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { readLink } from "./link.js";
 import { planIn } from "./pasted.js";
 import { planText, textPlan } from "./plan_form.js";
@@ -56,8 +56,7 @@ export class Files {
 
   /** The controls, in the language in use. @param {HTMLElement} told where it is said how it went */
   controls(told) {
-    const save = make("button", { type: "button", onclick: () => this.#save() });
-    save.append(_("save the plan file"));
+    const save = textButton(_("save the plan file"), () => this.#save());
     return make(
       "fieldset",
       {},
@@ -79,8 +78,7 @@ export class Files {
       input.value = "";
       if (file) this.#open(file);
     });
-    const open = make("button", { type: "button", onclick: () => input.click() });
-    open.append(_("open a plan file"));
+    const open = textButton(_("open a plan file"), () => input.click());
     const text = _("or paste its link, its letters, or the text of its file");
     const asked = make("p", { class: "asked", role: "alert", hidden: true });
     const box = make("textarea", {

@@ -1,7 +1,7 @@
 // What explains the page: the list of keys, and the legend of what is drawn.
 
 import { SIGNS } from "./axis.js";
-import { draw, make, tick } from "./elements.js";
+import { draw, make, textButton, tick } from "./elements.js";
 import { lettersAreKeys, useLetters } from "./keys.js";
 import { _, shortLength } from "./words.js";
 
@@ -10,6 +10,7 @@ import { _, shortLength } from "./words.js";
 
 /** Show a dialog of rows. @param {HTMLElement} root @param {string} name @param {Row[]} rows @param {Node[]} more */
 function showRows(root, name, rows, more = []) {
+  const close = textButton(_("close"), () => dialog.close());
   const dialog = make(
     "dialog",
     { "aria-label": name, onclose: () => dialog.remove() },
@@ -29,7 +30,7 @@ function showRows(root, name, rows, more = []) {
       ),
     ),
     ...more,
-    make("p", {}, make("button", { type: "button", onclick: () => dialog.close() }, _("close"))),
+    make("p", {}, close),
   );
   root.append(dialog);
   dialog.showModal();

@@ -2,7 +2,7 @@
 
 import { bracketed } from "./compute/answer.js";
 import { shown } from "./made/answer.js";
-import { make, signButton } from "./elements.js";
+import { make, signButton, textButton } from "./elements.js";
 import { answerText, sizeText } from "./evidence.js";
 import { samePlan } from "./standing.js";
 import { _, decimals } from "./words.js";
@@ -107,11 +107,7 @@ export class JobList {
     const text = same ? _("about this plan") : _("about another plan");
     if (of.firstChild?.textContent === text) return;
     item.dataset.plan = same ? "this" : "other";
-    const back = make(
-      "button",
-      { type: "button", onclick: () => this.take(plan) },
-      _("show that plan"),
-    );
+    const back = textButton(_("show that plan"), () => this.take(plan));
     of.replaceChildren(text, ...(same ? [] : [back]));
   }
 
@@ -146,7 +142,7 @@ export class JobList {
     const name = make("strong", {});
     const bar = make("progress", { max: "1" });
     const told = make("span", { class: "told" });
-    const cancel = make("button", { type: "button", onclick: () => long.cancel() });
+    const cancel = textButton("", () => long.cancel());
     this.#say(entry, () => {
       item.replaceChildren(name, bar, told, cancel);
       name.textContent = bar.ariaLabel = questionText(question);
@@ -170,8 +166,7 @@ export class JobList {
         ? _("cancelled")
         : (job.error ?? "");
     const found = betterPlan(job.result);
-    const take =
-      found && make("button", { type: "button", onclick: () => this.take(found) }, _("take this plan"));
+    const take = found && textButton(_("take this plan"), () => this.take(found));
     this.#over(entry, text, take ? [take] : []);
   }
 

@@ -2,7 +2,7 @@
 
 import { chosenBefore, keepChoice } from "./address.js";
 import { shortName } from "./card.js";
-import { choice, drawnSign, make } from "./elements.js";
+import { choice, drawnSign, make, textButton } from "./elements.js";
 import { spread } from "./extent.js";
 import { doing, peopleLines } from "./made/bench_text.js";
 import { Numbering } from "./made/roster.js";
@@ -53,7 +53,7 @@ export class MyBench {
 
   /** The button that opens it, in the language in use. */
   control() {
-    this.opener = make("button", { type: "button", onclick: () => this.open() }, _("I carry a bench"));
+    this.opener = textButton(_("I carry a bench"), () => this.open());
     this.opener.hidden = !this.planner.answers.has("ways");
     return this.opener;
   }
@@ -109,7 +109,7 @@ export class MyBench {
         "div",
         { class: "row" },
         chosen,
-        make("button", { type: "button", onclick: () => this.close() }, _("close")),
+        textButton(_("close"), () => this.close()),
       ),
       make("p", { class: "now" }, this.sign, this.now),
       this.next,

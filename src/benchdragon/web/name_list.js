@@ -3,7 +3,7 @@
 import { keep, kept } from "./address.js";
 import { sheetsOf } from "./compute/roster_book.js";
 import { rowsOf } from "./compute/roster_grid.js";
-import { choice, make } from "./elements.js";
+import { choice, make, textButton } from "./elements.js";
 import { keeper } from "./files.js";
 import { rosterOf } from "./made/roster.js";
 import { _ } from "./words.js";
@@ -132,8 +132,6 @@ export class NameList {
       "bench, name, household, phone, remarks: paste the rows of a spreadsheet here",
     );
     area.value = this.list && "text" in this.list ? this.list.text : "";
-    const button = (/** @type {string} */ text, /** @type {() => void} */ action) =>
-      make("button", { type: "button", onclick: action }, text);
     const summary = this.list
       ? _("list of names: {count} benches have people", { count: this.people.size })
       : _("list of names: none yet");
@@ -145,9 +143,9 @@ export class NameList {
       make(
         "div",
         { class: "row" },
-        button(_("take the rows above"), () => this.#take({ text: area.value })),
-        button(_("open a list (XLSX, CSV)"), () => input.click()),
-        button(_("no names"), () => this.#take(null)),
+        textButton(_("take the rows above"), () => this.#take({ text: area.value })),
+        textButton(_("open a list (XLSX, CSV)"), () => input.click()),
+        textButton(_("no names"), () => this.#take(null)),
         input,
       ),
       keeper(_("keep the names in this browser"), "names", () => JSON.stringify(this.list)),

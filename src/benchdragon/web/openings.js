@@ -1,6 +1,6 @@
 // Ways past the first screen, for those who have a plan already, or come to look.
 
-import { choice, make } from "./elements.js";
+import { choice, make, signButton } from "./elements.js";
 import { PAPER_QUESTIONS } from "./question_tales.js";
 import { _, language } from "./words.js";
 
@@ -20,12 +20,10 @@ export function openings(planner) {
   /** @type {[string, string][]} */
   const names = presets.map(({ name, title }) => [name, title[language()]]);
   const contest = PAPER_QUESTIONS.map((question, n) => {
-    const onclick = () => {
+    return signButton(String(n + 1), question.name(), () => {
       look(CONTEST[n]);
       planner.stories.open(question);
-    };
-    const name = question.name();
-    return make("button", { type: "button", title: name, "aria-label": name, onclick }, String(n + 1));
+    });
   });
   return [
     make("details", {}, make("summary", {}, _("I have a plan already")), ...planner.files.opener()),

@@ -1,7 +1,7 @@
 // A photograph of the square below the dance: it stays in this page, and two points and their distance give
 // its scale.
 
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { NumberControl } from "./number_control.js";
 import { _ } from "./words.js";
 
@@ -38,8 +38,6 @@ export class Photo {
       input.value = "";
       if (file) this.#open(file);
     });
-    const button = (/** @type {string} */ text, /** @type {() => void} */ action) =>
-      make("button", { type: "button", onclick: action }, text);
     this.trouble = make("p", { class: "odd", role: "alert", hidden: true });
     this.span = new NumberControl(
       {
@@ -67,9 +65,9 @@ export class Photo {
       make(
         "div",
         { class: "row" },
-        button(_("two points and their distance"), () => this.#measure()),
-        button(_("move it"), () => this.#move()),
-        button(_("take it away"), () => this.#remove()),
+        textButton(_("two points and their distance"), () => this.#measure()),
+        textButton(_("move it"), () => this.#move()),
+        textButton(_("take it away"), () => this.#remove()),
       ),
       this.span.element,
       this.shade.element,
@@ -80,7 +78,7 @@ export class Photo {
       make(
         "div",
         { class: "row" },
-        button(_("a photograph below"), () => input.click()),
+        textButton(_("a photograph below"), () => input.click()),
         input,
       ),
       this.trouble,

@@ -1,7 +1,7 @@
 // Places in the picture are asked for and tapped: what is said meanwhile, and how it ends.
 
 import { _crossing, doMeet } from "./compute/obstacle.js";
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { roundedPoint } from "./grip_kinds.js";
 import { _ } from "./words.js";
 
@@ -64,20 +64,15 @@ export class Placing {
     const said = make("p", { "aria-live": "polite" });
     this.bar.replaceChildren(
       said,
-      this.#button(_("in the middle"), () => this.#middle()),
-      this.#button(_("done"), () => this.#close()),
-      this.#button(_("give up"), () => this.#giveUp()),
+      textButton(_("in the middle"), () => this.#middle()),
+      textButton(_("done"), () => this.#close()),
+      textButton(_("give up"), () => this.#giveUp()),
     );
     this.bar.hidden = false;
     this.#show();
     player.face.stage.scrollIntoView({ block: "nearest" });
     const button = wish.middle ? this.bar.children[1] : this.bar.lastElementChild;
     /** @type {HTMLElement} */ (button).focus({ preventScroll: true });
-  }
-
-  /** @param {string} text @param {() => void} action */
-  #button(text, action) {
-    return make("button", { type: "button", onclick: action }, text);
   }
 
   /** Ask for nothing any more. */

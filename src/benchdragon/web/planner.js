@@ -2,7 +2,7 @@
 
 import { addressed, obey, remember } from "./address.js";
 import { showDetails } from "./details.js";
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { Files } from "./files.js";
 import { helpRows, onFingerTaps } from "./fingers.js";
 import { Grips } from "./grips.js";
@@ -114,12 +114,8 @@ export class Planner {
 
   /** Lines that tell something, in the language in use. */
   #lines() {
-    const verdict = make("button", {
-      type: "button",
-      class: "verdict",
-      "data-more": _("details"),
-      onclick: () => this.#details(),
-    });
+    const how = { class: "verdict", "data-more": _("details") };
+    const verdict = textButton("", () => this.#details(), how);
     return {
       verdict: new Line(verdict, _("computing ...")),
       sentence: new Line(make("p", { class: "sentence spoken", "aria-live": "polite" })),
@@ -136,13 +132,9 @@ export class Planner {
     this.square = new SquareForm(this);
     this.form.source.after(this.square.element);
     this.span = new Span((plan, final) => this.change(plan, final));
-    this.undoButton = make("button", { type: "button", onclick: () => this.undo() }, _("undo"));
-    this.redoButton = make("button", { type: "button", onclick: () => this.redo() }, _("redo"));
-    const reset = make(
-      "button",
-      { type: "button", onclick: () => this.change(structuredClone(this.first), true) },
-      _("reset"),
-    );
+    this.undoButton = textButton(_("undo"), () => this.undo());
+    this.redoButton = textButton(_("redo"), () => this.redo());
+    const reset = textButton(_("reset"), () => this.change(structuredClone(this.first), true));
     const [ours, undo, redo] = [this.asking.control(), this.undoButton, this.redoButton];
     const steps = make("div", { class: "row" }, ours, undo, redo, reset);
     const others = make("div", { class: "row" }, this.mine.control(), ...sendButtons(this));
@@ -180,15 +172,9 @@ export class Planner {
   #long() {
     const asked = QUESTIONS.filter((question) => this.answers.has(`job/${question}`));
     const buttons = asked.map((question) =>
-      make(
-        "button",
-        {
-          type: "button",
-          "data-question": question,
-          onclick: () => this.jobs.start(question, this.plan),
-        },
-        questionText(question),
-      ),
+      textButton(questionText(question), () => this.jobs.start(question, this.plan), {
+        "data-question": question,
+      }),
     );
     this.turnButton = buttons[asked.indexOf("turn")];
     return make(

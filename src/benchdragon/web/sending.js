@@ -1,7 +1,7 @@
 // Buttons that send the dance on the page: as a page of its own, or in other ways.
 
 import { chatPicture } from "./chat_picture.js";
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { linkText } from "./link.js";
 import { planName } from "./names.js";
 import { sentPage } from "./sent_page.js";
@@ -12,12 +12,10 @@ import { _, language } from "./words.js";
 
 /** Those buttons, in the language in use. @param {Planner} planner */
 export function sendButtons(planner) {
-  const button = (/** @type {string} */ text, /** @type {() => void} */ action) =>
-    make("button", { type: "button", onclick: action }, text);
   const told = make("output", { class: "told" });
   return [
-    button(_("send this dance"), () => send(planner, told)),
-    button(_("share"), () => share(planner)),
+    textButton(_("send this dance"), () => send(planner, told)),
+    textButton(_("share"), () => share(planner)),
     told,
   ];
 }

@@ -2,7 +2,7 @@
 
 import { drawnCode } from "./code.js";
 import { copy } from "./commands.js";
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { deliver } from "./files.js";
 import { _ } from "./words.js";
 
@@ -38,16 +38,14 @@ export function showShare(root, text, makers) {
   const web = onTheWeb();
   const link = `${web ? location.href.split("#")[0] : ""}#plan=${text}`;
   const shown = make("code", { tabindex: "0" }, link);
-  const button = (/** @type {string} */ name, /** @type {() => void} */ action) =>
-    make("button", { type: "button", onclick: action }, name);
   const buttons = [
-    button(_("copy"), async () => {
+    textButton(_("copy"), async () => {
       await copy(link, shown);
       told.textContent = _("copied");
     }),
   ];
   if (web && "share" in navigator)
-    buttons.push(button(_("send ..."), () => send({ title: document.title, url: link }, told)));
+    buttons.push(textButton(_("send ..."), () => send({ title: document.title, url: link }, told)));
   const words = web
     ? _("Scan the code: the dance opens in a browser, and walks.")
     : _("Scan the code, copy its letters, and paste them into the planner's page.");
@@ -70,7 +68,7 @@ export function showShare(root, text, makers) {
     make(
       "p",
       {},
-      button(_("close"), () => dialog.close()),
+      textButton(_("close"), () => dialog.close()),
     ),
   );
   root.append(dialog);

@@ -5,7 +5,7 @@ import { benchSheets } from "./bench_sheet.js";
 import { chalkSheet, chalkTable } from "./chalk_sheet.js";
 import { InputError } from "./compute/errors.js";
 import { planName } from "./names.js";
-import { choice, make, tick } from "./elements.js";
+import { choice, make, textButton, tick } from "./elements.js";
 import { deliver } from "./files.js";
 import { sha256 } from "./compute/sha256.js";
 import { called } from "./made/people.js";
@@ -125,8 +125,7 @@ export class Sheets {
 
   /** The button that opens the sheets. @param {() => Plan} plan that on the page */
   control(plan) {
-    const button = make("button", { type: "button", onclick: () => this.open(plan()) });
-    button.append(_("benches' sheets"));
+    const button = textButton(_("benches' sheets"), () => this.open(plan()));
     return make(
       "fieldset",
       { hidden: !this.answers.has("sheets") },
@@ -212,7 +211,7 @@ export class Sheets {
 
   /** The controls, in the language in use. */
   #build() {
-    const close = make("button", { type: "button", onclick: () => this.close() }, _("close"));
+    const close = textButton(_("close"), () => this.close());
     const { briefing } = this;
     const header = make(
       "header",
@@ -292,7 +291,7 @@ export class Sheets {
       looks.phones = on;
       this.show();
     });
-    const print = make("button", { type: "button", onclick: () => globalThis.print() }, _("print"));
+    const print = textButton(_("print"), () => globalThis.print());
     const saves = this.papers.flatMap(({ saved = [] }) => saved).map((one) => this.#saving(one));
     const grouped = this.names.households ? [households] : [];
     const benches = this.papers.some(({ name }) => name === "benches");
@@ -422,7 +421,7 @@ export class Sheets {
         this.#tell(error.message);
       }
     };
-    return make("button", { type: "button", onclick: save }, _(label));
+    return textButton(_(label), save);
   }
 }
 

@@ -1,6 +1,6 @@
 // The paper's questions, to be opened as stories in the planner: what they tell is computed first.
 
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { PAPER_QUESTIONS } from "./question_tales.js";
 import { Refusal } from "./standing.js";
 import { _ } from "./words.js";
@@ -20,7 +20,7 @@ export class Stories {
     /** The plan of the chapter that is told, or soon will be. @type {Plan | null} */
     this.plan = null;
     this.told = make("output", { class: "told" });
-    this.cancel = make("button", { type: "button", hidden: true, onclick: () => this.stop() });
+    this.cancel = textButton("", () => this.stop(), { hidden: true });
   }
 
   /** Their buttons, in the language in use. */
@@ -31,9 +31,7 @@ export class Stories {
       "fieldset",
       { class: "stories" },
       make("legend", {}, _("The paper's five questions")),
-      ...PAPER_QUESTIONS.map((question) =>
-        make("button", { type: "button", onclick: () => this.open(question) }, question.name()),
-      ),
+      ...PAPER_QUESTIONS.map((question) => textButton(question.name(), () => this.open(question))),
       make("div", { class: "row" }, this.told, this.cancel),
     );
   }

@@ -1,6 +1,6 @@
 // What is told of a plan: lines that say so where it is another plan than the one on the page.
 
-import { make } from "./elements.js";
+import { make, textButton } from "./elements.js";
 import { samePlan } from "./standing.js";
 import { _ } from "./words.js";
 
@@ -80,8 +80,7 @@ export class Line {
 
 /** What is said of a link that cannot be read. @param {string} says @param {() => void} goOn */
 export function unreadWords(says, goOn) {
-  const on = make("button", { type: "button", onclick: goOn });
-  on.append(_("go on with the plan in the controls"));
+  const on = textButton(_("go on with the plan in the controls"), goOn);
   return [
     make("strong", {}, _("The plan in this link cannot be read.")),
     ` ${_("What the controls show is another plan. The link says:")}`,
