@@ -129,7 +129,7 @@ TWINS = {
     "rosters.entries": ("roster_entries", "entries"),
     "rosters.extent": ("roster_limits", "too_large", "torn"),
     "rosters.grid": ("roster_rows", "decoded", "is_text", "limited", "text_rows"),
-    "rosters.roster": ("roster_people", "Person"),
+    "rosters.roster": ("roster_people", "Person", "Roster", "phones_of"),
     "rosters.reading": ("roster", "roster_of", "Numbering"),
 }  # fmt: skip
 # What hand-written modules of the page hold of other modules, by the same names.

@@ -1,6 +1,5 @@
 """Who carries which bench."""
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -35,9 +34,9 @@ def phones_of(people: Sequence[Person]) -> tuple[list[str], list[str]]:
 
     What several have is no one's own.
     """
-    counted = Counter(one.phone for one in people)
-    own = [one.phone if counted[one.phone] == 1 else "" for one in people]
-    home = (phone for one in people for phone in (one.phone, one.home_phone))
+    phones = [one.phone for one in people]
+    own = [phone if phones.count(phone) == 1 else "" for phone in phones]
+    home = [phone for one in people for phone in (one.phone, one.home_phone)]
     return own, [phone for phone in dict.fromkeys(home) if phone and phone not in own]
 
 

@@ -251,8 +251,7 @@ function theTimes({ timetable }) {
 
 /** How many people there are. @param {Sayings} said @param {AnnexFacts} facts */
 function thePeople(said, { dragon, event }) {
-  const everybody = [...said.people.values()].flat();
-  const persons = new Set(everybody.map((one) => [one.name, one.household, one.phone].join("\0"))).size;
+  const { persons } = said;
   const without = said.briefing.benches.filter(({ bench }) => !said.people.get(bench)?.length).length;
   const told = (/** @type {unknown} */ value) => (value == null ? null : String(value));
   /** @type {Cell[][]} */

@@ -100,10 +100,8 @@ function tableOf(rows, alike) {
 }
 
 /** When it was checked, and how many benches and people there are: who is named at several counts once. @param {Sayings} said @param {string} date */
-function checkedLine({ briefing, people }, date) {
-  const everybody = [...people.values()].flat();
-  const persons = everybody.map((one) => [one.name, one.household, one.phone].join("\0"));
-  const known = { date, benches: briefing.benches.length, people: new Set(persons).size };
+function checkedLine(said, date) {
+  const known = { date, benches: said.briefing.benches.length, people: said.persons };
   if (!known.people)
     return _("Checked on {date}; {benches} benches. There is no list of names yet.", known);
   return _("Checked on {date}; {benches} benches, {people} people in the list of names.", known);

@@ -4,6 +4,7 @@ import { Basis, benchLines, tightestLine } from "./made/bench_text.js";
 import { Clock } from "./made/clock.js";
 import { Ground } from "./made/ground.js";
 import { called } from "./made/people.js";
+import { Roster, phonesOf } from "./made/roster_people.js";
 import { _, language } from "./words.js";
 
 /** What a bench does: see `BenchText` of explain/bench_text.py. @typedef {{ quick: string, place: string[], stretches: string[], paces: string[], tightest: string, people: string[], times: string }} BenchText */
@@ -42,6 +43,11 @@ export class Sayings {
     return new Basis(this.clock, people, this.ground, halts[language()], coiled);
   }
 
+  /** How many people carry: who is named at several benches counts once. */
+  get persons() {
+    return new Roster(this.people).persons;
+  }
+
   /** What the village calls a bench (number, from 1). @param {number} bench */
   called(bench) {
     return called(this.briefing.people, bench, this.briefing.benches.length);
@@ -75,10 +81,10 @@ export class Sayings {
     return names.length ? _("Of your household too: {benches}.", { benches }) : "";
   }
 
-  /** Who carries a bench, a line each, and then the phones that are their household's. @param {number} bench @param {boolean} phones */
-  carriers(bench, phones) {
+  /** Who carries a bench, a line each, and then the phones that are their household's. @param {number} bench @param {boolean} asked whether phones are */
+  carriers(bench, asked) {
     const people = this.people.get(bench) ?? [];
-    const { own, home } = phonesOf(people, phones);
+    const [own, home] = phones(people, asked);
     const told = people.map(({ name }, n) => {
       const phone = own[n];
       return phone ? _("{name}, phone {phone}", { name, phone }) : name;
@@ -86,10 +92,10 @@ export class Sayings {
     return [...told, ...home];
   }
 
-  /** The same as the leader reads of them: with what the list remarks. @param {number} bench @param {boolean} phones */
-  remarked(bench, phones) {
+  /** The same as the leader reads of them: with what the list remarks. @param {number} bench @param {boolean} asked whether phones are */
+  remarked(bench, asked) {
     const people = this.people.get(bench) ?? [];
-    const { own, home } = phonesOf(people, phones);
+    const [own, home] = phones(people, asked);
     const told = people.map(({ name, remarks }, n) => {
       const said = remarks && people[n + 1]?.remarks !== remarks;
       const named = own[n] ? `${name} ${own[n]}` : name;
@@ -156,12 +162,11 @@ export class Sayings {
   }
 }
 
-/** The phone of each of the people of a bench, "" for none of their own, as is what several have; and those of households, in words. @param {Person[]} people @param {boolean} asked whether phones are wanted */
-function phonesOf(people, asked) {
-  if (!asked) return { own: people.map(() => ""), home: [] };
-  const counted = (/** @type {string} */ phone) => people.filter((one) => one.phone === phone).length;
-  const own = people.map(({ phone }) => (counted(phone) === 1 ? phone : ""));
-  const all = new Set(people.flatMap(({ phone, home_phone }) => [phone, home_phone]));
-  const home = [...all].filter((phone) => phone && !own.includes(phone));
-  return { own, home: home.map((phone) => _("phone of the household: {phone}", { phone })) };
+/** The phones of a bench's people, and those of households in words; none unless they are asked for. @param {Person[]} people @param {boolean} asked @returns {[string[], string[]]} */
+function phones(people, asked) {
+  const [own, home] = phonesOf(asked ? people : []);
+  return [
+    own,
+    home.map((/** @type {string} */ phone) => _("phone of the household: {phone}", { phone })),
+  ];
 }

@@ -13,6 +13,13 @@ export class Person {
     this.home_phone = homePhone;
   }
 }
+export function phonesOf(people) {
+  let home, own, phones;
+  phones = py.list(people).map((one) => one.phone);
+  own = py.list(phones).map((phone) => ((py.count(phones, phone) === 1) ? phone : ""));
+  home = py.list(people).flatMap((one) => py.list([one.phone, one.home_phone]).map((phone) => phone));
+  return [own, py.list(py.fromkeys(home)).flatMap((phone) => (((py.truth(phone) && !py.has(own, phone))) ? [phone] : []))];
+}
 export class Roster {
   constructor(benches = py.dict(), notes = []) {
     this.benches = benches;
