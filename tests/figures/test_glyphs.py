@@ -16,9 +16,8 @@ from pypdf import PdfReader
 
 from benchdragon.export.typeset import use_spare_fonts
 from benchdragon.figures import glyphs
-from benchdragon.figures.glyphs import glyph_warnings, printable, spare_fonts, unprintable
+from benchdragon.figures.glyphs import printable, spare_fonts
 from benchdragon.figures.style import FONT_FILES, package_signs
-from benchdragon.i18n import use_language
 from tests.scripts import script
 
 
@@ -63,7 +62,6 @@ def test_a_sign_that_no_font_has_is_written_as_its_code(system: list[SimpleNames
     assert not system
     assert printable("王瑒、李娜 $5") == "王〔U+7452〕、李娜 $5"
     assert printable("𠮷田") == "〔U+20BB7〕田"
-    assert unprintable("瑒瑒峯王") == ("瑒", "峯")
     assert spare_fonts("瑒峯") == ()
     assert printable(printable("瑒")) == "〔U+7452〕"
 
@@ -71,28 +69,11 @@ def test_a_sign_that_no_font_has_is_written_as_its_code(system: list[SimpleNames
 def test_marks_that_show_nothing_are_dropped(system: list[SimpleNamespace]) -> None:
     assert not system
     assert printable("王\u200b明\ufe0f\U000e0100") == "王明"
-    assert unprintable("王\u200b明") == ()
-
-
-def test_the_person_is_named_in_both_languages(system: list[SimpleNamespace]) -> None:
-    assert not system
-    (english,) = glyph_warnings(["王瑒", "李明", "王瑒"])
-    assert english.startswith(
-        "王瑒: no font here has 瑒 (U+7452), so the papers print 王〔U+7452〕: install"
-    )
-    use_language("zh")
-    try:
-        (chinese,) = glyph_warnings(["王瑒"])
-    finally:
-        use_language("en")
-    assert chinese != english
-    assert "王〔U+7452〕" in chinese
 
 
 def test_another_font_of_the_system_prints_it(tmp_path: Path, system: list[SimpleNamespace]) -> None:
     system += [font(tmp_path / "other.ttf", "峯"), font(tmp_path / "village.ttf", "瑒")]
     assert printable("王瑒") == "王瑒"
-    assert glyph_warnings(["王瑒"]) == ()
     assert spare_fonts("王瑒") == (tmp_path / "village.ttf",)
     pdf = FPDF()
     pdf.add_font("Noto", "", FONT_FILES[0])
@@ -157,5 +138,3 @@ def test_fonts_of_the_windows_beneath_print_what_the_systems_own_lack(
     assert spare_fonts("瑒峯𡘙") == (
         everyones / "SIMSUN.TTF", tmp_path / "village.ttf", ones_own / "mine.otf",
     )  # fmt: skip
-    (warned,) = glyph_warnings(["瑒𠮷"])
-    assert "𠮷 (U+20BB7)" in warned

@@ -1,7 +1,6 @@
 """Signs of names that the package's fonts lack: another font's, else their code, and never a box."""
 
 import unicodedata
-from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
@@ -9,7 +8,6 @@ from matplotlib import font_manager
 from matplotlib.ft2font import FT2Font
 
 from benchdragon.figures.style import package_signs
-from benchdragon.i18n import _
 
 # OS/2.fsType of fonts that may not be put into documents.
 NO_EMBEDDING = 0x2
@@ -33,39 +31,10 @@ def printable(text: str) -> str:
     return "".join(_printed(sign) for sign in text if not _unseen(sign))
 
 
-def unprintable(text: str) -> tuple[str, ...]:
-    """The signs of `text` that no font here can print, each once, in order."""
-    return tuple(dict.fromkeys(sign for sign in text if not _unseen(sign) and _printed(sign) != sign))
-
-
 def spare_fonts(text: str) -> tuple[Path, ...]:
     """Font files of the system, whose first faces hold signs of `text` that the package's lack."""
     found = (_spare(sign) for sign in dict.fromkeys(text) if _lacking(sign))
     return tuple(dict.fromkeys(path for path in found if path is not None))
-
-
-def glyph_warnings(names: Iterable[str]) -> tuple[str, ...]:
-    """A sentence for each name that papers cannot print as it is written, in the language in use."""
-    text = _(
-        "{name}: no font here has {signs}, so the papers print {printed}: install a font that has all "
-        "signs and print again, or write them by hand"
-    )
-    return tuple(
-        text.format(
-            name=name,
-            signs=", ".join(f"{sign} (U+{ord(sign):04X})" for sign in signs),
-            printed=printable(name),
-        )
-        for name in dict.fromkeys(names)
-        if (signs := unprintable(name))
-    )
-
-
-def printed_warnings(names: Iterable[str]) -> tuple[str, ...]:
-    """The same as papers say it, on which the names stand as they are printed."""
-    text = _("{name}: a sign is missing in the fonts here: write it by hand")
-    lacking = (name for name in dict.fromkeys(names) if unprintable(name))
-    return tuple(text.format(name=printable(name)) for name in lacking)
 
 
 def _printed(sign: str) -> str:

@@ -45,8 +45,3 @@ class EventTable(Table):
     entrances: Annotated[list[tuple[Metres, Metres]], Field(max_length=MOST_ENTRANCES)] = Field(
         default_factory=list
     )
-
-    def called_place(self, language: str) -> str:
-        """Where it is, in a language, "en" or "zh"."""
-        english, chinese = self.place, self.place_zh
-        return (chinese or english) if language == "zh" else (english or chinese)
