@@ -130,16 +130,12 @@ def expect(handles: float) -> None:
     budget = _asked.get()
     if budget is None or budget.spent + handles <= budget.work:
         return
-    asked = budget.spent + handles
-    raise OverBudgetError(
-        N_(
-            "this takes more work than a question may: at least {asked} million positions of handles, "
-            "where {most} million are allowed; take fewer benches or a shorter walk (walk.start, "
-            "walk.end), or allow {times} times as much on the command line by {variable}={times}"
-        ),
-        asked=f"{asked / 1e6:.4g}", most=f"{budget.work / 1e6:.4g}", variable=VARIABLE,
-        times=_enough(asked / WORK),
-    )  # fmt: skip
+    text = N_(
+        "this takes more work than a question may: at least {asked} million positions of handles, "
+        "where {most} million are allowed; take fewer benches or a shorter walk (walk.start, "
+        "walk.end), or allow {times} times as much on the command line by {variable}={times}"
+    )
+    raise _over(text, budget.spent + handles, budget.work, WORK)
 
 
 def hold(size: float) -> None:
@@ -151,15 +147,12 @@ def hold(size: float) -> None:
     budget = _asked.get()
     if budget is None or size <= budget.memory:
         return
-    raise OverBudgetError(
-        N_(
-            "this takes more memory than a question may: at least {asked} MB, where {most} MB are "
-            "allowed; take fewer benches, fewer sizes of benches or a shorter walk (walk.start, "
-            "walk.end), or allow {times} times as much on the command line by {variable}={times}"
-        ),
-        asked=f"{size / 1e6:.4g}", most=f"{budget.memory / 1e6:.4g}", variable=VARIABLE,
-        times=_enough(size / MEMORY),
-    )  # fmt: skip
+    text = N_(
+        "this takes more memory than a question may: at least {asked} MB, where {most} MB are "
+        "allowed; take fewer benches, fewer sizes of benches or a shorter walk (walk.start, "
+        "walk.end), or allow {times} times as much on the command line by {variable}={times}"
+    )
+    raise _over(text, size, budget.memory, MEMORY)
 
 
 def memory() -> float:
@@ -168,6 +161,8 @@ def memory() -> float:
     return math.inf if budget is None else budget.memory
 
 
-def _enough(times: float) -> str:
-    """The power of ten that allows so many times the limits, and somewhat more."""
-    return f"{10.0 ** max(math.ceil(math.log10(1.01 * times)), 1):g}"
+def _over(text: str, asked: float, most: float, usual: float) -> OverBudgetError:
+    """What to say of more than is allowed, and which power of ten times `usual` would allow it."""
+    times = 10.0 ** max(math.ceil(math.log10(1.01 * asked / usual)), 1)
+    amounts = {"asked": f"{asked / 1e6:.4g}", "most": f"{most / 1e6:.4g}"}
+    return OverBudgetError(text, **amounts, variable=VARIABLE, times=f"{times:g}")

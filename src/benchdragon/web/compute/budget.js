@@ -1,7 +1,7 @@
 // How much work and memory one question may take: twin of budget.py, whose limits hold here, too. A Worker
 // answers one question at a time, so that one budget at a time is kept.
 
-import { _ } from "../words.js";
+import { N_, _ } from "../words.js";
 import { ANALYSIS_CONTACT_SEARCH, BUDGET } from "./constants.js";
 import { BenchDragonError } from "./errors.js";
 import { general } from "./number_format.js";
@@ -76,18 +76,10 @@ export function left() {
 /** Say how many handles must at least be placed, before that is begun. @param {number} handles */
 export function expect(handles) {
   if (!asked || asked.spent + handles <= asked.work) return;
-  const wanted = asked.spent + handles;
-  throw new OverBudgetError(
-    _(
-      "this takes more work than a question may: at least {asked} million positions of handles, where {most} million are allowed; take fewer benches or a shorter walk (walk.start, walk.end), or allow {times} times as much on the command line by {variable}={times}",
-      {
-        asked: general(wanted / 1e6, 4),
-        most: general(asked.work / 1e6, 4),
-        variable: VARIABLE,
-        times: enough(wanted / WORK),
-      },
-    ),
+  const text = N_(
+    "this takes more work than a question may: at least {asked} million positions of handles, where {most} million are allowed; take fewer benches or a shorter walk (walk.start, walk.end), or allow {times} times as much on the command line by {variable}={times}",
   );
+  throw over(text, asked.spent + handles, asked.work, WORK);
 }
 
 /** How many bytes the tables of the question at hand may take. */
@@ -98,20 +90,15 @@ export function memory() {
 /** Say how many bytes the tables of the question at hand are to take, before they are made. @param {number} size */
 export function hold(size) {
   if (!asked || size <= asked.memory) return;
-  throw new OverBudgetError(
-    _(
-      "this takes more memory than a question may: at least {asked} MB, where {most} MB are allowed; take fewer benches, fewer sizes of benches or a shorter walk (walk.start, walk.end), or allow {times} times as much on the command line by {variable}={times}",
-      {
-        asked: general(size / 1e6, 4),
-        most: general(asked.memory / 1e6, 4),
-        variable: VARIABLE,
-        times: enough(size / MEMORY),
-      },
-    ),
+  const text = N_(
+    "this takes more memory than a question may: at least {asked} MB, where {most} MB are allowed; take fewer benches, fewer sizes of benches or a shorter walk (walk.start, walk.end), or allow {times} times as much on the command line by {variable}={times}",
   );
+  throw over(text, size, asked.memory, MEMORY);
 }
 
-/** The power of ten that allows so many times the limits, and somewhat more. @param {number} times */
-function enough(times) {
-  return general(10 ** Math.max(Math.ceil(Math.log10(1.01 * times)), 1));
+/** What to say of more than is allowed, and which power of ten times `usual` would allow it. @param {string} text @param {number} asked @param {number} most @param {number} usual */
+function over(text, asked, most, usual) {
+  const times = general(10 ** Math.max(Math.ceil(Math.log10((1.01 * asked) / usual)), 1));
+  const amounts = { asked: general(asked / 1e6, 4), most: general(most / 1e6, 4) };
+  return new OverBudgetError(_(text, { ...amounts, variable: VARIABLE, times }));
 }
