@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import benchdragon as bd
-from benchdragon.export.tables import write_moment_xlsx
 
 # The kernels', whose words are part of the engine that is built of them.
 WITHOUT = {"Status"}
@@ -39,11 +38,12 @@ def test_a_public_name_has_an_example_that_runs(name: str, tmp_path: Path, threa
         coil = bd.read_plan("spiral-in")
         contact = bd.first_contact(coil)
         assert contact is not None
-        write_moment_xlsx(tmp_path / "result2.xlsx", coil.motion(contact.value))
+        found = coil.motion(contact.value)
+        bd.write_result2(tmp_path / "result2.xlsx", found.x, found.y, found.speed)
     given = {"bd": bd, "np": np, "folder": tmp_path, "threads": threads}
     told = examples(name)
     assert told
     test = doctest.DocTest(told, given, name, None, 0, None)
     said: list[str] = []
-    found = doctest.DocTestRunner(optionflags=FLAGS).run(test, out=said.append)
-    assert not found.failed, "".join(said)
+    done = doctest.DocTestRunner(optionflags=FLAGS).run(test, out=said.append)
+    assert not done.failed, "".join(said)

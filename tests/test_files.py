@@ -101,7 +101,9 @@ def written() -> Iterator[dict[str, Written]]:
     found = {name: table(name) for name in WRITERS}
     found |= dict.fromkeys(("png", "svg", "pdf"), lambda path: write_picture(figure, path, "", "x"))
     gc.freeze()  # what is there by now: the tests collect what comes after it
-    yield {**found, "moment.xlsx": lambda path: write_moment_xlsx(path, walk.motion([0.0]))}
+    first = walk.motion([0.0])
+    tables = [first.x[0], first.y[0], first.speed[0]]
+    yield {**found, "moment.xlsx": lambda path: write_moment_xlsx(path, tables)}
     gc.unfreeze()
 
 

@@ -144,6 +144,8 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "TwoArcTurn": (1.7, 4.5, 2.0),
     "Walk": (DRAGON, ROUTE, WALK.profile, 0.0),
     "TurnGoal": (),
+    "grade": ("pitch", 0.45),
+    "use_language": ("en",),
     "bench_offsets": (MOTION, 1),
     "Wishes": (2, 1.5, 0.15, 2.0, 0.15),
     "bench_walks": (PLAN, WALK, (0.0, 1.0)),
@@ -194,17 +196,22 @@ CALLS: dict[str, tuple[Any, ...]] = {
 MADE = {
     "BenchWalk", "ChalkPlan", "Passing", "Person", "Proposal", "Roster", "TooSmall", "Trail",
     "Answer", "BestTurn", "BoundingCircle", "BoundingRectangle", "ClearanceCurve", "Comparison",
-    "Connection", "Enclosing", "Formation", "Motion", "Nearness", "Obstacle", "Offsets", "PlacedDance",
+    "Connection", "Enclosing", "Formation", "Grade", "Motion", "Nearness", "Obstacle", "Offsets",
+    "PlacedDance",
     "Plan", "Points", "Report", "Rings", "Status", "Sweep", "SweptArea", "Tolerance", "Widest",
     "Window", "Witness",
     "BenchDragonError", "InputError", "NoSolutionError", "PlanError", "UnsureError", "WalkError",
 }  # fmt: skip
 
+# What reads or writes files: tested with them.
+FILES = {
+    "animate", "compare", "read_plan", "read_points", "read_sweep", "write_result1", "write_result2",
+    "write_result4",
+}  # fmt: skip
+
 
 def test_every_public_constructor_and_function_is_tried() -> None:
-    assert {*CALLS, *MADE, "animate", "compare", "read_plan", "read_points", "read_sweep"} == set(
-        bd.__all__
-    )
+    assert {*CALLS, *MADE, *FILES} == set(bd.__all__)
 
 
 @pytest.mark.parametrize("name", CALLS)

@@ -76,6 +76,11 @@ from .model.walk import Motion as Motion
 from .model.walk import Walk as Walk
 from .paper.compare import Comparison as Comparison
 from .paper.compare import compare as compare
+from .paper.grading import Grade as Grade
+from .paper.grading import grade as grade
+from .paper.handed_in import write_result1 as write_result1
+from .paper.handed_in import write_result2 as write_result2
+from .paper.handed_in import write_result4 as write_result4
 from .plans.roster import roster_of as roster_of
 from .plans.schema import Plan as Plan
 from .plans.schema import read_plan as read_plan
@@ -98,6 +103,7 @@ from .solve.turn import BestTurn as BestTurn
 from .solve.turn import best_turn as best_turn
 from .solve.turn_goal import TurnGoal as TurnGoal
 from .solve.wishes import Wishes as Wishes
+from .speech import use_language as use_language
 from .sweeps.points import Points as Points
 from .sweeps.points import listed_points as listed_points
 from .sweeps.points import read_points as read_points

@@ -77,6 +77,7 @@ AREA = ["area", "spiral-in", *SHORT]
 TIMES = ["timetable", "spiral-in", *SHORT]
 DRAWN = [*AREA, "-o", "area.svg"]
 MINE = ["plan", "spiral-in", *SHORT, "-o", "mine.dragon.toml"]
+STARTER = ["starter", "-o", "a.py"]
 REPRODUCE = ["reproduce", "-o", "out"]
 VERIFY = ["verify", "out/certificate.json"]
 CERTIFIED = [*CHECK, "--prove", "-o", "out", "--format", "svg"]
@@ -159,6 +160,9 @@ CASES: dict[str, Case] = {
     "new --beside": Case(PROPOSED, ["--beside", "well.dragon.toml"], WELL),
     "new --roster": Case(PROPOSED, ["--roster", "names.csv"]),
     "new --force": Case(PROPOSED, ["--force"], PROPOSED),
+    "starter --output": Case(["starter", "-o", "a.py"], ["-o", "a.ipynb"]),
+    "starter --force": Case(STARTER, ["--force"], STARTER),
+    "starter --lang": Case(STARTER, ["--lang", "zh"]),
     "formations --json": Case(["formations"], ["--json"]),
     "schema --table": Case(["schema"], ["--table"]),
     "solve --lang": Case(["solve", "--help"], ["--lang", "zh"]),
@@ -328,7 +332,7 @@ ELSEWHERE |= {
     )
 }
 # Nothing is said on standard error, nor in a language, that could be left out.
-SILENT = {f"{verb} --quiet" for verb in ("plan", "formations", "schema", "doctor", "survey")}
+SILENT = {f"{verb} --quiet" for verb in ("plan", "formations", "schema", "starter", "doctor", "survey")}
 
 
 def placed(name: str, calls: list[str]) -> Callable[..., Place]:

@@ -24,7 +24,9 @@ from benchdragon.export.tables import (
     write_xlsx,
 )
 from benchdragon.i18n import use_language
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.numbering import handle_names
+from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 from tests.figures.test_square import NEAR
@@ -63,6 +65,11 @@ def sheets(path: Path) -> dict[str, list[list[Any]]]:
     return {name: book.get_sheet_by_name(name).to_python() for name in book.sheet_names}
 
 
+def standing(motion: Motion) -> list[FloatArray]:
+    """x, y and speed at the first time."""
+    return [motion.x[0], motion.y[0], motion.speed[0]]
+
+
 BODIES = [f"第{i}节龙身" for i in range(1, 222)]
 
 
@@ -72,7 +79,8 @@ def test_the_contests_files_are_its_own_whatever_the_language(
 ) -> None:
     del spoken
     times = np.arange(start, end + 1.0)
-    write_contest_xlsx(tmp_path / "a.xlsx", Selection(TURN, times, ALL), silent)
+    motion = TURN.motion(times)
+    write_contest_xlsx(tmp_path / "a.xlsx", times, (motion.x, motion.y, motion.speed))
     found = sheets(tmp_path / "a.xlsx")
     assert list(found) == ["位置", "速度"]
     for sheet in found.values():
@@ -82,7 +90,6 @@ def test_the_contests_files_are_its_own_whatever_the_language(
     assert [row[0] for row in found["位置"][1:]] == rows
     bodies = [f"{name}  (m/s)" for name in [*BODIES, "龙尾"]]
     assert [row[0] for row in found["速度"][1:]] == ["龙头 (m/s)", *bodies, "龙尾（后） (m/s)"]
-    motion = TURN.motion(times)
     for row, exact in zip(found["速度"][1:], motion.speed.T, strict=True):
         assert row[1:] == [round(value, 6) for value in exact.tolist()]
 
@@ -90,7 +97,7 @@ def test_the_contests_files_are_its_own_whatever_the_language(
 def test_the_contests_moment_is_its_own_whatever_the_language(tmp_path: Path, spoken: str) -> None:
     del spoken
     motion = WALK.motion([0.0])
-    write_moment_xlsx(tmp_path / "a.xlsx", motion)
+    write_moment_xlsx(tmp_path / "a.xlsx", standing(motion))
     found = sheets(tmp_path / "a.xlsx")
     assert list(found) == ["Sheet1"]
     head, *rows = found["Sheet1"]
@@ -101,8 +108,9 @@ def test_the_contests_moment_is_its_own_whatever_the_language(tmp_path: Path, sp
 
 
 def test_cells_of_the_contests_files_show_six_decimals(tmp_path: Path) -> None:
-    write_moment_xlsx(tmp_path / "a.xlsx", WALK.motion([0.0]))
-    write_contest_xlsx(tmp_path / "b.xlsx", Selection(WALK, TIMES, ALL), silent)
+    motion = WALK.motion(TIMES)
+    write_moment_xlsx(tmp_path / "a.xlsx", standing(motion))
+    write_contest_xlsx(tmp_path / "b.xlsx", TIMES, (motion.x, motion.y, motion.speed))
     for name in ("a.xlsx", "b.xlsx"):
         with zipfile.ZipFile(tmp_path / name) as book:
             assert 'formatCode="0.000000"' in book.read("xl/styles.xml").decode()
@@ -213,7 +221,7 @@ def test_slices_of_many_benches_are_written_one_time_at_once(tmp_path: Path) -> 
 def test_a_workbook_of_a_check_tells_of_obstacles(tmp_path: Path) -> None:
     report = check(NEAR)
     motion, _answer = moment(report)
-    write_moment_xlsx(tmp_path / "a.xlsx", motion, report.obstacles)
+    write_moment_xlsx(tmp_path / "a.xlsx", standing(motion), report.obstacles)
     book = CalamineWorkbook.from_path(tmp_path / "a.xlsx")
     assert book.sheet_names == ["Sheet1", "Obstacles"]
     heads, venue, well, rope = book.get_sheet_by_name("Obstacles").to_python()
@@ -230,5 +238,5 @@ def test_a_workbook_of_a_check_tells_of_obstacles(tmp_path: Path) -> None:
     assert well[3] == 0.0
     assert well[8:] == pytest.approx([contact.value, 1], rel=1e-15)
     assert rope[:2] == ["obstacle 2", "line"]
-    write_moment_xlsx(tmp_path / "b.xlsx", motion)
+    write_moment_xlsx(tmp_path / "b.xlsx", standing(motion))
     assert CalamineWorkbook.from_path(tmp_path / "b.xlsx").sheet_names == ["Sheet1"]

@@ -1,14 +1,18 @@
-"""The verb `compare`: how far a contest workbook is off, from where on, and by which mistake."""
+"""The verbs of the contest: a starter to fill in, and a grader of workbooks and numbers."""
 
 import json
+from collections.abc import Sequence
 from dataclasses import asdict
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from benchdragon.cli.answers import UNSAFE
-from benchdragon.cli.console import print_rows
-from benchdragon.cli.options import take, verb
+from benchdragon.cli.console import print_files, print_rows
+from benchdragon.cli.options import output_option, take, verb
+from benchdragon.cli.parsing import NUMBER, check_ending
+from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.model.numbering import handle_names
 from benchdragon.number_format import decimals
@@ -16,10 +20,31 @@ from benchdragon.version import __version__
 
 if TYPE_CHECKING:
     from benchdragon.paper.compare import Comparison, Departure, Deviation, Result
+    from benchdragon.paper.grading import Grade
 
 
 @verb
-@click.argument("file", metavar="FILE")
+@output_option(N_("The file to write: a script, contest.py, or a notebook, contest.ipynb."))
+@take("force", "shared")
+def starter(output: Path, force: bool, quiet: bool) -> int:
+    """Write a skeleton of the contest's five questions, to be filled in and graded.
+
+    It runs as it is: what is yet to be computed is marked by TODO, and each part grades itself. For
+    example: benchdragon starter -o contest.py.
+    """
+    del quiet
+    from benchdragon.files import refuse_existing, write_whole
+    from benchdragon.paper.starter import notebook, script
+
+    check_ending("--output", output, [".py", ".ipynb"])
+    refuse_existing([output], force)
+    write_whole(output, script() if output.suffix == ".py" else notebook())
+    print_files([output])
+    return 0
+
+
+@verb
+@click.argument("given", metavar="FILE|TASK=NUMBER...", nargs=-1, required=True)
 @click.option(
     "--as",
     "result",
@@ -33,21 +58,60 @@ if TYPE_CHECKING:
     help=N_("How far off a cell may be, in metres, and in metres per second."),
 )
 @take("json", "shared")
-def compare(file: str, result: "Result | None", tolerance: float, as_json: bool, quiet: bool) -> int:
-    """How far anyone's result1, result2 or result4 is off, and by which mistake.
+def compare(
+    given: tuple[str, ...], result: "Result | None", tolerance: float, as_json: bool, quiet: bool
+) -> int:
+    """Grade anyone's result1, result2 or result4, and numbers: errors, and the mistake behind them.
 
     FILE is an .xlsx workbook in the layout of the contest's templates; each cell is compared with the
-    exact value. Exit code 0: it agrees; 1: it does not, or cells are empty.
+    exact value. TASK=NUMBER is an answer to a question or an exercise: contact=412.5, pitch=0.45,
+    turn-length=13.6, head-speed=1.2. For example: benchdragon compare result1.xlsx pitch=0.45. Exit
+    code 0: all of it agrees; 1: something does not, or cells are empty.
     """
     del quiet
     from benchdragon.paper.compare import compare as compared
+    from benchdragon.paper.compare import points
 
-    found = compared(file, result=result, tolerance=tolerance)
+    found: list[Comparison | Grade] = [
+        _graded(one) if _is_answer(one) else compared(one, result=result, tolerance=tolerance)
+        for one in given
+    ]
+    score, agrees = sum(one.score for one in found) / len(found), all(one.agrees for one in found)
     if as_json:
-        click.echo(json.dumps({**asdict(found), "agrees": found.agrees, "version": __version__}))
+        graded = [{**asdict(one), "agrees": one.agrees, "score": one.score} for one in found]
+        whole = {"graded": graded, "agrees": agrees, "score": score, "version": __version__}
+        click.echo(json.dumps(whole))
     else:
-        print_comparison(found)
-    return 0 if found.agrees else UNSAFE
+        _print_graded(found)
+        click.echo(_("Points: {points} of 100").format(points=points(score)))
+    return 0 if agrees else UNSAFE
+
+
+def _print_graded(found: "Sequence[Comparison | Grade]") -> None:
+    from benchdragon.paper.compare import Comparison
+
+    for one in found:
+        if isinstance(one, Comparison):
+            print_comparison(one)
+        else:
+            click.echo(str(one))
+
+
+def _is_answer(given: str) -> bool:
+    """Whether an argument is an answer to a task, and no file."""
+    return "=" in given and not given.endswith(".xlsx")
+
+
+def _graded(given: str) -> "Grade":
+    """The grade of TASK=NUMBER, or TASK=NUMBER,NUMBER."""
+    from benchdragon.paper.grading import grade
+
+    task, _equals, numbers = given.partition("=")
+    said = numbers.split(",")
+    if not all(NUMBER.fullmatch(number) for number in said):
+        text = _("{task} must be a number, or several with commas, not {value}")
+        raise InputError(text.format(task=task, value=repr(numbers)))
+    return grade(task, [float(number) for number in said])
 
 
 def print_comparison(found: "Comparison") -> None:

@@ -19,7 +19,7 @@ from benchdragon.cli.answers import about
 from benchdragon.cli.area import area
 from benchdragon.cli.atlas import atlas
 from benchdragon.cli.check import check
-from benchdragon.cli.compare import compare
+from benchdragon.cli.compare import compare, starter
 from benchdragon.cli.console import (
     print_explanation,
     print_files,
@@ -192,7 +192,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 
 
 for one in (
-    new, check, solve, margins, sweep, atlas, survey, compare, view, planner, animate, area,
+    new, check, solve, margins, sweep, atlas, survey, starter, compare, view, planner, animate, area,
     timetable, sheets, plan, formations, schema, verify,
 ):  # fmt: skip
     program.add_command(one)

@@ -46,7 +46,8 @@ def write_files(report: Report, files: Sequence[Path]) -> list[Path]:
         if path.name == CERTIFICATE:
             write_certificate(certificate_of(report.plan, report.claims, report.speeds), path)
         elif path.suffix == ".xlsx":
-            write_moment_xlsx(path, motion, report.obstacles)
+            tables = motion.x[0], motion.y[0], motion.speed[0]
+            write_moment_xlsx(path, tables, report.obstacles)
         else:
             write_picture(figures[path.stem], path, title, plan.sha256)
     return files

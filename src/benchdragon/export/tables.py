@@ -23,7 +23,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.numbering import contest_names, handle_names, handle_place, numbering_text
 from benchdragon.model.obstacle import Kind
 from benchdragon.model.walk import Motion, Walk
-from benchdragon.progress import Progress
+from benchdragon.progress import Progress, silent
 
 # What a spreadsheet can hold: columns after the first, and rows for x and y below the header.
 MOST_TIMES_XLSX = 16_383
@@ -98,22 +98,28 @@ def write_xlsx(path: Path, what: Selection, progress: Progress) -> None:
         _("Positions"), _("Speeds"), *([text.format(handle=name) for name in names] for text in texts)
     )
     with whole_bytes(path) as made, workbook(made) as book:
-        _write_motion(book, what, labels, progress)
+        _write_motion(book, what.times, handles, what.gathered("x", "y", "speed"), labels, progress)
         _write_numbering(book, handles, names)
 
 
-def write_contest_xlsx(path: Path, what: Selection, progress: Progress) -> None:
-    """The contest's result1.xlsx and result4.xlsx, labels and all, in whatever language."""
-    names = contest_names(len(what.walk.dragon) + 1)
+def write_contest_xlsx(path: Path, times: FloatArray, tables: Sequence[FloatArray]) -> None:
+    """The contest's result1.xlsx and result4.xlsx, labels and all, in whatever language.
+
+    `tables` are x and y, m, and speed, m/s, (T, H) each; NaN leaves a cell empty.
+    """
+    handles = range(tables[0].shape[1])
+    names = contest_names(len(handles))
     # The contest has two spaces behind the bodies and the tail.
     speeds = [f"{name}{' ' if name in {names[0], names[-1]} else '  '}(m/s)" for name in names]
     x, y = ([f"{name}{axis} (m)" for name in names] for axis in "xy")
     with whole_bytes(path) as made, workbook(made) as book:
-        _write_motion(book, what, _Labels("位置", "速度", x, y, speeds), progress)
+        _write_motion(book, times, handles, tables, _Labels("位置", "速度", x, y, speeds), silent)
 
 
-def write_moment_xlsx(path: Path, motion: Motion, obstacles: Sequence[ObstacleAnswers] = ()) -> None:
-    """The contest's result2.xlsx for the first time of `motion`, in whatever language.
+def write_moment_xlsx(
+    path: Path, tables: Sequence[FloatArray], obstacles: Sequence[ObstacleAnswers] = ()
+) -> None:
+    """The contest's result2.xlsx, in whatever language: x and y, m, and speed, m/s, (H,) each.
 
     What was found about obstacles stands in a second sheet, in the language in use.
     """
@@ -123,7 +129,7 @@ def write_moment_xlsx(path: Path, motion: Motion, obstacles: Sequence[ObstacleAn
         sheet.freeze_panes(1, 1)
         sheet.set_column(0, 3, 18)
         sheet.write_row(0, 1, ["横坐标x (m)", "纵坐标y (m)", "速度 (m/s)"])
-        table = np.column_stack([motion.x[0], motion.y[0], motion.speed[0]])
+        table = np.column_stack(tables)
         for i, name in enumerate(contest_names(len(table))):
             _write_row(sheet, i + 1, name, table[i], six)
         if obstacles:
@@ -167,17 +173,19 @@ def _write_obstacles(book: Any, obstacles: Sequence[ObstacleAnswers]) -> None:
                 sheet.write_number(row, column + 1, answer.witness.benches[0])
 
 
-def _write_motion(book: Any, what: Selection, labels: _Labels, progress: Progress) -> None:
+def _write_motion(
+    book: Any, times: FloatArray, handles: Sequence[int], tables: Sequence[FloatArray],
+    labels: _Labels, progress: Progress,
+) -> None:  # fmt: skip
     """The sheets of positions and of speeds."""
-    handles = what.handles
-    x, y, speed = what.gathered("x", "y", "speed")
+    x, y, speed = tables
     six = book.add_format({"num_format": "0.000000"})
-    positions = _sheet(book, labels.positions, what.times)
+    positions = _sheet(book, labels.positions, times)
     for i, handle in enumerate(handles):
         _write_row(positions, 2 * i + 1, labels.x[handle], x[:, i], six)
         _write_row(positions, 2 * i + 2, labels.y[handle], y[:, i], six)
         progress(0.67 * (i + 1) / len(handles), "")
-    speeds = _sheet(book, labels.speeds, what.times)
+    speeds = _sheet(book, labels.speeds, times)
     for i, handle in enumerate(handles):
         _write_row(speeds, i + 1, labels.speed[handle], speed[:, i], six)
         progress(0.67 + 0.33 * (i + 1) / len(handles), "")

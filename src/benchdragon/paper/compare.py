@@ -1,5 +1,6 @@
 """A contest workbook compared with the exact values: its errors, where they begin, and their cause."""
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -15,6 +16,7 @@ from benchdragon.model.numbering import handle_names
 from benchdragon.number_format import decimals, finite_or_none
 from benchdragon.paper.cases import DECIMALS, SHEETS, WITHIN, BoolArray, Case, Mistake, values_of
 from benchdragon.paper.fits import Fit, best_fit, exact_fit
+from benchdragon.paper.handed_in import TIMES
 from benchdragon.paper.workbook import HANDLES, QUANTITIES, Quantity, Workbook, read_workbook
 from benchdragon.paper.wrong_sizes import links_of, links_text
 from benchdragon.plans.schema import read_plan
@@ -23,13 +25,12 @@ Result = Literal["result1", "result2", "result4"]
 RESULTS: tuple[Result, ...] = get_args(Result)
 # Which of the contest's workbooks a file's name promises.
 NAMED = re.compile(r"result[ _-]*([124])(?!\d)", re.IGNORECASE)
-# Plan of each, and plan and first time of the other part's; times that the contest asks for, s.
+# Plan of each, and plan and first time of the other part's, s.
 PARTS = {
     "result1": ("spiral-in", "turn", -100.0),
     "result2": ("spiral-in", "turn", -100.0),
     "result4": ("turn", "spiral-in", 0.0),
 }
-TIMES = {"result1": np.arange(0.0, 301.0), "result4": np.arange(-100.0, 101.0)}
 # What rounding to six decimals does, with some room.
 SIX_DECIMALS = 5.01e-7
 # Cells beside a mistake are single ones up to this share of all, or so many; so many are named; after
@@ -52,6 +53,7 @@ class Deviation:
         cells: that hold a number which can be compared.
         asked: that the contest asks for.
         empty: of these, that hold none.
+        right: of these, that are within the tolerance.
         agreeing: cells that agree to six decimals.
         largest: deviation, m or m/s; None without cells.
         handle, time: where that is, from 0, and when, s.
@@ -60,6 +62,7 @@ class Deviation:
     cells: int
     asked: int
     empty: int
+    right: int
     agreeing: int
     largest: float | None
     handle: int | None
@@ -130,6 +133,16 @@ class Comparison:
     def agrees(self) -> bool:
         """Whether every cell that the contest asks for is there and none is off."""
         return self.mistake is None and not self.places.empty and not self.speeds.empty
+
+    @property
+    def score(self) -> float:
+        """Share of the cells that the contest asks for that are within the tolerance, 0 to 1."""
+        sheets = self.places, self.speeds
+        return sum(one.right for one in sheets) / sum(one.asked for one in sheets)
+
+    def __str__(self) -> str:
+        text = _("{name}: {points} of 100 points: {finding}")
+        return text.format(name=self.result, points=points(self.score), finding=self.finding)
 
 
 def compare(path: str | Path, *, result: Result | None = None, tolerance: float = 1e-6) -> Comparison:
@@ -326,12 +339,15 @@ def _deviation(case: Case, part: slice, asked: BoolArray) -> Deviation:
     off = np.abs(theirs - ours)
     cells, wanted = int(np.isfinite(off).sum()), int(theirs[:, asked].size)
     empty = int(np.isnan(theirs[:, asked]).sum())
+    right = int((off <= case.tolerance[part])[:, asked].sum())
     if not cells:
-        return Deviation(0, wanted, empty, 0, None, None, None)
+        return Deviation(0, wanted, empty, right, 0, None, None, None)
     _axis, row, handle = np.unravel_index(np.nanargmax(off), off.shape)
     agreeing = int((off <= SIX_DECIMALS).sum())
     largest = float(np.nanmax(off))
-    return Deviation(cells, wanted, empty, agreeing, largest, int(handle), float(case.times[row]))
+    return Deviation(
+        cells, wanted, empty, right, agreeing, largest, int(handle), float(case.times[row])
+    )
 
 
 def _first_departure(case: Case, asked: BoolArray) -> Departure | None:
@@ -410,6 +426,11 @@ def _single_cells(shown: _Shown) -> list[str]:
         rest = np.sort(off, axis=None)[::-1][len(said)]
         said.append(text.format(count=count - len(said), largest=f"{rest:.1e}"))
     return said
+
+
+def points(score: float) -> str:
+    """A score of 0 to 1 as points of 100, rounded down: 100 are for what is wholly right."""
+    return f"{math.floor(1000.0 * score) / 10.0:g}"
 
 
 def quantity_text(quantity: Quantity) -> str:

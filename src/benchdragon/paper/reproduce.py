@@ -16,13 +16,7 @@ from benchdragon.analysis.contact import first_contact
 from benchdragon.errors import InputError
 from benchdragon.export.pages import write_pdf
 from benchdragon.export.publish import write_html
-from benchdragon.export.tables import (
-    Selection,
-    write_contest_xlsx,
-    write_csv,
-    write_moment_xlsx,
-    write_npz,
-)
+from benchdragon.export.tables import Selection, write_csv, write_npz
 from benchdragon.figures.contact import clearance_picture, moment_picture
 from benchdragon.figures.style import lay_out, write_picture
 from benchdragon.figures.tolerance import margin_picture
@@ -39,6 +33,7 @@ from benchdragon.paper.evidence_figures import (
     stepping_picture,
 )
 from benchdragon.paper.geometry_figures import axes_picture, polar_picture, triangle_picture
+from benchdragon.paper.handed_in import TIMES, write_result1, write_result2, write_result4
 from benchdragon.paper.report import FLOW, report
 from benchdragon.paper.results import Results, as_json, results
 from benchdragon.paper.turn_figures import (
@@ -151,18 +146,17 @@ def pages_from(folder: Path, docs: str) -> str:
 
 
 def _write_tables(folder: Path, found: Results) -> None:
-    walk = found.motion.walk
-    what = Selection(walk, found.motion.times, range(len(walk.dragon) + 1))
-    for name, write in (
-        ("result1.xlsx", write_contest_xlsx),
-        ("spiral.csv", write_csv),
-        ("spiral.npz", write_npz),
+    walk, motion = found.motion.walk, found.motion
+    what = Selection(walk, motion.times, range(len(walk.dragon) + 1))
+    write_csv(folder / "spiral.csv", what, silent)
+    write_npz(folder / "spiral.npz", what, silent)
+    standing, turning = moment(found.report)[0], found.turn_motion.walk.motion(TIMES["result4"])
+    for name, write, held in (
+        ("result1.xlsx", write_result1, motion),
+        ("result2.xlsx", write_result2, standing),
+        ("result4.xlsx", write_result4, turning),
     ):
-        write(folder / name, what, silent)
-    write_moment_xlsx(folder / "result2.xlsx", moment(found.report)[0])
-    walk = found.turn_motion.walk
-    whole = Selection(walk, np.arange(-100.0, 101.0), range(len(walk.dragon) + 1))
-    write_contest_xlsx(folder / "result4.xlsx", whole, silent)
+        write(folder / name, held.x, held.y, held.speed, force=True)
 
 
 def all_figures(found: Results) -> dict[str, Figure]:
