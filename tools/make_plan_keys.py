@@ -28,7 +28,7 @@ UNITS = ("METRES", "SECONDS", "DEGREES", "SPEEDS", "ACCELERATIONS", "ANGULAR_SPE
 TYPES = {float: "float", int: "int", bool: "bool", str: "text"}
 NUMBERS, NAMES = "Record<string, Record<string, number>>", "Record<string, string[]>"
 # Functions that check or change a value, made for the pages too.
-CHECKS = ("one_line", "time_of_day", "web_address")
+CHECKS = ("entrance", "one_line", "time_of_day", "web_address")
 LIMITS = {"le": min, "ge": max, "gt": max, "least": max, "most": min}
 
 Spec = dict[str, Any]

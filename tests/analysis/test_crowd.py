@@ -17,12 +17,14 @@ from benchdragon.analysis.crowd import (
     entrances_of,
     event_findings,
     outer_lines,
+    ways_out,
     within_lines,
 )
 from benchdragon.analysis.distance import boxes
-from benchdragon.analysis.rings import Ring
+from benchdragon.analysis.entrances import gates_of
 from benchdragon.analysis.swept import rings, swept_area
 from benchdragon.kernels.box import corner
+from benchdragon.model.rings import Ring
 from benchdragon.plans.schema import read_plan
 from benchdragon.plans.toml import PlanError
 
@@ -113,7 +115,7 @@ def test_entrances_are_shut_while_benches_are_near(
     assert (inner.inside, outer.inside) == (True, False)
     assert outer.shut == ()
     for one in entrances:
-        place = shapely.Point(one.place)
+        place = shapely.Point(one.gate.place)
         seen = [board.distance(place) for _time, board in boards]
         assert one.nearest.value == pytest.approx(min(seen), abs=0.05)
         near = one.nearest.witness
@@ -121,13 +123,53 @@ def test_entrances_are_shut_while_benches_are_near(
         assert near.time is not None
         bench = benches(report, near.time)[near.benches[0] - 1]
         assert bench.distance(place) == pytest.approx(one.nearest.value, abs=5e-3)
-    place = shapely.Point(inner.place)
+    place = shapely.Point(inner.gate.place)
     shut = [time for time, board in boards if board.distance(place) <= 3.25]
     assert shut
     for time in shut:
         assert any(since <= time <= until for since, until in inner.shut)
     told = sum(until - since for since, until in inner.shut)
     assert told <= len(shut) * 0.05 + 2.0
+
+
+@pytest.mark.parametrize("venue", ["[40, 30]", "[16, 30]"], ids=["round", "in the edge"])
+def test_all_of_a_wide_entrance_counts(
+    report: Report, lines: list[Ring], boards: list[tuple[float, shapely.MultiPolygon]], venue: str
+) -> None:
+    """One whose middle lies outside the line, and what is in the venue's edge of another."""
+    plan = read_plan("spiral-in", [*SMALL, f"venue.rectangle={venue}", "event.entrances=[[8, 6, 9]]"])
+    plan = plan.with_value("event.distance", 3.25)
+    span, fastest = (report.start, report.end), report.greatest_speed.upper
+    (one,) = entrances_of(plan, report.walk, span, lines, fastest)
+    gate = shapely.LineString([(8.0, 1.5), (8.0, 10.5)])
+    shape = gate if venue == "[16, 30]" else shapely.Point(8.0, 6.0).buffer(4.5, 64)
+    line = shapely.union_all([shapely.Polygon(ring) for ring in lines])
+    assert not line.contains(shapely.Point(8.0, 6.0))
+    assert line.intersects(shape)
+    assert one.inside
+    seen = [board.distance(shape) for _time, board in boards]
+    assert one.nearest.value == pytest.approx(min(seen), abs=0.05)
+    shut = [time for (time, _board), away in zip(boards, seen, strict=True) if away <= 3.25]
+    assert shut
+    for time in shut:
+        assert any(since <= time <= until for since, until in one.shut)
+    assert sum(until - since for since, until in one.shut) <= len(shut) * 0.05 + 2.0
+
+
+def test_ways_out_are_as_wide_as_the_plan_says_and_those_that_are_shut_do_not_count(
+    report: Report, entrances: list[Entrance]
+) -> None:
+    plan = report.plan.with_value("event.entrances", [[3, 0, 2], [20, 5, 4], [-20, 5, 1.5], [0, 15]])
+    near = entrances[0].nearest
+    some = [Entrance(gate, near, inside=n == 0, shut=()) for n, gate in enumerate(gates_of(plan))]
+    found = ways_out(some, 813)
+    assert (found.width, found.free, found.unknown) == (7.5, 5.5, (4,))
+    assert found.flows == (5.5 * 60.0, 5.5 * 82.0)
+    assert found.minutes == pytest.approx((813 / (5.5 * 60.0), 813 / (5.5 * 82.0)))
+    assert ways_out(some, None).minutes is None
+    assert ways_out(some[:1], 813).minutes == (math.inf, math.inf)
+    bare = ways_out(some[3:], 813)
+    assert (bare.width, bare.free, bare.unknown) == (None, 0.0, (1,))
 
 
 def test_an_entrance_inside_the_line_is_a_finding_with_its_times(
@@ -139,7 +181,7 @@ def test_an_entrance_inside_the_line_is_a_finding_with_its_times(
     since, until = entrances[0].shut[0]
     assert f"and is shut by them ({clock.tell(since)}–{clock.tell(until)})" in found.text
     assert "entrance 1 lies inside the spectators' line" in found.text
-    free = Entrance((0.0, 0.0), entrances[0].nearest, inside=True, shut=())
+    free = Entrance(entrances[0].gate, entrances[0].nearest, inside=True, shut=())
     (found,) = event_findings(report.plan, crowd, [free], clock)
     assert "which goes round it" in found.text
 

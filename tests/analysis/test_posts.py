@@ -7,8 +7,8 @@ import shapely
 from benchdragon.analysis.check import Report, check
 from benchdragon.analysis.crowd import outer_lines
 from benchdragon.analysis.posts import EVERY, JOINED, Post, Reason, _spaced, marshal_posts
-from benchdragon.analysis.rings import Ring
 from benchdragon.analysis.swept import swept_area
+from benchdragon.model.rings import Ring
 from benchdragon.plans.schema import read_plan
 
 SMALL = ("dragon.benches=8", "route.pitch=1.2", "route.start_turn=4", "walk.end=12")

@@ -22,7 +22,8 @@ SHEETS = {"en": "benches' sheets", "zh": "板凳单"}
 SAID = (
     'event.place="Temple square"', 'event.place_zh="祠堂前"', 'event.date="2027-02-20"',
     'event.organiser="V 1"', "event.spectators=813", "event.marshals=1", "event.distance=3.25",
-    "event.entrances=[[3, 0], [20, 5]]", "venue.rectangle=[40, 30]", "limits.speed=1.73",
+    "event.entrances=[[3, 0, 2.25], [20, 5, 4.5], [-20, -5]]",
+    "venue.rectangle=[40, 30]", "limits.speed=1.73",
     "people.sway=0.013", 'people.source.sway="M 7"', "cues.clock=18:30",
     'obstacle=[{kind="circle", centre=[12, 9], radius=1, name="well 水井"}]',
 )  # fmt: skip
@@ -107,9 +108,41 @@ def test_the_annex_on_paper_tells_what_the_check_found(
 
 def test_words_of_the_other_language_are_not_told(pages: Pages, file: Path) -> None:
     text = "".join(printed(annex_of(pages, file, "zh")))
-    for word in ("benchdragon", "Fruin", "EPJ", "well水井", *re.findall(r"[0-9a-f]{12}", text)):
+    own = ("Larsson", "FireSafetyJournal", "GuidetoSafetyatSportsGrounds")
+    for word in ("benchdragon", "Fruin", "EPJ", *own, "well水井", *re.findall(r"[0-9a-f]{12}", text)):
         text = text.replace(word, "")
     assert not re.findall(r"[A-Za-z]{4,}", text)
+
+
+WAYS = {
+    "en": (
+        "6.75; 2.25 of it inside the spectators' line: below, 4.50 count; entrances not counted, since "
+        "the plan does not say how wide they are: 3",
+        "270 by flows that were seen, 369 by the Guide",
+        "3.1 by flows that were seen, 2.3 by the Guide",
+    ),
+    "zh": (
+        "6.75；其中 2.25 在观众线以内，下面只按 4.50 算；方案没有写多宽、没有算进去的入口：3",
+        "270（按实际看到的人流），369（按《指南》）",
+        "3.1（按实际看到的人流），2.3（按《指南》）",
+    ),
+}
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_ways_out_are_told_from_the_widths_that_the_plan_says(
+    pages: Pages, file: Path, language: Language
+) -> None:
+    page = annex_of(pages, file, language)
+    with spoken_in(language):
+        names = [
+            _("width of all ways out, m"), _("people a minute whom these let through at most"),
+            _("minutes until all are out, at least"),
+        ]  # fmt: skip
+    rows = shown(page).get_by_role("row")
+    for name, told in zip(names, WAYS[language], strict=True):
+        expect(rows.filter(has_text=name).get_by_role("cell")).to_have_text([told])
+    expect(shown(page)).to_contain_text("Fire Safety Journal")
 
 
 def test_what_the_plan_does_not_say_is_a_blank_that_is_named(pages: Pages, tmp_path: Path) -> None:
@@ -124,12 +157,16 @@ def test_what_the_plan_does_not_say_is_a_blank_that_is_named(pages: Pages, tmp_p
     expect(annex).to_contain_text("unknown: the plan has no venue")
     values = annex.get_by_role("table", name="numbers of people").locator("td").all_inner_texts()
     assert values == ["8", "", "", "", ""]
+    crowd = annex.get_by_role("table", name="the crowd").locator("td").all_inner_texts()
+    assert crowd[-3:] == ["", "", ""]
+    expect(annex).not_to_contain_text("Fire Safety Journal")
 
 
 def test_posts_are_told_from_what_stays_on_the_square(pages: Pages, file: Path, report: Report) -> None:
     annex = shown(annex_of(pages, file, "en"))
     rows = annex.get_by_role("table", name="posts for marshals").locator("tbody tr")
     names = {"entrance 1": (3.0, 0.0), "entrance 2": (20.0, 5.0), "well 水井": (12.0, 9.0)}
+    names["entrance 3"] = (-20.0, -5.0)
     dots = annex.locator("circle.post")
     expect(dots).to_have_count(rows.count())
     for n in range(rows.count()):

@@ -314,8 +314,28 @@ def test_the_list_names_sizes_shows_and_deletes(opened: Opened, tmp_path: Path) 
     change(page, "direction", "30")
     assert shown(page)["obstacle"][1] == things[1] | {"size": [5, 2], "angle": 30}
     row(page, "entrance.0").locator("summary").click()
+    expect(row(page, "obstacle.1")).not_to_have_attribute("open", "")
     change(page, "to the right (x)", "14.5")
     assert shown(page)["event"]["entrances"] == [[14.5, 0]]
+    wide = row(page, "entrance.0").get_by_role("checkbox", name="set how wide it is")
+    wide.check()
+    change(page, "how wide it is", "一米五")
+    assert shown(page)["event"]["entrances"] == [[14.5, 0, 1.5]]
+    expect(summaries.last).to_have_text("entrance 11.5 m wide")
+    change(page, "how wide it is", "300")
+    expect(row(page, "entrance.0").get_by_role("alert").first).to_contain_text("Write 300 cm")
+    grip(page, "entrance.0").focus()
+    page.keyboard.press("ArrowRight")
+    assert shown(page)["event"]["entrances"] == [[14.6, 0, 1.5]]
+    judged(page)
+    yard, *_others = page.evaluate("benchdragon.player.scene.sent.obstacles")
+    assert same(yard["left"][0][0], [15, 0.75])
+    assert same(yard["left"][0][-1], [15, -0.75])
+    page.keyboard.press("Control+z")
+    wide.uncheck()
+    assert shown(page)["event"]["entrances"] == [[14.5, 0]]
+    page.keyboard.press("Control+z")
+    assert shown(page)["event"]["entrances"] == [[14.5, 0, 1.5]]
     judged(page)
     address(page, url)
     page.reload()

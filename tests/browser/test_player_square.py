@@ -27,6 +27,14 @@ CROWDED = read_plan(
         ' {kind="rectangle", centre=[1, 9], size=[6, 5], angle=30}]',
     ],
 )
+# A dance that comes from a street, into a square with an entrance in its eastern edge.
+STREET = read_plan(
+    "turn",
+    [
+        "dragon.benches=8", "route.outer_radius=9", "venue.rectangle=[40, 30]",
+        "route.street={points=[[-60, 0], [-30, 2]], width=6}", "event.entrances=[[20.6, 5, 12]]",
+    ],
+)  # fmt: skip
 # How far each bench is from each obstacle at each of some times, as the page has it.
 DISTANCES = """(times) => {
   const { scene, stand, boxes, square } = benchdragon;
@@ -101,6 +109,44 @@ def test_the_whole_square_is_in_sight_and_obstacles_have_their_colour(
     around = [(box["x"] + x + dx, box["y"] + y + dy) for dx in range(-2, 3) for dy in range(-2, 3)]
     assert [0xCC, 0x79, 0xA7] in pixels(page, around)
     assert [0, 0, 0] in [[c if c > 60 else 0 for c in dot] for dot in pixels(page, around)]
+
+
+def test_benches_go_through_the_gate_of_a_street(pages: Pages, tmp_path: Path) -> None:
+    """What is left of the edge is as far away as the package says, and nothing says that they leave."""
+    page, walk = page_of(pages, tmp_path, STREET), STREET.build()
+    times = np.linspace(0.0, 60.0, 31)
+    seen = np.array(page.evaluate(DISTANCES, times.tolist()))
+    (edge,) = STREET.obstacles()
+    exact = [box_distances(walk.motion(times), t, edge)[0] for t in range(len(times))]
+    assert seen[:, 0] == pytest.approx(np.array(exact), abs=state(page, "boxes.touch"))
+    assert seen.min() > 0.5
+    expect(page.locator("body")).not_to_contain_text("leaves")
+    expect(page.locator("body")).to_contain_text("to the edge of the venue")
+
+
+def test_edges_are_open_at_the_gate_of_a_street_and_at_entrances(pages: Pages, tmp_path: Path) -> None:
+    page = page_of(pages, tmp_path, STREET)
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    (edge,) = STREET.obstacles()
+    assert edge.open is not None
+    _x, y = edge.open[[0, -1]].mean(axis=0).tolist()
+
+    def blue(*places: tuple[float, float]) -> bool:
+        to_screen = "(places) => places.map((at) => benchdragon.camera.toScreen(...at))"
+        found = page.evaluate(to_screen, places)
+        around = [
+            (box["x"] + u + dx, box["y"] + v + dy)
+            for u, v in found
+            for dx in (-1, 0, 1)
+            for dy in (-1, 0, 1)
+        ]
+        return [0x00, 0x72, 0xB2] in pixels(page, around)
+
+    assert blue((-20.0, 12.0), (5.0, -15.0))
+    assert not blue((-20.0, y + 1.5), (-20.0, y - 1.5))
+    assert not blue((20.0, 9.0), (20.0, 1.0))
+    assert blue((20.0, 11.0), (20.0, -1.0))
 
 
 def test_entrances_are_rings_with_a_name_in_sight(pages: Pages, tmp_path: Path) -> None:

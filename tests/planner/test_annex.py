@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -18,14 +19,15 @@ from benchdragon.analysis.crowd import (
     event_findings,
     outer_lines,
     shut_text,
+    ways_out,
     within_lines,
 )
 from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.posts import JOINED, marshal_posts
-from benchdragon.analysis.rings import length_of
 from benchdragon.analysis.swept import SweptArea, swept_area
 from benchdragon.i18n import LANGUAGES, spoken_in
 from benchdragon.kernels.box import corner
+from benchdragon.model.rings import length_of
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.solve.imprecise import chance_of
 from tests.engine.recording import node
@@ -41,8 +43,9 @@ SQUARE = ("venue.rectangle=[40, 30]", 'obstacle=[{kind="circle", centre=[12, 9],
 # that halts, one in which imprecise people come too near, one that coils round free ground.
 PLANS = {
     "said": (
-        "spiral-in", *SMALL, *SQUARE, "event.spectators=2500", "event.entrances=[[3, 0], [20, 5]]",
-        "event.distance=3.25", "cues.clock=18:30", "limits.speed=1.73", "people.sway=0.013",
+        "spiral-in", *SMALL, *SQUARE, "event.spectators=2500",
+        "event.entrances=[[3, 0, 2.5], [20, 5, 4], [0, 15]]", "event.distance=3.25",
+        "cues.clock=18:30", "limits.speed=1.73", "people.sway=0.013",
     ),
     "edge": (str(ROOT / "examples/12_village.dragon.toml"), "event.spectators=800"),
     "halts": ("spiral-in", *SMALL, 'cues.cue=[{kind="hold", at=4, hold=3}]'),
@@ -127,6 +130,9 @@ def test_crowd_entrances_and_findings_are_pythons(pair: tuple[Plan, Any]) -> Non
     crowd = crowd_of(plan, lines, edges[0].sure(up=False) if edges else 0.0)
     span, clock = (report.start, report.end), Clock(plan.cues.clock, report.start)
     entrances = entrances_of(plan, report.walk, span, lines, report.greatest_speed.upper)
+    out = asdict(ways_out(entrances, plan.event.spectators))
+    endless = [None if one == math.inf else one for one in out["minutes"] or ()]
+    assert told["exits"] == json.loads(json.dumps(out | {"minutes": out["minutes"] and endless}))
     assert told["crowd"]["people"] == crowd.people
     assert told["crowd"]["way"] == (crowd.way and pytest.approx(crowd.way, abs=1e-9))
     if crowd.ground is None:
@@ -136,6 +142,7 @@ def test_crowd_entrances_and_findings_are_pythons(pair: tuple[Plan, Any]) -> Non
         assert told["crowd"]["ground"] <= crowd.ground + 1.0
     for one, other in zip(entrances, told["entrances"], strict=True):
         assert other["away"] == pytest.approx(one.nearest.sure(up=False), abs=1e-3)
+        assert other["width"] == one.gate.width
         assert (other["inside"], other["shut"]) == (one.inside, shut_text(one, clock))
         assert one.nearest.witness is not None
         assert other["bench"] == one.nearest.witness.benches[0]
@@ -151,7 +158,7 @@ def test_crowd_entrances_and_findings_are_pythons(pair: tuple[Plan, Any]) -> Non
 def test_posts_stand_where_pythons_do_for_the_same_reasons(pair: tuple[Plan, Any]) -> None:
     plan, told = pair
     report, lines = check(plan), outer_lines(true_ground(plan))
-    wanted = [one for one in marshal_posts(report, lines, plan.event.entrances) if needed(one.reasons)]
+    wanted = [one for one in marshal_posts(report, lines, plan.event.places) if needed(one.reasons)]
     posts = [one for one in told["posts"] if [why["why"] for why in one["reasons"]] != ["line"]]
     assert len(posts) == len(wanted)
     for own in wanted:

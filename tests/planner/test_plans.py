@@ -27,6 +27,13 @@ SPECIAL: dict[str, dict[str, Any]] = {
     "texts beyond ASCII": {
         "obstacle": [{"kind": "circle", "centre": [1, 2], "radius": 1, "name": "井 é"}]
     },
+    **{
+        f"entrances {places}": {"event": {"entrances": places}, "venue": {"rectangle": [40, 30]}}
+        for places in (
+            [[20, 3, "4 m"], [1, 2]], [[20]], [[20, 3, 0]], [[20, 3, -1.5]], [[20, 3, 4, 5]],
+            [[1, 2], [20, 3, "wide"]], [20, 3], [[]], [["x", 3, -1]],
+        )
+    },
     "cues alone": {"cues": {"tempo": 100}},
     "the usual bar": {"cues": {"bar": 4}},
     "another bar": {"cues": {"bar": 3}},

@@ -24,14 +24,24 @@ PLANS: dict[str, dict[str, Any]] = {
     | {
         "limits": {"margin": 0.05, "venue_margin": 0.5},
         "venue": {"rectangle": [24, 40]},
-        "event": {"entrances": [[12, 3.25], [-12, 0]]},
+        "event": {"entrances": [[12, 3.25], [-12, 0, 3]]},
         "obstacle": [
             {"kind": "circle", "centre": [0, 0], "radius": 1, "name": "well", "margin": 4},
             {"kind": "polygon", "points": STAR, "margin": 0.8},
             {"kind": "line", "points": [[-40, -30], [40, -31]], "margin": 1},
         ],
     },
-}
+    "a street": {
+        "schema": 1,
+        "dragon": {"benches": 8},
+        "route": {
+            "kind": "turn", "pitch": 1.7, "outer_radius": 9,
+            "street": {"points": [[-60, 0], [-30, 2]], "width": 5},
+        },
+        "venue": {"rectangle": [40, 30], "angle": 10},
+        "event": {"entrances": [[0, -15.4, 2.5]]},
+    },
+}  # fmt: skip
 
 
 def occasions(dance: Any) -> list[Any]:
@@ -39,7 +49,7 @@ def occasions(dance: Any) -> list[Any]:
 
 
 def drawn(dance: Any) -> list[Any]:
-    keys = ("kind", "points", "radius", "margin")
+    keys = ("kind", "points", "radius", "margin", "open", "left")
     return [[one[key] for key in keys] for one in dance["obstacles"]]
 
 

@@ -299,7 +299,7 @@ VARIED: dict[str, Any] = {
     "event.spectators": 800,
     "event.marshals": 24,
     "event.distance": 3.0,
-    "event.entrances": [[20.0, 0.0]],
+    "event.entrances": [[20.0, 0.0], [-20.0, 3.0, 4.0]],
     # What the people need is judged by `check`; the rest of it changes papers alone.
     **{f"people.{name}": 5.0 for name in ("beside", "ahead", "sway", "imprecision")},
     "people.most_speed": 0.1,

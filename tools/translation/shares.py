@@ -15,9 +15,10 @@ TWINS = {
     "analysis.contact_search": ("contact_search", "assumed_within", "stand_alone"),
     "analysis.crowd": (
         "crowd", "DISTANCE", "crowd_of", "density_text", "distance_of", "entrances_of",
-        "event_findings", "shut_text", "within_lines",
+        "event_findings", "shut_text", "ways_out", "within_lines",
     ),
     "analysis.distance": ("distance", "FEATURES", "nearness"),
+    "analysis.entrances": ("entrances", "edge_left", "gates_of"),
     "analysis.findings": (
         "findings", "Finding", "all_findings", "named", "shown_name", "touch_text",
     ),
@@ -25,7 +26,7 @@ TWINS = {
     "analysis.head_times": ("head_times", "HeadTimes"),
     "analysis.nearby": ("nearby", "checked_off"),
     "analysis.posts": ("posts", "marshal_posts"),
-    "analysis.rings": ("rings", "area_of", "length_of", "outermost"),
+    "model.rings": ("rings", "area_of", "length_of", "outermost"),
     "analysis.rounds": ("rounds", "Rounds", "repeats", "returns"),
     "analysis.tables": ("bench_tables", "beginnings", "in_columns", "kinds_of", "walk_tables"),
     "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),
@@ -75,6 +76,7 @@ TWINS = {
     "plans.cue_places": ("cue_places", "heads_of"),
     "plans.cues": ("cues", "Moment", "check_cue", "cue_name", "time_of_day"),
     "plans.digits": ("digits", "measured"),
+    "plans.event": ("event", "EventTable", "entrance"),
     "plans.formations": ("formation_tables", "FormationTable", "StepTable"),
     "plans.idle": ("idle", "idle_keys"),
     "plans.people": ("people", "called", "village", "web_address"),

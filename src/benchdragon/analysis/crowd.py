@@ -1,7 +1,8 @@
-"""Spectators about a dance: the ground left for them, how dense they stand, and their entrances.
+"""Spectators about a dance: the ground left for them, how dense they stand, and their ways in and out.
 
-The movement of people is not modelled. Only the mean density, people per square metre, is compared with
-the levels of Fruin.
+The movement of people is not modelled. The mean density, people per square metre, is compared with the
+levels of Fruin. Ways out, w m wide, let w f people through in a minute, f of FLOWS, and n people need
+n / (w f) minutes at least, as if they stood before them already.
 """
 
 import math
@@ -13,15 +14,15 @@ import numpy as np
 from benchdragon import budget
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.distance import boxes
+from benchdragon.analysis.entrances import Gate, gates_of
 from benchdragon.analysis.findings import Finding
 from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.analysis.obstacles import least_distance
-from benchdragon.analysis.rings import Ring, area_of, holds, outermost, round_ring
 from benchdragon.analysis.swept import SweptArea
 from benchdragon.i18n import N_
 from benchdragon.model.answer import Answer
-from benchdragon.model.base_curve import Point
 from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.rings import Ring, area_of, holds, outermost, ring_of, round_ring
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 
@@ -37,8 +38,12 @@ LEVELS = (
 )
 # Density from which it is a finding.
 MOST = 3.6
-# The entrance is taken for a post so thick, m; how near to it benches come is sought to this, m.
-POST, TOLERANCES = 1e-3, (1e-3,)
+# People a minute through each metre of a way out on level ground: at a stadium in 2021 all that were
+# seen were fewer (Larsson and others, Fire Safety Journal 120); the Guide to Safety at Sports Grounds
+# (6th edition, 2018) allows for so many at most.
+FLOWS = (60.0, 82.0)
+# How near to an entrance benches come is sought to this, m.
+TOLERANCES = (1e-3,)
 # Time step of samples of whether an entrance is shut, s, larger where that were too many; times
 # no farther apart than APART, s, are one. No point of a bench is faster than so many times the fastest
 # handle: its ends stand out beyond the handles by less than half of what lies between these.
@@ -76,16 +81,36 @@ class Entrance:
     """What a dance leaves of an entrance.
 
     Attributes:
-        place: m.
+        gate: the entrance.
         nearest: how near benches come to it, m; the witness tells when, and which.
-        inside: whether it lies inside the spectators' line.
+        inside: whether any of it lies inside the spectators' line.
         shut: from when to when benches are nearer to it than spectators may be, s.
     """
 
-    place: Point
+    gate: Gate
     nearest: Answer
     inside: bool
     shut: tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True)
+class WaysOut:
+    """What the entrances let through when people leave.
+
+    Attributes:
+        width: of all whose width is known, m; None where none is.
+        free: of those that lie outside the spectators' line, m: the dragon never shuts them.
+        unknown: numbers, from 1, of entrances whose width is not known, and which do not count.
+        flows: people a minute through `free`, by FLOWS.
+        minutes: until all who are expected are through, by FLOWS: infinite where nothing is free; None
+            where the plan does not say how many come.
+    """
+
+    width: float | None
+    free: float
+    unknown: tuple[int, ...]
+    flows: tuple[float, ...]
+    minutes: tuple[float, ...] | None
 
 
 def distance_of(plan: Plan) -> float:
@@ -125,7 +150,7 @@ def _ring(obstacle: Obstacle) -> Ring:
     corners = obstacle.outline.tolist()
     if obstacle.kind == "circle":
         return round_ring(corners[0], obstacle.radius)
-    return [*corners, corners[0]]
+    return ring_of(corners)
 
 
 def ground_left(edge: Ring, taken: Sequence[Ring]) -> float:
@@ -147,19 +172,33 @@ def entrances_of(
 ) -> list[Entrance]:
     """What a walk over a span, s, leaves of the plan's entrances, its handles as fast as that, m/s."""
     (start, end), found = span, []
-    for place in plan.event.entrances:
-        post = Obstacle.circle("", place, POST)
-        near = least_distance(walk, post, start, end, tolerances=TOLERANCES)
-        inside = any(holds(line, place) for line in lines)
-        shut = _shut(walk, span, post, distance_of(plan), fastest) if inside else ()
-        found.append(Entrance(place, near, inside, shut))
+    for gate in gates_of(plan):
+        near = least_distance(walk, gate.shape, start, end, tolerances=TOLERANCES)
+        places = [gate.place, *_ring(gate.shape)]
+        inside = any(holds(line, place) for line in lines for place in places)
+        shut = _shut(walk, span, gate.shape, distance_of(plan), fastest) if inside else ()
+        found.append(Entrance(gate, near, inside, shut))
     return found
 
 
+def ways_out(entrances: Sequence[Entrance], people: int | None) -> WaysOut:
+    """What entrances let through, and how long so many people need for it at least."""
+    known = [one for one in entrances if one.gate.width is not None]
+    free = sum(one.gate.width or 0.0 for one in known if not one.inside)
+    flows = [free * flow for flow in FLOWS]
+    return WaysOut(
+        sum(one.gate.width or 0.0 for one in known) if known else None,
+        free,
+        tuple(n for n, one in enumerate(entrances, start=1) if one.gate.width is None),
+        tuple(flows),
+        None if people is None else tuple(people / flow if flow > 0.0 else math.inf for flow in flows),
+    )
+
+
 def _shut(
-    walk: Walk, span: tuple[float, float], post: Obstacle, near: float, fastest: float
+    walk: Walk, span: tuple[float, float], shape: Obstacle, near: float, fastest: float
 ) -> tuple[tuple[float, float], ...]:
-    """When benches are nearer to a post than so far, m: told rather too long, and never too short.
+    """When benches are nearer to an entrance than so far, m: told rather too long, and never too short.
 
     Within half a step of a sample benches come no nearer than by what their fastest
     point goes meanwhile.
@@ -169,16 +208,16 @@ def _shut(
     half = 0.5 * (end - start) / count
     found: list[tuple[float, float]] = []
     for time in np.linspace(start, end, count + 1).tolist():
-        if away_at(walk, time, post) > near + WHIP * fastest * half:
+        if away_at(walk, time, shape) > near + WHIP * fastest * half:
             continue
         since = found.pop()[0] if found and time - half - found[-1][1] <= APART else time - half
         found.append((max(since, start), min(time + half, end)))
     return tuple(found)
 
 
-def away_at(walk: Walk, time: float, post: Obstacle) -> float:
-    """How far the nearest bench is from a post's middle at a time, s, in m."""
-    return float(nearest_boxes(boxes(walk.motion([time]), 0), post)[0].min())
+def away_at(walk: Walk, time: float, shape: Obstacle) -> float:
+    """How far the nearest bench is from an entrance at a time, s, in m; not more than 0 within it."""
+    return float(nearest_boxes(boxes(walk.motion([time]), 0), shape)[0].min()) - shape.radius
 
 
 def event_findings(

@@ -13,9 +13,9 @@ from typing import Literal
 
 from benchdragon import budget
 from benchdragon.analysis.check import Report
-from benchdragon.analysis.rings import Ring, length_of, nearest_on, place_on
 from benchdragon.analysis.running import APART, Running, running_stretches
 from benchdragon.model.base_curve import Point
+from benchdragon.model.rings import Ring, length_of, nearest_on, place_on
 
 # The farthest that two posts that follow one another are apart along the line, m; posts nearer to one
 # another along it than JOINED, m, are one.

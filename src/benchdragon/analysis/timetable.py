@@ -187,7 +187,7 @@ def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passi
             yield _passing(walk, span, "obstacle", name, _nearest(_apart(walk.route, obstacle), looks))
     tail = places(walk, span[0])[0][-1]
     ways = [*_even(tail, first, FINE)[:-1], *looks]
-    for n, place in enumerate(plan.event.entrances, start=1):
+    for n, place in enumerate(plan.event.places, start=1):
         name = _("the dragon's way nearest to entrance {n}").format(n=n)
         entrance = Obstacle("", "circle", as_table([place]))
         yield _passing(walk, span, "entrance", name, _nearest(_apart(walk.route, entrance), ways))

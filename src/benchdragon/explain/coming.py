@@ -154,7 +154,7 @@ def _apart(obstacle: Obstacle, place: Point) -> float:
 
 def _nearest_entrance(plan: Plan, place: Point) -> list[tuple[int, Point]]:
     """The plan's entrance that is nearest to a place, m, with its number from 1, if it has any."""
-    known = [(math.dist(one, place), n, one) for n, one in enumerate(plan.event.entrances, start=1)]
+    known = [(math.dist(one, place), n, one) for n, one in enumerate(plan.event.places, start=1)]
     return [(n, (x, y)) for _far, n, (x, y) in sorted(known)[:1]]
 
 

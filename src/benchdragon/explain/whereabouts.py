@@ -62,7 +62,7 @@ def _things(plan: Plan, place: Point) -> Iterator[tuple[int, tuple[Point, str]]]
         if obstacle.kind != "venue":
             yield n, (_nearest_point(obstacle, place), named(obstacle))
             n += 1
-    for k, (x, y) in enumerate(plan.event.entrances, start=1):
+    for k, (x, y) in enumerate(plan.event.places, start=1):
         yield n, ((x, y), _("entrance {n}").format(n=k))
         n += 1
 

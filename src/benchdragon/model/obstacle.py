@@ -23,6 +23,7 @@ from benchdragon.kernels.curve import MOST_METRES, FloatArray
 from benchdragon.kernels.obstacle import ObstacleKind
 from benchdragon.model.arrays import as_numbers, as_table
 from benchdragon.model.base_curve import Point, checked_size
+from benchdragon.model.rings import holds, length_of, ring_of, stretch
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -184,20 +185,15 @@ class Obstacle(Standing):
 
         The same where it does not, or begins inside.
         """
-        ring = self.outline.tolist()
-        sides = list(zip(ring, [*ring[1:], ring[0]], strict=True))
-        ends = [0.0]
-        for one, other in sides:
-            ends.append(ends[-1] + math.dist(one, other))
-        if width >= ends[-1] or _is_inside(sides, way[0]):
+        ring = ring_of(self.outline.tolist())
+        whole = length_of(ring)
+        if width >= whole or holds(ring, way[0]):
             return self
         for here, there in pairwise(way):
-            met = [_met(here, there, one, other) for one, other in sides]
-            hits = [(share[0], n, share[1]) for n, share in enumerate(met) if share is not None]
+            hits = _crossings(ring, here, there)
             if hits:
-                _first, n, share = min(hits)
-                at = ends[n] + share * (ends[n + 1] - ends[n])
-                chain = as_table(_round(ring, ends, at + 0.5 * width, at - 0.5 * width + ends[-1]))
+                _share, at = min(hits)
+                chain = as_table(stretch(ring, at + 0.5 * width, at - 0.5 * width + whole))
                 return Obstacle(self.name, self.kind, self.outline, self.radius, self.margin, chain)
         return self
 
@@ -209,6 +205,17 @@ def _turned(points: FloatArray, turned: float, by: Point) -> FloatArray:
     return as_table([(x + by[0], y + by[1]) for x, y in turns])
 
 
+def _crossings(ring: Sequence[Point], here: Point, there: Point) -> list[tuple[float, float]]:
+    """Where a segment meets a ring: as a share of the segment, and as the way along the ring, m."""
+    found, passed = [], 0.0
+    for one, other in pairwise(ring):
+        side = math.dist(one, other)
+        met = _met(here, there, one, other)
+        found += [] if met is None else [(met[0], passed + met[1] * side)]
+        passed += side
+    return found
+
+
 def _met(here: Point, there: Point, one: Point, other: Point) -> tuple[float, float] | None:
     """Where two segments meet, as shares of both; None where they do not."""
     ax, ay, bx, by = there[0] - here[0], there[1] - here[1], other[0] - one[0], other[1] - one[1]
@@ -217,40 +224,6 @@ def _met(here: Point, there: Point, one: Point, other: Point) -> tuple[float, fl
         return None
     share, other_share = (dx * by - dy * bx) / across, (dx * ay - dy * ax) / across
     return (share, other_share) if 0.0 <= share <= 1.0 and 0.0 <= other_share <= 1.0 else None
-
-
-def _is_inside(sides: Sequence[tuple[Point, Point]], point: Point) -> bool:
-    """Whether a point lies inside the sides of an outline."""
-    x, y = point
-    right = [
-        one
-        for one, other in sides
-        if (one[1] > y) != (other[1] > y)
-        and one[0] + (y - one[1]) / (other[1] - one[1]) * (other[0] - one[0]) > x
-    ]
-    return len(right) % 2 == 1
-
-
-def _round(ring: Sequence[Point], ends: Sequence[float], begin: float, end: float) -> list[Point]:
-    """A ring's points from one way round it to another, m; `ends` are the ways to its corners."""
-    whole = ends[-1]
-    inner = [
-        (ends[n] + lap, ring[n])
-        for lap in (-whole, 0.0, whole)
-        for n in range(len(ring))
-        if begin + LEAST_SIDE < ends[n] + lap < end - LEAST_SIDE
-    ]
-    corners = [point for _way, point in sorted(inner)]
-    return [_along(ring, ends, begin), *corners, _along(ring, ends, end)]
-
-
-def _along(ring: Sequence[Point], ends: Sequence[float], way: float) -> Point:
-    """The point of a ring after a way along it, m."""
-    way = way % ends[-1]
-    n = max(n for n in range(len(ring)) if ends[n] <= way)
-    share = (way - ends[n]) / (ends[n + 1] - ends[n])
-    (x, y), (u, v) = ring[n], ring[(n + 1) % len(ring)]
-    return x + share * (u - x), y + share * (v - y)
 
 
 def rectangle_outline(name: str, centre: Point, size: tuple[float, float], angle: float) -> FloatArray:

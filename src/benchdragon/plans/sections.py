@@ -446,7 +446,10 @@ SECTIONS = (
             "distance": Key(
                 N_("of the spectators' line from the ground that benches cover; else 2 m"), 2, "m"
             ),
-            "entrances": Key(N_("where people come in, each x and y"), [[20, 0], [-20, 0]], "m"),
+            "entrances": Key(
+                N_("where people come in, each x and y, and how wide it is if that is known"),
+                [[20, 0, 4], [-20, 0]], "m",
+            ),
         },
     ),
 )  # fmt: skip

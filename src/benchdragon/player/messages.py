@@ -118,6 +118,8 @@ class DrawnObstacle(Record):
         points: corners, m; of a circle the centre.
         radius: of a circle, m; else 0.
         margin: m.
+        open: of a venue with the gate of a street, what benches must not touch, m; else empty.
+        left: of a venue with gates or entrances, what they leave of its edge, m; else empty.
     """
 
     name: Words
@@ -125,6 +127,8 @@ class DrawnObstacle(Record):
     points: list[tuple[float, float]]
     radius: float
     margin: float
+    open: list[tuple[float, float]] = Field(default_factory=list)
+    left: list[list[tuple[float, float]]] = Field(default_factory=list)
 
 
 class Nearest(Record):
@@ -200,7 +204,7 @@ class Dance(Record):
         papers: of plans with people or cues alone.
         village: of plans that say how benches are counted alone.
         north: whether y points north.
-        entrances: where people come in, m.
+        entrances: where people come in, x and y, m, and how wide, m, where that is known.
     """
 
     version: str
@@ -224,4 +228,4 @@ class Dance(Record):
     papers: Papers | None = None
     village: Village | None = None
     north: bool = False
-    entrances: list[tuple[float, float]] = Field(default_factory=list)
+    entrances: list[list[float]] = Field(default_factory=list)

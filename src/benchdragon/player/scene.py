@@ -10,6 +10,7 @@ import numpy.typing as npt
 from benchdragon import budget
 from benchdragon.analysis.beats import score_of
 from benchdragon.analysis.check import Report
+from benchdragon.analysis.entrances import edge_left
 from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
 from benchdragon.analysis.swept import drawn_ground
@@ -19,6 +20,7 @@ from benchdragon.kernels.bench_nearness import see_near
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.following import FINE, NodeStretch, Tables
 from benchdragon.kernels.frames import QUANTUM
+from benchdragon.model.arrays import as_table
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
@@ -144,7 +146,7 @@ def _of_plan(
             "disc": plan.disc.radius,
             "margin": plan.limits.margin,
             "speed_limit": plan.limits.speed,
-            "obstacles": [_drawn(obstacle) for obstacle in plan.obstacles()],
+            "obstacles": [_drawn(obstacle, plan) for obstacle in plan.obstacles()],
             "verdict": verdict,
             "occasions": sorted(
                 [*found, *dance.occasions, *cued(plan.moments(), frames.start, last)],
@@ -175,14 +177,16 @@ def _papers(plan: Plan) -> messages.Papers | None:
     return messages.Papers(said=plan.cues.clock, start=plan.span(plan.build())[0])
 
 
-def _drawn(obstacle: Obstacle) -> messages.DrawnObstacle:
-    """An obstacle as a page draws it, to a tenth of a millimetre."""
+def _drawn(obstacle: Obstacle, plan: Plan) -> messages.DrawnObstacle:
+    """An obstacle of a plan as a page draws it, to a tenth of a millimetre."""
     return messages.DrawnObstacle(
         name=both(lambda: shown_name(obstacle)),
         kind=obstacle.kind,
         points=_rounded(obstacle.outline),
         radius=obstacle.radius,
         margin=obstacle.margin,
+        open=[] if obstacle.open is None else _rounded(obstacle.open),
+        left=[_rounded(as_table(line)) for line in edge_left(plan)] if obstacle.kind == "venue" else [],
     )
 
 

@@ -2,6 +2,7 @@
 // does not say is a blank to be filled in by hand; what the program knows nothing of is a heading with lines.
 // No rule is quoted: which apply, the office says.
 
+import { crowdPart, throughTexts } from "./annex_crowd.js";
 import { annexMap } from "./annex_map.js";
 import {
   DEVIATIONS,
@@ -85,59 +86,11 @@ function firstPage(said, facts) {
       make("p", { class: "strong" }, _("Attention, {code}: {what}.", { code, what: text[language()] })),
     ),
     _(
-      "Not considered: how spectators move, press or run, and how long they need to leave; weather, light and the state of the ground, slopes, steps and kerbs; fire, from lanterns, fireworks, firecrackers and electricity; bearers who tire or fall, benches that break or come apart, a tail that swings out; weights and forces, and stands, stages and bridges that must bear them; vehicles, and anything that moves but the dragon; and what is not in the plan: obstacles, people and edges that nobody wrote down.",
+      "Not considered: how spectators move, press or run, and how long they need to reach a way out; weather, light and the state of the ground, slopes, steps and kerbs; fire, from lanterns, fireworks, firecrackers and electricity; bearers who tire or fall, benches that break or come apart, a tail that swings out; weights and forces, and stands, stages and bridges that must bear them; vehicles, and anything that moves but the dragon; and what is not in the plan: obstacles, people and edges that nobody wrote down.",
     ),
-    crowdTable(said, facts),
-    _(
-      "People a square metre are counted as if they stood evenly; where one sees best they stand closer. Levels: Fruin, after the table in EPJ Data Science (2014): from 2 walking is slowed, from 3.6 people are touched against their will, from 5.6 dangerous forces begin, 7.1 is critical even where nobody moves.",
-    ),
+    ...crowdPart(said, facts),
   );
   return [glance, theTail(said, facts)];
-}
-
-/** The numbers of the crowd, and what the dragon leaves of its entrances. @param {Sayings} said @param {AnnexFacts} facts */
-function crowdTable(said, { crowd, entrances }) {
-  const unknown = _("unknown: the plan has no venue");
-  const { people, ground, way } = crowd;
-  /** @type {Cell[][]} */
-  const rows = [
-    [_("spectators expected"), people == null ? null : String(people)],
-    [_("ground in the venue outside the spectators' line"), ground == null ? unknown : `${decimalsTowards(ground, 0, false)} m²`],
-    [_("people a square metre there"), densityCell(crowd)],
-    [_("narrowest way between the line and the edge of the venue"), way == null ? unknown : wayCell(way)],
-    [_("width of all ways out, m"), null],
-    [_("people a minute whom these let through, and minutes until all are out"), null],
-    ...entrances.map((one, n) => entranceRow(said, one, n + 1)),
-  ]; // prettier-ignore
-  return table(_("the crowd"), [_("item"), _("value")], rows, "facts");
-}
-
-/** @param {number} way */
-function wayCell(way) {
-  return way > 0
-    ? `${decimalsTowards(way, 2, false)} m`
-    : _("none: the line reaches the edge of the venue");
-}
-
-/** How dense spectators stand, and what that means. @param {AnnexFacts["crowd"]} crowd */
-function densityCell({ density, ground, level }) {
-  if (density == null || !level) return _("unknown");
-  if (ground === 0 && density) return _("there is no ground for them");
-  const said = decimalsTowards(density, 1, true);
-  return _("{density}: {level}", { density: said, level: level[language()] });
-}
-
-/** When the dragon's body is nearest to an entrance, and when it shuts it. @param {Sayings} said @param {AnnexFacts["entrances"][number]} entrance @param {number} n @returns {Cell[]} */
-function entranceRow(said, { time, bench, away, inside, shut }, n) {
-  const name = _("the dragon's body nearest to entrance {n}", { n });
-  if (time == null) return [name, _("unknown")];
-  const near = _("{bench}, at {time}: {away} m", {
-    bench: said.called(bench),
-    time: said.clock.tell(time),
-    away: decimalsTowards(away, 2, false),
-  });
-  if (!inside || !shut) return [name, near];
-  return [name, [near, _("shut {times}", { times: shut })].join(_("; "))];
 }
 
 /** What the program does not know of the tail, and who walks there. @param {Sayings} said @param {AnnexFacts} facts */
@@ -443,7 +396,7 @@ function byHand() {
 }
 
 /** Figures and where they come from. @param {Sayings} said @param {AnnexFacts} facts */
-function sources({ briefing }, { ground }) {
+function sources({ briefing }, { ground, exits }) {
   const distance = ground.given
     ? _("as the plan says")
     : _("assumption of this program, since the plan says none");
@@ -456,5 +409,6 @@ function sources({ briefing }, { ground }) {
     _("Figures and where they come from"),
     _("A number that has no source is an assumption: somebody is to check it on the spot."),
     table(_("figures and sources"), [_("figure"), _("value"), _("source")], rows),
+    ...throughTexts(exits),
   );
 }

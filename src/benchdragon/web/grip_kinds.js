@@ -3,11 +3,11 @@
 
 import { fieldOf } from "./plan_form.js";
 import {
+  entrancesOf,
   hasSquare,
   meanOf,
   obstacleName,
   obstaclesOf,
-  pointsOf,
   restName,
   restsOf,
   streetOf,
@@ -402,10 +402,10 @@ function circleGrip(id, name, { centre, radius }, set) {
 
 /** Grips of where people come in. @param {Plan} plan @returns {Grip[]} */
 function entranceGrips(plan) {
-  return pointsOf(plan.event?.entrances).map((place, n) =>
-    placeGrip(`entrance.${n}`, _("entrance {n}", { n: n + 1 }), place, (to) =>
+  return entrancesOf(plan).map(([x, y, ...width], n) =>
+    placeGrip(`entrance.${n}`, _("entrance {n}", { n: n + 1 }), [x, y], (to) =>
       changed(plan, (copy) => {
-        copy.event.entrances[n] = to;
+        copy.event.entrances[n] = [...to, ...width];
       }),
     ),
   );

@@ -140,7 +140,7 @@ export interface CuesTable {
  *     papers: of plans with people or cues alone.
  *     village: of plans that say how benches are counted alone.
  *     north: whether y points north.
- *     entrances: where people come in, m.
+ *     entrances: where people come in, x and y, m, and how wide, m, where that is known.
  */
 export interface Dance {
   version: string;
@@ -164,7 +164,7 @@ export interface Dance {
   papers?: Papers | null;
   village?: Village | null;
   north?: boolean;
-  entrances?: Array<[number, number]>;
+  entrances?: Array<Array<number>>;
 }
 
 /** The turning space: a circle about the spiral's centre. */
@@ -193,6 +193,8 @@ export interface DragonTable {
  *     points: corners, m; of a circle the centre.
  *     radius: of a circle, m; else 0.
  *     margin: m.
+ *     open: of a venue with the gate of a street, what benches must not touch, m; else empty.
+ *     left: of a venue with gates or entrances, what they leave of its edge, m; else empty.
  */
 export interface DrawnObstacle {
   name: Words;
@@ -200,6 +202,8 @@ export interface DrawnObstacle {
   points: Array<[number, number]>;
   radius: number;
   margin: number;
+  open?: Array<[number, number]>;
+  left?: Array<Array<[number, number]>>;
 }
 
 /**
@@ -237,7 +241,7 @@ export interface DrawnRoute {
  *     spectators: how many are expected.
  *     marshals: how many there will be.
  *     distance: of the spectators' line from the ground that the benches cover, m.
- *     entrances: where people come in, m.
+ *     entrances: where people come in, x and y, m, and how wide, m, where that is known.
  */
 export interface EventTable {
   place?: string;
@@ -248,7 +252,7 @@ export interface EventTable {
   spectators?: number | null;
   marshals?: number | null;
   distance?: number | null;
-  entrances?: Array<[number, number]>;
+  entrances?: Array<Array<number>>;
 }
 
 /** One figure of a preset: its key in the plan, and where it comes from. */

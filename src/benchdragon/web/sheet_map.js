@@ -262,11 +262,16 @@ function disc([x, y], radius) {
 }
 
 /** The venue's edge, or an obstacle. @param {Briefing["ways"]["obstacles"][number]} one */
-export function standing({ kind, points, radius }) {
+export function standing({ kind, points, left, radius }) {
   if (kind === "circle") {
     const [[x, y]] = points;
     return draw("circle", { class: "stone", cx: String(x), cy: String(-y), r: String(radius) });
   }
+  if (left.length)
+    return draw("path", {
+      class: "edge",
+      d: left.map((line) => `M${line.map(placed).join("L")}`).join(""),
+    });
   const shape = kind === "line" ? "polyline" : "polygon";
   const solid = kind !== "line" && kind !== "venue";
   return draw(shape, { class: solid ? "stone" : "edge", points: points.map(placed).join(" ") });

@@ -1,7 +1,7 @@
 // What a plan draws on the ground before its dance is computed.
 
 import { danceFrame, Frame, hasSpiral, RECTANGLE, spiralPoint } from "./grip_kinds.js";
-import { restsOf, streetOf } from "./things.js";
+import { entrancesOf, restsOf, streetOf } from "./things.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {[number, number]} Point */
@@ -19,7 +19,7 @@ function circle([x, y], radius) {
 
 /** Lines, on the ground, that a plan draws before its dance is computed. @param {Plan} plan @returns {Point[][]} */
 export function sketchOf(plan) {
-  const { route, disc, venue, obstacle, event } = plan;
+  const { route, disc, venue, obstacle } = plan;
   const frame = danceFrame(plan);
   /** @type {Point[][]} */
   const lines = [];
@@ -45,7 +45,8 @@ export function sketchOf(plan) {
     else if (one.kind === "rectangle") rectangle(one.centre, one.size, one.angle);
     else outline(one.points, one.kind === "polygon");
   }
-  for (const place of event?.entrances ?? []) lines.push(circle(place, ENTRANCE));
+  for (const [x, y, width] of entrancesOf(plan))
+    lines.push(circle([x, y], width ? 0.5 * width : ENTRANCE));
   if (streetOf(plan).length) outline(streetOf(plan), false);
   for (const [, { place }] of restsOf(plan)) if (place) lines.push(circle(place, ENTRANCE));
   if (route.kind === "drawn" && route.points)

@@ -20,14 +20,23 @@ const MOST_SIDES = 400_000;
 /** Names are written in a picture of no more obstacles. */
 const MOST_NAMES = 40;
 const NAME_SIZE = 13;
-/** Rings that stand for entrances, CSS pixels. */
+/** Rings that stand for entrances, and posts beside them, CSS pixels. */
 const ENTRANCE = 7;
+const POST = 4;
+/** Posts nearer to an entrance than so many times its width are its own. */
+const POSTED = 0.75;
 
-/** An obstacle's sides; of a circle its centre, as a side without length. @param {DrawnObstacle} one @returns {[Point, Point][]} */
-function sidesOf({ kind, points }) {
+/** What an entrance is called, with its width, m, if that is known. @param {number} n its number, from 0 @param {number} [width] */
+function entranceName(n, width) {
+  return width ? _("entrance {n}: {width} m", { n: n + 1, width }) : _("entrance {n}", { n: n + 1 });
+}
+
+/** An obstacle's sides, of an edge with a gate those beside it; of a circle its centre, as a side without length. @param {DrawnObstacle} one @returns {[Point, Point][]} */
+function sidesOf({ kind, points, open = [] }) {
   if (kind === "circle") return [[points[0], points[0]]];
-  const ends = kind === "line" ? points.slice(1) : [...points.slice(1), points[0]];
-  return ends.map((end, n) => [points[n], end]);
+  const closed = open.length ? open : [...points, points[0]];
+  const corners = kind === "line" ? points : closed;
+  return corners.slice(1).map((end, n) => [corners[n], end]);
 }
 
 export class Square {
@@ -37,6 +46,10 @@ export class Square {
     this.ground = ground;
     this.entrances = entrances ?? [];
     this.sides = obstacles.map(sidesOf);
+    /** Where edges end beside gates and entrances, m. */
+    this.posts = obstacles.flatMap(({ left = [] }) =>
+      left.flatMap((line) => [line[0], line[line.length - 1]]),
+    );
     const count = this.sides.reduce((sum, { length }) => sum + length, 0);
     /** How many sides there are in all. */
     this.count = count;
@@ -97,8 +110,8 @@ export class Square {
 
   /** Whether a point lies where none may. @param {number} n @param {Point} point */
   #forbids(n, [x, y]) {
-    const { kind } = this.obstacles[n];
-    if (kind === "line" || kind === "circle") return false;
+    const { kind, open } = this.obstacles[n];
+    if (kind === "line" || kind === "circle" || open?.length) return false;
     let inside = false;
     for (const [a, b] of this.sides[n]) {
       if (a[1] > y !== b[1] > y && x < a[0] + ((y - a[1]) / (b[1] - a[1])) * (b[0] - a[0]))
@@ -118,7 +131,7 @@ export class Square {
           ]),
       ),
     );
-    return [...found, ...this.entrances];
+    return [...found, ...this.entrances.map(([x, y]) => /** @type {Point} */ ([x, y]))];
   }
 
   /** In words how near the nearest bench is. @param {Beside | null} near @param {number} touch m */
@@ -152,7 +165,8 @@ export class Square {
     for (const one of this.obstacles) {
       shade(ctx, camera, one, inks.quiet);
       ctx.beginPath();
-      outline(ctx, camera, one);
+      if (one.left?.length) for (const line of one.left) chain(ctx, camera, line, false);
+      else outline(ctx, camera, one);
       if (one.kind !== "line" && one.kind !== "venue") {
         ctx.fillStyle = inks.obstacle;
         ctx.fill();
@@ -164,22 +178,20 @@ export class Square {
       ctx.lineWidth = one.kind === "venue" ? 3 : one.kind === "line" ? 4 : 1.2;
       ctx.stroke();
     }
-    for (const place of this.entrances) {
-      ctx.beginPath();
-      ctx.arc(...camera.toScreen(...place), ENTRANCE, 0, 2 * Math.PI);
-      ctx.fillStyle = inks.ground;
-      ctx.fill();
-      ctx.strokeStyle = inks.edge;
-      ctx.lineWidth = 3;
-      ctx.stroke();
+    for (const post of this.posts) disc(ctx, camera.toScreen(...post), POST, inks.edge, inks.edge);
+    for (const [x, y, width = 0] of this.entrances) {
+      const at = camera.toScreen(x, y);
+      const posted = this.posts.some(([u, v]) => Math.hypot(u - x, v - y) < POSTED * width);
+      if (!posted) disc(ctx, at, 0.5 * width * camera.scale, null, inks.edge);
+      disc(ctx, at, ENTRANCE, inks.ground, inks.edge);
     }
   }
 
   /** Names, and what lies below them: of an obstacle's upper corners, or an entrance's ring. @param {Camera} camera @returns {{ text: string, inner: boolean, left: number, right: number, top: number }[]} */
   #names(camera) {
     const { scale } = camera;
-    const entrances = this.entrances.map(([x, y], n) => ({
-      text: _("entrance {n}", { n: n + 1 }),
+    const entrances = this.entrances.map(([x, y, width], n) => ({
+      text: entranceName(n, width),
       inner: false,
       left: x - ENTRANCE / scale,
       right: x + ENTRANCE / scale,
@@ -234,6 +246,17 @@ function shade(ctx, camera, one, colour) {
   ctx.lineJoin = ctx.lineCap = "round";
   ctx.stroke();
   ctx.restore();
+}
+
+/** Draw a disc, filled or not, on the screen. @param {CanvasRenderingContext2D} ctx @param {Point} at @param {number} radius CSS pixels @param {string | null} fill @param {string} edge */
+function disc(ctx, at, radius, fill, edge) {
+  ctx.beginPath();
+  ctx.arc(...at, radius, 0, 2 * Math.PI);
+  if (fill) ctx.fillStyle = fill;
+  if (fill) ctx.fill();
+  ctx.strokeStyle = edge;
+  ctx.lineWidth = fill ? 3 : 1.2;
+  ctx.stroke();
 }
 
 /** Put an obstacle's outline into the path. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {DrawnObstacle} one */

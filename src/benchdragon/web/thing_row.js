@@ -21,6 +21,8 @@ import { _ } from "./words.js";
 
 /** A size larger than these, m, was mistyped. */
 const MOST = { side: 200, radius: 50, far: 1000 };
+/** What the width of an entrance begins with, m. */
+const WIDE = 3;
 /** How `benchdragon new` reads the size of a square. */
 const SQUARE = QUESTIONS.filter(({ kind }) => kind === "square")[0];
 
@@ -56,6 +58,12 @@ function streetField(name, text, usual, high) {
   return { ...length(`route.street.${name}`, text, high, MOST.side), usual };
 }
 
+/** How wide an entrance is, if that is known, and where. @param {string} key @returns {Field[]} */
+function entranceFields(key) {
+  const wide = length(`${key}.2`, () => _("how wide it is"), 20, MOST.side);
+  return [{ ...wide, begin: WIDE }, ...place(key)];
+}
+
 /** The numbers of a thing. @param {Thing} thing @returns {Field[]} */
 function fieldsOf({ id, table: { kind, rectangle, ...held } }) {
   if (id === "venue") {
@@ -70,7 +78,7 @@ function fieldsOf({ id, table: { kind, rectangle, ...held } }) {
     ];
   if (id.startsWith("cues"))
     return [restField(`${id}.hold`), ...(held.place ? place(`${id}.place`) : [])];
-  if (!kind) return place(`event.${id.replace(".", "s.")}`);
+  if (!kind) return entranceFields(`event.${id.replace(".", "s.")}`);
   const sizes = {
     circle: [length(`${id}.radius`, () => _("radius"), 5, MOST.radius), ...place(`${id}.centre`)],
     rectangle: [
@@ -87,8 +95,9 @@ function fieldsOf({ id, table: { kind, rectangle, ...held } }) {
 const isNamed = ({ id, table }) => !/^(entrance|route)/.test(id) && !table.round;
 
 /** How large a thing is, in words. @param {Thing["table"]} table */
-function sizeText({ kind, radius, size, rectangle, points, boundary, hold }) {
+function sizeText({ kind, radius, size, rectangle, points, boundary, hold, width: wide }) {
   if (hold) return `${hold} s`;
+  if (wide && !points) return _("{width} m wide", { width: wide });
   const [length, width] = rectangle ?? size ?? [];
   const round = kind === "circle" ? radius : radiusOf({ boundary });
   if (length && width) return _("{length} m by {width} m", { length, width });

@@ -87,6 +87,16 @@ export function obstaclesOf({ obstacle }) {
   return Array.isArray(obstacle) && obstacle.every(isObstacle) ? obstacle : [];
 }
 
+/** Whether a value is an entrance: a place, and how wide it is, or not. @param {any} value */
+const isEntrance = (value) =>
+  Array.isArray(value) && [2, 3].includes(value.length) && value.every(Number.isFinite);
+
+/** The entrances of a plan: x, y, m, and how wide, if that is known; none where one is something else. @param {Plan} plan @returns {number[][]} */
+export function entrancesOf({ event }) {
+  const entrances = event?.entrances;
+  return Array.isArray(entrances) && entrances.every(isEntrance) ? entrances : [];
+}
+
 /** The street of a plan, if it is one that can be drawn. @param {Plan} plan @returns {Point[]} */
 export function streetOf({ route }) {
   return pointsOf(route?.street?.points);
@@ -106,7 +116,7 @@ export function restName({ text, text_zh, round }) {
 
 /** All that stands on the square of a plan, its edge first; the street to it, and where the head rests. @param {Plan} plan @returns {Thing[]} */
 export function thingsOf(plan) {
-  const { venue, event, route } = plan;
+  const { venue, route } = plan;
   /** @type {Thing[]} */
   const found = [];
   if (hasSquare(plan)) {
@@ -117,10 +127,10 @@ export function thingsOf(plan) {
     const name = obstacleName(table, n);
     found.push({ id: `obstacle.${n}`, table, name, alone: { route: {}, obstacle: [table] } });
   }
-  for (const [n, at] of pointsOf(event?.entrances).entries()) {
+  for (const [n, one] of entrancesOf(plan).entries()) {
     const name = _("entrance {n}", { n: n + 1 });
-    const alone = { route: {}, event: { entrances: [at] } };
-    found.push({ id: `entrance.${n}`, table: {}, name, alone });
+    const alone = { route: {}, event: { entrances: [one] } };
+    found.push({ id: `entrance.${n}`, table: { width: one[2] }, name, alone });
   }
   if (streetOf(plan).length) {
     const alone = { route: { street: route.street } };
@@ -271,7 +281,8 @@ export function withAt(plan, key, value) {
   const names = key.split(".");
   const last = /** @type {string} */ (names.pop());
   const table = names.reduce((/** @type {any} */ at, name) => (at[name] ??= {}), copy);
-  if (value === null) delete table[last];
+  if (value === null && Array.isArray(table)) table.splice(Number(last), 1);
+  else if (value === null) delete table[last];
   else table[last] = value;
   return copy;
 }

@@ -10,6 +10,7 @@ import {
   entrancesOf,
   eventFindings,
   shutText,
+  waysOut,
   withinLines,
 } from "../made/crowd.js";
 import { shownName } from "../made/findings.js";
@@ -36,7 +37,7 @@ import { sweptArea } from "./swept.js";
 
 /** An answer about something, and what the plan asks for: a limit, if `up`. @typedef {{ name: Words, found: Answer, asked: number | null, up: boolean }} Told */
 /** A post for marshals: see `Post` of analysis/posts.py. @typedef {{ point: Point, reasons: Array<{ why: string, value: number, time: number }> }} Post */
-/** When benches are nearest to an entrance, s, which, and how near, m; when it is shut, in figures. @typedef {{ time: number | null, bench: number, away: number, inside: boolean, shut: string }} Entrance */
+/** How wide an entrance is, m; when benches are nearest to it, s, which, and how near, m; when it is shut, in figures. @typedef {{ width: number | null, time: number | null, bench: number, away: number, inside: boolean, shut: string }} Entrance */
 /** A level of room for people: see `RoomLevel` of analysis/room.py. @typedef {{ name: Words, asked: Array<{ key: string, value: number, source: string }>, between: number, kept: boolean | null }} Level */
 
 /**
@@ -46,6 +47,7 @@ import { sweptArea } from "./swept.js";
  * @property {Words} verdict a sentence, by the clock of papers
  * @property {Array<{ code: string, text: Words }>} findings about spectators
  * @property {{ people: number | null, ground: number | null, way: number | null, density: number | null, level: Words | null }} crowd
+ * @property {{ width: number | null, free: number, unknown: number[], flows: number[], minutes: number[] | null }} exits ways out: see `WaysOut` of analysis/crowd.py
  * @property {Entrance[]} entrances
  * @property {{ margin: number, given: boolean, error: number, area: number, within: number, length: number, rectangle: { width: number, height: number }, outlines: Ring[], lines: Ring[], round: boolean }} ground `round`: whether benches go round some that they leave free
  * @property {Post[]} posts
@@ -87,7 +89,7 @@ async function onTheGround(plan, walk, report, progress) {
   const entrances = await entrancesOf(plan, walk, span, lines, fastest);
   const venue = report.obstacles.find((/** @type {any} */ one) => one.obstacle.kind === "venue");
   const crowd = crowdOf(plan, lines, venue ? sure(venue.distance, false) : 0);
-  const posts = marshalPosts(report, lines, plan.event.entrances);
+  const posts = marshalPosts(report, lines, plan.event.places);
   const found = eventFindings(plan, crowd, entrances, clock);
   const chance = await chanceOf(plan, part(progress, 0.6, 1, _("random dances")));
   const { density } = crowd;
@@ -98,6 +100,7 @@ async function onTheGround(plan, walk, report, progress) {
       density,
       level: density == null ? null : both(() => _(densityText(density))),
     },
+    exits: waysOut(entrances, plan.event.spectators),
     entrances: entrances.map((/** @type {any} */ one) => entranceTold(one, clock)),
     ground: {
       margin,
@@ -194,9 +197,10 @@ function clearanceTold({ obstacle, distance }) {
 
 /** @param {any} entrance @param {Clock} clock @returns {Entrance} */
 function entranceTold(entrance, clock) {
-  const { nearest, inside } = entrance;
+  const { gate, nearest, inside } = entrance;
   const { time = null, benches = [0] } = nearest.witness ?? {};
   return {
+    width: gate.width,
     time,
     bench: benches[0],
     away: sure(nearest, false),

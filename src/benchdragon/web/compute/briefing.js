@@ -2,6 +2,7 @@
 
 import { countedIn, scoreOf } from "../made/beats.js";
 import { haltsOf, landmarkOf } from "../made/bench_basis.js";
+import { edgeLeft } from "../made/entrances.js";
 import { shownName } from "../made/findings.js";
 import { Ground, ownPeg } from "../made/ground.js";
 import { benchWalks } from "../made/bench_walks.js";
@@ -49,7 +50,7 @@ import { places } from "./walk_facts.js";
  * @property {number} high and where they end
  * @property {number[][]} s where along the route each front handle is at the start, and at the end, m
  * @property {number[][]} ends x and y there, m, and the heading, rad: one after another at the start, and at the end
- * @property {Array<{ kind: import("./obstacle.js").ObstacleKind, points: Point[], radius: number, shown: Words }>} obstacles
+ * @property {Array<{ kind: import("./obstacle.js").ObstacleKind, points: Point[], left: Point[][], radius: number, shown: Words }>} obstacles `left`: what gates and entrances leave of the venue's edge
  * @property {Point[]} entrances where people come in, m
  */
 
@@ -151,7 +152,10 @@ export async function briefed(plan, walk, span, progress) {
     ...withArena(walk.engine, (own) => within(own, () => timed(plan, walk, span, ground))),
     beats: countedIn(scoreOf(plan, ...span)),
     end: span[1],
-    ways: { low, high, s, ends, obstacles: obstacles.map(shown), entrances: event.entrances },
+    ways: {
+      ...{ low, high, s, ends, entrances: event.places },
+      obstacles: obstacles.map((/** @type {Obstacle} */ one) => shown(one, plan)),
+    },
   };
 }
 
@@ -194,8 +198,9 @@ function endsOf({ route }, s) {
   return s.slice(0, -1).flatMap((_s, k) => [...found.subarray(4 * k, 4 * k + 3)]);
 }
 
-/** @param {Obstacle} obstacle */
-function shown(obstacle) {
+/** @param {Obstacle} obstacle @param {Plan} plan */
+function shown(obstacle, plan) {
   const { kind, outline, radius } = obstacle;
-  return { kind, points: outline, radius, shown: both(() => shownName(obstacle)) };
+  const left = kind === "venue" ? edgeLeft(plan) : [];
+  return { kind, points: outline, left, radius, shown: both(() => shownName(obstacle)) };
 }

@@ -59,6 +59,8 @@ export const ANALYSIS_CHALK = { ARM: 5 };
 
 export const ANALYSIS_CONTACT_SEARCH = { REFINING: 0.25, REFINING_ON: 0.05 };
 
+export const ANALYSIS_CROWD = { FLOWS: [60, 82] };
+
 export const ANALYSIS_LEFT_OPEN = { REST: 0.25 };
 
 export const ANALYSIS_NEARBY = { FAR: 100, SPREADS: 4, NOWHERE: [0, 0] };

@@ -6,12 +6,12 @@ import { boxes } from "./distance.js";
 
 /** @typedef {import("./walk.js").Walk} Walk */
 
-/** How far the nearest bench is from a post's middle at a time, s, in m. @param {Walk} walk @param {number} time @param {import("./obstacle.js").Obstacle} post @returns {number} */
-export function awayAt(walk, time, post) {
+/** How far the nearest bench is from an entrance at a time, s, in m; not more than 0 within it. @param {Walk} walk @param {number} time @param {import("./obstacle.js").Obstacle} shape @returns {number} */
+export function awayAt(walk, time, shape) {
   return withArena(walk.engine, (arena) => {
     const table = boxes(arena, walk.motion(arena, [time]));
-    const [away] = within(arena, () => nearestBoxes(table, post));
-    return doubles(away).reduce((least, one) => Math.min(least, one));
+    const [away] = within(arena, () => nearestBoxes(table, shape));
+    return doubles(away).reduce((least, one) => Math.min(least, one)) - shape.radius;
   });
 }
 

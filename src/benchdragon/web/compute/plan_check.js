@@ -2,6 +2,7 @@
 // models (plan_keys.js).
 
 import { checkCue, timeOfDay } from "../made/cues.js";
+import { EventTable, entrance } from "../made/event.js";
 import { webAddress } from "../made/people.js";
 import { quantity } from "../made/units.js";
 import { FormationTable, StepTable } from "../made/formation_tables.js";
@@ -46,7 +47,7 @@ import { asciiJson, nearestName, pythonJson, pythonText } from "./python_text.js
  * @property {number} [ge] @property {number} [gt] @property {number} [le]
  * @property {number} [least] the least that is not 0
  * @property {number} [fewest] entries @property {number} [most] entries or letters
- * @property {string} [check] of a text
+ * @property {string} [check] of a text or a list
  * @property {boolean} [day] whether it may be a date of TOML
  * @property {any[]} [values] of a choice
  * @property {any} [of] spec of a list's entries, or those of a tuple's
@@ -57,7 +58,7 @@ import { asciiJson, nearestName, pythonJson, pythonText } from "./python_text.js
 const DOING = {
   ...{ ArcPart, ClothoidPart, LinePart, LogSpiralPart, SpiralPart },
   ...{ DragonTable, TurnTable, WalkTable, FormationTable, StepTable },
-  ...{ CircleTable, LineTable, PolygonTable, RectangleTable, VenueTable },
+  ...{ EventTable, CircleTable, LineTable, PolygonTable, RectangleTable, VenueTable },
   ...{ DrawnRoute, FormationRoute, PartsRoute, ProgrammeRoute, SpiralInRoute, StreetTable, TurnRoute },
 };
 
@@ -66,8 +67,8 @@ const [TRUTHS, UNTRUTHS] = [
   ["1", "on", "t", "true", "y", "yes"],
   ["0", "off", "f", "false", "n", "no"],
 ];
-/** Checks of texts, by their names. @type {Record<string, (text: string) => string>} */
-const CHECKS = { one_line: oneLine, time_of_day: timeOfDay, web_address: webAddress };
+/** Checks of texts and lists, by their names. @type {Record<string, (value: any) => any>} */
+const CHECKS = { entrance, one_line: oneLine, time_of_day: timeOfDay, web_address: webAddress };
 // Letters of a value that are told.
 const MOST_TOLD = 60;
 
@@ -146,10 +147,11 @@ class Check {
     if (!Array.isArray(value)) throw new Unwanted(_("a list"), value);
     if (spec.type === "list") {
       if (spec.most !== undefined && value.length > spec.most) throw tooLong(spec.most, value);
+      const before = this.faults.length;
       const found = value.map((one, i) => this.value(spec.of, one, `${where}.${i}`));
       if (spec.fewest !== undefined && value.length < spec.fewest)
         throw new Unwanted(_("at least {min_length} entries", { min_length: spec.fewest }), value);
-      return found;
+      return spec.check && this.faults.length === before ? CHECKS[spec.check](found) : found;
     }
     const specs = /** @type {Spec[]} */ (spec.of);
     if (value.length > specs.length) throw tooLong(specs.length, value);

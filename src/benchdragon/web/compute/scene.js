@@ -2,6 +2,7 @@
 // the message, not packed into it.
 
 import { scoreOf } from "../made/beats.js";
+import { edgeLeft } from "../made/entrances.js";
 import { shownName } from "../made/findings.js";
 import { cued, ending, jointsPassed } from "../made/occasions.js";
 import { village } from "../made/people.js";
@@ -153,7 +154,7 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
       disc: plan.disc.radius,
       margin: plan.limits.margin,
       speed_limit: plan.limits.speed,
-      obstacles: plan.obstacles().map(drawnObstacle),
+      obstacles: plan.obstacles().map((/** @type {Obstacle} */ one) => drawnObstacle(one, plan)),
       occasions: occasions.sort((a, b) => a.time - b.time),
       beats: beatsOf(plan, start, end),
       papers: "people" in plan.own() || "cues" in plan.own() ? { said: plan.cues.clock, start } : null,
@@ -223,10 +224,18 @@ function beatsOf(plan, start, end) {
   return { tempo, runs, strokes };
 }
 
-/** An obstacle as a page draws it, to a tenth of a millimetre. @param {Obstacle} obstacle @returns {Dance["obstacles"][0]} */
-function drawnObstacle(obstacle) {
+/** An obstacle of a plan as a page draws it, to a tenth of a millimetre. @param {Obstacle} obstacle @param {Plan} plan @returns {Dance["obstacles"][0]} */
+function drawnObstacle(obstacle, plan) {
   const { kind, outline, radius, margin } = obstacle;
   const drawn = (/** @type {Array<[number, number]>} */ points) =>
     points.map(([x, y]) => /** @type {[number, number]} */ ([rounded(x, 4), rounded(y, 4)]));
-  return { name: both(() => shownName(obstacle)), kind, points: drawn(outline), radius, margin };
+  return {
+    name: both(() => shownName(obstacle)),
+    kind,
+    points: drawn(outline),
+    radius,
+    margin,
+    open: drawn(obstacle.open ?? []),
+    left: kind === "venue" ? edgeLeft(plan).map(drawn) : [],
+  };
 }

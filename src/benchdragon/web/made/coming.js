@@ -122,7 +122,7 @@ function _apart(obstacle, place) {
 }
 function _nearestEntrance(plan, place) {
   let known;
-  known = py.list(py.enumerate(plan.event.entrances, 1)).map(([n, one]) => [py.dist(one, place), n, one]);
+  known = py.list(py.enumerate(plan.event.places, 1)).map(([n, one]) => [py.dist(one, place), n, one]);
   return py.list(py.slice(py.sorted(known), null, 1)).map(([_far, n, [x, y]]) => [n, [x, y]]);
 }
 function* _nearestEdge(square, tail) {

@@ -6,15 +6,15 @@ import { py } from "../compute/python.js";
 import { groundLeft } from "../compute/swept.js";
 import { N_ } from "../words.js";
 import { sure } from "./answer.js";
+import { gatesOf } from "./entrances.js";
 import { Finding } from "./findings.js";
-import { Obstacle } from "./obstacle.js";
 import { leastDistance } from "./obstacles.js";
-import { areaOf, holds, roundRing } from "./rings.js";
+import { areaOf, holds, ringOf, roundRing } from "./rings.js";
 
 export const DISTANCE = 2.0;
 const LEVELS = [[7.1, N_("critical even where nobody moves")], [5.6, N_("dangerous forces begin")], [3.6, N_("people are touched against their will")], [2.0, N_("walking is slowed")], [0.0, N_("people can walk about")]];
 const MOST = 3.6;
-const POST = 0.001;
+const FLOWS = [60.0, 82.0];
 const TOLERANCES = [0.001];
 const STEP = 0.25;
 const MOST_LOOKS = 20000;
@@ -37,11 +37,20 @@ class Crowd {
   }
 }
 class Entrance {
-  constructor(place, nearest, inside, shut) {
-    this.place = place;
+  constructor(gate, nearest, inside, shut) {
+    this.gate = gate;
     this.nearest = nearest;
     this.inside = inside;
     this.shut = shut;
+  }
+}
+class WaysOut {
+  constructor(width, free, unknown, flows, minutes) {
+    this.width = width;
+    this.free = free;
+    this.unknown = unknown;
+    this.flows = flows;
+    this.minutes = minutes;
   }
 }
 export function distanceOf(plan) {
@@ -67,33 +76,40 @@ function _ring(obstacle) {
   if ((obstacle.kind === "circle")) {
     return roundRing(py.at(corners, 0), obstacle.radius);
   }
-  return [...py.iter(corners), py.at(corners, 0)];
+  return ringOf(corners);
 }
 export function densityText(density) {
   return py.next(py.list(LEVELS).flatMap(([least, text]) => (((density >= least)) ? [text] : [])));
 }
 export async function entrancesOf(plan, walk, span, lines, fastest) {
   return py.scoped(async () => {
-    let end, found, inside, near, place, post, shut, start;
+    let end, found, gate, inside, near, places, shut, start;
     [[start, end], found] = py.list([span, []]);
-    for (place of py.iter(plan.event.entrances)) {
-      post = Obstacle.circle("", place, POST);
-      near = (await leastDistance(walk, post, start, end, TOLERANCES));
-      inside = py.list(lines).some((line) => py.truth(holds(line, place)));
-      shut = (py.truth(inside) ? _shut(walk, span, post, distanceOf(plan), fastest) : []);
-      py.append(found, new Entrance(place, near, inside, shut));
+    for (gate of py.iter(gatesOf(plan))) {
+      near = (await leastDistance(walk, gate.shape, start, end, TOLERANCES));
+      places = [gate.place, ...py.iter(_ring(gate.shape))];
+      inside = py.list(lines).some((line) => py.list(places).some((place) => py.truth(holds(line, place))));
+      shut = (py.truth(inside) ? _shut(walk, span, gate.shape, distanceOf(plan), fastest) : []);
+      py.append(found, new Entrance(gate, near, inside, shut));
     }
     return found;
   });
 }
-function _shut(walk, span, post, near, fastest) {
+export function waysOut(entrances, people) {
+  let flows, free, known;
+  known = py.list(entrances).flatMap((one) => (((one.gate.width != null)) ? [one] : []));
+  free = py.sum(py.list(known).flatMap((one) => ((!py.truth(one.inside)) ? [py.or(one.gate.width, () => 0.0)] : [])));
+  flows = py.list(FLOWS).map((flow) => (free * flow));
+  return new WaysOut((py.truth(known) ? py.sum(py.list(known).map((one) => py.or(one.gate.width, () => 0.0))) : null), free, py.tuple(py.list(py.enumerate(entrances, 1)).flatMap(([n, one]) => (((one.gate.width == null)) ? [n] : []))), py.tuple(flows), ((people == null) ? null : py.tuple(py.list(flows).map((flow) => ((flow > 0.0) ? (people / flow) : Infinity)))));
+}
+function _shut(walk, span, shape, near, fastest) {
   let count, end, found, half, since, start, time;
   [start, end] = py.list(span);
   count = py.min(py.max(py.ceil((py.sub(end, start) / STEP)), 1), MOST_LOOKS);
   half = ((0.5 * py.sub(end, start)) / count);
   found = [];
   for (time of py.iter(py.tolist(py.linspace(start, end, (count + 1))))) {
-    if ((awayAt(walk, time, post) > py.add(near, ((WHIP * fastest) * half)))) {
+    if ((awayAt(walk, time, shape) > py.add(near, ((WHIP * fastest) * half)))) {
       continue;
     }
     since = ((py.truth(found) && (py.sub(py.sub(time, half), py.at(py.at(found, -1), 1)) <= APART)) ? py.at(py.pop(found), 0) : py.sub(time, half));

@@ -7,6 +7,7 @@ import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { checkedSize } from "./base_curve.js";
 import { finite, notNegative } from "./errors.js";
+import { holds, lengthOf, ringOf, stretch } from "./rings.js";
 
 const asNumbers = (_name, values) => values;
 const MOST_METRES = 100000000.0;
@@ -50,23 +51,17 @@ export class Obstacle extends Standing {
     return new Obstacle(this.name, this.kind, outline, this.radius, this.margin, left);
   }
   gated(way, width) {
-    let _first, at, chain, ends, here, hits, met, n, one, other, ring, share, sides, there;
-    ring = py.tolist(this.outline);
-    sides = py.list(py.zip(ring, [...py.iter(py.slice(ring, 1, null)), py.at(ring, 0)]));
-    ends = [0.0];
-    for ([one, other] of py.iter(sides)) {
-      py.append(ends, py.add(py.at(ends, -1), py.dist(one, other)));
-    }
-    if (((width >= py.at(ends, -1)) || py.truth(_isInside(sides, py.at(way, 0))))) {
+    let _share, at, chain, here, hits, ring, there, whole;
+    ring = ringOf(py.tolist(this.outline));
+    whole = lengthOf(ring);
+    if (((width >= whole) || py.truth(holds(ring, py.at(way, 0))))) {
       return this;
     }
     for ([here, there] of py.iter(py.pairwise(way))) {
-      met = py.list(sides).map(([one, other]) => _met(here, there, one, other));
-      hits = py.list(py.enumerate(met)).flatMap(([n, share]) => (((share != null)) ? [[py.at(share, 0), n, py.at(share, 1)]] : []));
+      hits = _crossings(ring, here, there);
       if (py.truth(hits)) {
-        [_first, n, share] = py.list(py.min(hits));
-        at = py.add(py.at(ends, n), (share * py.sub(py.at(ends, (n + 1)), py.at(ends, n))));
-        chain = asTable(_round(ring, ends, py.add(at, (0.5 * width)), py.add(py.sub(at, (0.5 * width)), py.at(ends, -1))));
+        [_share, at] = py.list(py.min(hits));
+        chain = asTable(stretch(ring, py.add(at, (0.5 * width)), py.add(py.sub(at, (0.5 * width)), whole)));
         return new Obstacle(this.name, this.kind, this.outline, this.radius, this.margin, chain);
       }
     }
@@ -79,6 +74,17 @@ function _turned(points, turned, by) {
   turns = py.list(py.tolist(points)).map(([x, y]) => [py.sub((c * x), (s * y)), py.add((s * x), (c * y))]);
   return asTable(py.list(turns).map(([x, y]) => [py.add(x, py.at(by, 0)), py.add(y, py.at(by, 1))]));
 }
+function _crossings(ring, here, there) {
+  let found, met, one, other, passed, side;
+  [found, passed] = py.list([[], 0.0]);
+  for ([one, other] of py.iter(py.pairwise(ring))) {
+    side = py.dist(one, other);
+    met = _met(here, there, one, other);
+    found = py.extend(found, ((met == null) ? [] : [[py.at(met, 0), py.add(passed, (py.at(met, 1) * side))]]));
+    passed = py.extend(passed, side);
+  }
+  return found;
+}
 function _met(here, there, one, other) {
   let across, ax, ay, bx, by, dx, dy, otherShare, share;
   [ax, ay, bx, by] = py.list([py.sub(py.at(there, 0), py.at(here, 0)), py.sub(py.at(there, 1), py.at(here, 1)), py.sub(py.at(other, 0), py.at(one, 0)), py.sub(py.at(other, 1), py.at(one, 1))]);
@@ -88,27 +94,6 @@ function _met(here, there, one, other) {
   }
   [share, otherShare] = py.list([(py.sub((dx * by), (dy * bx)) / across), (py.sub((dx * ay), (dy * ax)) / across)]);
   return ((((0.0 <= share) && (share <= 1.0)) && ((0.0 <= otherShare) && (otherShare <= 1.0))) ? [share, otherShare] : null);
-}
-function _isInside(sides, point) {
-  let right, x, y;
-  [x, y] = py.list(point);
-  right = py.list(sides).flatMap(([one, other]) => (((!py.eq((py.at(one, 1) > y), (py.at(other, 1) > y)) && (py.add(py.at(one, 0), ((py.sub(y, py.at(one, 1)) / py.sub(py.at(other, 1), py.at(one, 1))) * py.sub(py.at(other, 0), py.at(one, 0)))) > x))) ? [one] : []));
-  return (py.mod(py.len(right), 2) === 1);
-}
-function _round(ring, ends, begin, end) {
-  let corners, inner, whole;
-  whole = py.at(ends, -1);
-  inner = py.list([-whole, 0.0, whole]).flatMap((lap) => py.list(py.range(py.len(ring))).flatMap((n) => ((((py.add(begin, LEAST_SIDE) < py.add(py.at(ends, n), lap)) && (py.add(py.at(ends, n), lap) < py.sub(end, LEAST_SIDE)))) ? [[py.add(py.at(ends, n), lap), py.at(ring, n)]] : [])));
-  corners = py.list(py.sorted(inner)).map(([_way, point]) => point);
-  return [_along(ring, ends, begin), ...py.iter(corners), _along(ring, ends, end)];
-}
-function _along(ring, ends, way) {
-  let n, share, u, v, x, y;
-  way = py.mod(way, py.at(ends, -1));
-  n = py.max(py.list(py.range(py.len(ring))).flatMap((n) => (((py.at(ends, n) <= way)) ? [n] : [])));
-  share = (py.sub(way, py.at(ends, n)) / py.sub(py.at(ends, (n + 1)), py.at(ends, n)));
-  [[x, y], [u, v]] = py.list([py.at(ring, n), py.at(ring, py.mod((n + 1), py.len(ring)))]);
-  return [py.add(x, (share * py.sub(u, x))), py.add(y, (share * py.sub(v, y)))];
 }
 export function rectangleOutline(name, centre, size, angle) {
   let a, b, c, corners, ends, middle, s, sides, turned;

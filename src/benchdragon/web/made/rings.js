@@ -1,8 +1,9 @@
 // @ts-nocheck
-// Made from analysis/rings.py by tools/make_twins.py; to make it again: make generate
+// Made from model/rings.py by tools/make_twins.py; to make it again: make generate
 
 import { py } from "../compute/python.js";
 
+const NEAR = 1e-06;
 const ROUND = 64;
 export function outermost(rings) {
   return py.list(rings).flatMap((ring) => ((!py.list(rings).some((other) => ((other !== ring)) && py.truth(holds(other, py.at(ring, 0))))) ? [ring] : []));
@@ -51,6 +52,19 @@ export function placeOn(ring, along) {
     left = py.sub(left, way);
   }
   return py.at(ring, -1);
+}
+export function stretch(ring, begin, end) {
+  let a, b, corners, inner, passed, whole;
+  [whole, passed, corners] = py.list([lengthOf(ring), 0.0, []]);
+  for ([a, b] of py.iter(py.pairwise(ring))) {
+    corners = py.extend(corners, py.list([-whole, 0.0, whole]).map((lap) => [py.add(passed, lap), a]));
+    passed = py.extend(passed, py.dist(a, b));
+  }
+  inner = py.list(py.sorted(corners)).flatMap(([along, a]) => ((((py.add(begin, NEAR) < along) && (along < py.sub(end, NEAR)))) ? [a] : []));
+  return [placeOn(ring, py.mod(begin, whole)), ...py.iter(inner), placeOn(ring, py.mod(end, whole))];
+}
+export function ringOf(outline) {
+  return [...py.iter(outline), py.at(outline, 0)];
 }
 export function roundRing(centre, radius) {
   let far, found, turns, x, y;

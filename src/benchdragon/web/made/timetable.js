@@ -126,7 +126,7 @@ function* _beside(plan, walk, span) {
   }
   tail = py.at(py.at(places(walk, py.at(span, 0)), 0), -1);
   ways = [...py.iter(py.slice(_even(tail, first, FINE), null, -1)), ...py.iter(looks)];
-  for ([n, place] of py.iter(py.enumerate(plan.event.entrances, 1))) {
+  for ([n, place] of py.iter(py.enumerate(plan.event.places, 1))) {
     name = py.filled(_("the dragon's way nearest to entrance {n}"), { n: n });
     entrance = new Obstacle("", "circle", asTable([place]));
     yield _passing(walk, span, "entrance", name, _nearest(_apart(walk.route, entrance), ways));

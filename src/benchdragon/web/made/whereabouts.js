@@ -39,7 +39,7 @@ function* _things(plan, place) {
       n = py.extend(n, 1);
     }
   }
-  for ([k, [x, y]] of py.iter(py.enumerate(plan.event.entrances, 1))) {
+  for ([k, [x, y]] of py.iter(py.enumerate(plan.event.places, 1))) {
     yield [n, [[x, y], py.filled(_("entrance {n}"), { n: k })]];
     n = py.extend(n, 1);
   }

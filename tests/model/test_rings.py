@@ -3,15 +3,18 @@
 import numpy as np
 import pytest
 import shapely
+from shapely.ops import substring
 
-from benchdragon.analysis.rings import (
+from benchdragon.model.rings import (
     area_of,
     holds,
     length_of,
     nearest_on,
     outermost,
     place_on,
+    ring_of,
     round_ring,
+    stretch,
 )
 
 # A star with hollows between its arms, not about the origin.
@@ -41,6 +44,20 @@ def test_rings_are_measured_as_shapely_measures_them(ring: list[tuple[float, flo
 def test_a_place_at_the_end_of_a_ring_is_its_beginning() -> None:
     assert place_on(RING, 0.0) == RING[0]
     assert place_on(RING, length_of(RING) + 1e-9) == RING[-1]
+
+
+def test_a_stretch_of_a_ring_goes_from_one_way_along_it_to_another() -> None:
+    whole = length_of(RING)
+    twice = shapely.LineString([*RING, *RING[1:]])  # from one round before its beginning on
+    for begin, size in DICE.uniform([-0.9 * whole, 0.01], [0.9 * whole, 0.9 * whole], (60, 2)):
+        part = shapely.LineString(stretch(RING, begin, begin + size))
+        at = begin % whole
+        true = substring(twice, at, at + size)
+        assert part.length == pytest.approx(size)
+        assert part.hausdorff_distance(true) < 1e-9
+        assert part.coords[0] == pytest.approx(true.coords[0])
+    assert stretch(RING, 0.0, whole) == [*STAR, STAR[0]]
+    assert ring_of(STAR) == RING
 
 
 def test_rings_within_others_are_left_out() -> None:

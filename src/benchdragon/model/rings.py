@@ -10,6 +10,8 @@ from itertools import pairwise
 from benchdragon.model.base_curve import Point
 
 Ring = Sequence[Point]
+# A corner that is so near to an end of a stretch, m, is none of its own.
+NEAR = 1e-6
 # Corners of a circle that stands for what is round.
 ROUND = 64
 
@@ -69,6 +71,24 @@ def place_on(ring: Ring, along: float) -> Point:
             return (ax + left / way * (bx - ax), ay + left / way * (by - ay))
         left -= way
     return ring[-1]
+
+
+def stretch(ring: Ring, begin: float, end: float) -> list[Point]:
+    """The points of a ring from one way along it to another, m.
+
+    Either may lie a whole round before the ring begins, or beyond its end.
+    """
+    whole, passed, corners = length_of(ring), 0.0, []
+    for a, b in pairwise(ring):
+        corners += [(passed + lap, a) for lap in (-whole, 0.0, whole)]
+        passed += math.dist(a, b)
+    inner = [a for along, a in sorted(corners) if begin + NEAR < along < end - NEAR]
+    return [place_on(ring, begin % whole), *inner, place_on(ring, end % whole)]
+
+
+def ring_of(outline: Sequence[Point]) -> list[Point]:
+    """The ring of an outline's corners."""
+    return [*outline, outline[0]]
 
 
 def round_ring(centre: Point, radius: float) -> list[Point]:
