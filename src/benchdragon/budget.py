@@ -55,11 +55,8 @@ def times() -> float:
     except ValueError:
         number = -1.0
     if not 0.0 <= number <= MOST_TIMES:
-        raise InputError(
-            _("{variable} must be a number from 0 to {most}, not {text}").format(
-                variable=VARIABLE, most=f"{MOST_TIMES:g}", text=repr(text)[:80]
-            )
-        )
+        said = _("{variable} must be a number from 0 to {most}, not {text}")
+        raise InputError(said.format(variable=VARIABLE, most=f"{MOST_TIMES:g}", text=repr(text)[:80]))
     return number
 
 

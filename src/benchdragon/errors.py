@@ -164,9 +164,8 @@ def advice(error: WalkError) -> str:
         when = _("with the head at s = {head} m").format(head=f"{error.head:.6g}")
     else:
         when = _("at t = {t} s").format(t=f"{error.t:.6g}")
-    return _(ADVICE[error.status]).format(
-        when=when, bench=error.bench, s=f"{error.s:.6g}", size=error.size
-    )
+    text = _(ADVICE[error.status])
+    return text.format(when=when, bench=error.bench, s=f"{error.s:.6g}", size=error.size)
 
 
 ENGINE_ADVICE = {

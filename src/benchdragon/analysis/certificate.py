@@ -153,11 +153,8 @@ def read_certificate(path: Path, kind: type[BaseModel] = Certificate) -> BaseMod
         if not stat.S_ISREG(about.st_mode):  # a device has no end, a pipe may have no beginning
             raise InputError(_("{path} is no file that could be a certificate").format(path=name))
         if about.st_size > MOST_BYTES:
-            raise InputError(
-                _("{path} is larger than any certificate, {most} MB").format(
-                    path=name, most=MOST_BYTES // 1_000_000
-                )
-            )
+            said = _("{path} is larger than any certificate, {most} MB")
+            raise InputError(said.format(path=name, most=MOST_BYTES // 1_000_000))
         text = path.read_bytes()
         found = kind.model_validate_json(text)
         _refuse_odd(text)
@@ -182,11 +179,8 @@ def _refuse_odd(text: bytes) -> None:
     def held(written: str) -> float:
         value = number(written)
         if isinstance(value, Rounded):
-            raise InputError(
-                _("the certificate says {written}, of which {kept} alone could be shown").format(
-                    written=written, kept=repr(float(value))
-                )
-            )
+            text = _("the certificate says {written}, of which {kept} alone could be shown")
+            raise InputError(text.format(written=written, kept=repr(float(value))))
         return value
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -236,11 +230,8 @@ def plan_in(version: str, data: dict[str, Any], sha256: str) -> Plan:
         InputError, PlanError: for one that is unknown, or a plan that is none or has another hash.
     """
     if version not in VERSIONS:
-        raise InputError(
-            _("the certificate is of version {version}, which is unknown here; known: {known}").format(
-                version=repr(version), known=", ".join(VERSIONS)
-            )
-        )
+        text = _("the certificate is of version {version}, which is unknown here; known: {known}")
+        raise InputError(text.format(version=repr(version), known=", ".join(VERSIONS)))
     plan = checked(data, _("the certificate"))
     if plan.sha256 != sha256:
         raise InputError(_("the plan in the certificate is not the one that it was written for"))

@@ -358,11 +358,8 @@ def kept(report: Report, told: Clock | None = None) -> str:
         text = _("room is kept {levels}")
         said.append(text.format(levels=_(", ").join(shown_name(one) for one in report.room[1:])))
     if limits.speed is not None:
-        said.append(
-            _("fastest handle {speed} m/s of {limit} m/s allowed").format(
-                speed=speed_text(report), limit=f"{limits.speed:g}"
-            )
-        )
+        text = _("fastest handle {speed} m/s of {limit} m/s allowed")
+        said.append(text.format(speed=speed_text(report), limit=f"{limits.speed:g}"))
     for name in report.peaks:
         quantity = QUANTITIES[name]
         said.append(

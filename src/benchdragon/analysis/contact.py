@@ -307,9 +307,8 @@ def clearance_curve(walk: Walk | Plan, times: npt.ArrayLike | None = None) -> Cl
     motion = walk.motion(np.linspace(start, end, USUAL_SAMPLES) if times is None else times)
     at = motion.times
     if not 3 <= len(at) <= MOST_SAMPLES or not (np.diff(at) > 0.0).all():
-        raise InputError(
-            _("a clearance curve needs 3 to {most} times that increase").format(most=MOST_SAMPLES)
-        )
+        text = _("a clearance curve needs 3 to {most} times that increase")
+        raise InputError(text.format(most=MOST_SAMPLES))
     if len(walk.dragon) < 3:
         raise InputError(_("a dragon of one or two benches has no pair whose clearance counts"))
     tightest = [tightest_pairs(motion, i)[0] for i in range(len(at))]

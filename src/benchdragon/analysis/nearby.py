@@ -79,9 +79,6 @@ def checked_off(off: float) -> float:
         UnsureError: if it is too large for a search to find all pairs.
     """
     if off > MOST_OFF:
-        raise UnsureError(
-            _("rounding may hide {off} m of distances; a search allows for {most} m").format(
-                off=at_most(off), most=at_most(MOST_OFF)
-            )
-        )
+        text = _("rounding may hide {off} m of distances; a search allows for {most} m")
+        raise UnsureError(text.format(off=at_most(off), most=at_most(MOST_OFF)))
     return off

@@ -77,11 +77,8 @@ def bench_offsets(placed: Placement, bench: int = 1, points: npt.ArrayLike | Non
     whole("bench", bench, 1, len(placed.dragon))
     chosen = _corners(placed.dragon, bench) if points is None else _pairs(points)
     if len(chosen) * len(placed.head_s) > MOST_POINTS:
-        raise InputError(
-            _("{asked} points (of a bench by positions) are more than {most}").format(
-                asked=len(chosen) * len(placed.head_s), most=MOST_POINTS
-            )
-        )
+        text = _("{asked} points (of a bench by positions) are more than {most}")
+        raise InputError(text.format(asked=len(chosen) * len(placed.head_s), most=MOST_POINTS))
     placed.check()
     x, y, reach = _outside(placed, bench, chosen)
     low = np.maximum(placed.s[:, bench, np.newaxis] - 2.0 * reach, -placed.route.extension)
@@ -102,11 +99,8 @@ def _corners(dragon: Dragon, bench: int) -> FloatArray:
 def _pairs(points: npt.ArrayLike) -> FloatArray:
     pairs = as_numbers("points", points)
     if pairs.ndim != 2 or pairs.shape[1] != 2 or not (np.abs(pairs) <= LONGEST_BENCH).all():
-        raise InputError(
-            _("points must be a list of pairs (ahead, left) of at most {most} m, not {value}").format(
-                most=f"{LONGEST_BENCH:g}", value=brief(points)
-            )
-        )
+        text = _("points must be a list of pairs (ahead, left) of at most {most} m, not {value}")
+        raise InputError(text.format(most=f"{LONGEST_BENCH:g}", value=brief(points)))
     return pairs
 
 

@@ -221,10 +221,9 @@ def swept_area(
     if not_negative("margin", margin, "m") > MOST_MARGIN:
         raise InputError(_("margin must be at most 1000 m, not {value} m").format(value=f"{margin:g}"))
     if not LEAST_ERROR <= finite("error", error, "m") <= MOST_ERROR:
+        text = _("error must be from {least} to {most} m, not {value} m")
         raise InputError(
-            _("error must be from {least} to {most} m, not {value} m").format(
-                least=f"{LEAST_ERROR:g}", most=f"{MOST_ERROR:g}", value=f"{error:g}"
-            )
+            text.format(least=f"{LEAST_ERROR:g}", most=f"{MOST_ERROR:g}", value=f"{error:g}")
         )
     progress(0.0, _("following the benches"))
     steps = walked_steps(walk, start, end, error)

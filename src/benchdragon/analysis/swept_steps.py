@@ -136,12 +136,11 @@ class _Cutter:
 
     def _allow(self, more: int) -> None:
         if self._done + more > MOST_STEPS:
-            raise InputError(
-                _(
-                    "the area within {error} m takes more than {most} steps: allow a larger error, or "
-                    "ask for a shorter time or fewer sizes of benches"
-                ).format(error=f"{self._error:g}", most=MOST_STEPS)
+            text = _(
+                "the area within {error} m takes more than {most} steps: allow a larger error, or "
+                "ask for a shorter time or fewer sizes of benches"
             )
+            raise InputError(text.format(error=f"{self._error:g}", most=MOST_STEPS))
 
     def _leap(self, s: float, link: float, times: tuple[float, float]) -> BenchDragonError:
         """What to say of a bench that cannot stand, or may leap, with its front handle at s, m."""

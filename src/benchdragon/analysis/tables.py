@@ -46,11 +46,8 @@ def beginnings() -> IntArray:
 
 def too_many_kinds(sizes: FloatArray) -> InputError:
     """That benches of these sizes, (4, benches), are of too many different ones."""
-    return InputError(
-        _("contacts can be searched for at most {most} different sizes, not {count}").format(
-            most=MOST_SIZES, count=len({*zip(*sizes.tolist(), strict=True)})
-        )
-    )
+    text = _("contacts can be searched for at most {most} different sizes, not {count}")
+    return InputError(text.format(most=MOST_SIZES, count=len({*zip(*sizes.tolist(), strict=True)})))
 
 
 def kinds_of(sizes: FloatArray) -> tuple[IntArray, Kinds]:

@@ -50,12 +50,11 @@ def refuse_rounded(plan: Plan) -> None:
         InputError: naming the first, and what may be written for it.
     """
     for written, kept in plan.source.rounded:
-        raise InputError(
-            _(
-                "what is proved must be what is written: {written} was rounded to {kept} (write that, "
-                "if it will do)"
-            ).format(written=repr(written), kept=kept)
+        text = _(
+            "what is proved must be what is written: {written} was rounded to {kept} (write that, "
+            "if it will do)"
         )
+        raise InputError(text.format(written=repr(written), kept=kept))
 
 
 def numbers_of(plan: Plan, walk: Walk) -> Numbers:

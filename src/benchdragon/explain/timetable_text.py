@@ -107,6 +107,5 @@ def tempo_text(plan: Plan, score: Score) -> str:
     tempo = f"{score.tempo:.4g}"
     if not score.by_step:
         return _("{tempo} beats a minute, as the plan says").format(tempo=tempo)
-    return _("{tempo} beats a minute: a step of {step} cm a beat at the head's speed").format(
-        tempo=tempo, step=f"{100.0 * plan.people.step:g}"
-    )
+    text = _("{tempo} beats a minute: a step of {step} cm a beat at the head's speed")
+    return text.format(tempo=tempo, step=f"{100.0 * plan.people.step:g}")

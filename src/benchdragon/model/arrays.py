@@ -20,9 +20,8 @@ def as_numbers(name: str, values: object) -> FloatArray:
     except ValueError:
         array = np.asarray("ragged")
     if array.size and array.dtype.kind not in "fiu":
-        raise InputError(
-            _("{name} must be numbers, not {value}").format(name=name, value=brief(values))
-        )
+        text = _("{name} must be numbers, not {value}")
+        raise InputError(text.format(name=name, value=brief(values)))
     return array.astype(np.float64)
 
 

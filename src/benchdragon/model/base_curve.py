@@ -171,20 +171,14 @@ def check_pose(point: Point, heading: float) -> None:
 def checked_bend(name: str, value: float) -> float:
     """`value` if it may be a pitch or a radius, m."""
     if positive(name, value, "m") < LEAST_METRES:
-        raise InputError(
-            _("{name} must be at least {least} m, not {value} m").format(
-                name=name, least=f"{LEAST_METRES:g}", value=f"{value:g}"
-            )
-        )
+        text = _("{name} must be at least {least} m, not {value} m")
+        raise InputError(text.format(name=name, least=f"{LEAST_METRES:g}", value=f"{value:g}"))
     return checked_size(name, value)
 
 
 def checked_size(name: str, value: float) -> float:
     """`value` if it may be a length or a radius, m."""
     if positive(name, value, "m") > MOST_METRES:
-        raise InputError(
-            _("{name} must be at most {most} m, not {value} m").format(
-                name=name, most=f"{MOST_METRES:g}", value=f"{value:g}"
-            )
-        )
+        text = _("{name} must be at most {most} m, not {value} m")
+        raise InputError(text.format(name=name, most=f"{MOST_METRES:g}", value=f"{value:g}"))
     return value

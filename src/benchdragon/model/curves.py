@@ -140,12 +140,11 @@ def _check_turns(sweep: float, degrees: float | None, many: bool) -> None:
     if degrees is not None and sweep != 0.0:
         raise InputError(_("an arc has an angle in rad, or degrees, not both"))
     if not many and abs(finite("sweep", sweep, "rad")) > 2.0 * math.pi * FEW_TURNS:
-        raise InputError(
-            _(
-                "an angle of {angle} rad is {turns} turns: say degrees={angle} if these are degrees, "
-                "else many=True"
-            ).format(angle=f"{sweep:g}", turns=f"{sweep / (2.0 * math.pi):.1f}")
+        text = _(
+            "an angle of {angle} rad is {turns} turns: say degrees={angle} if these are degrees, "
+            "else many=True"
         )
+        raise InputError(text.format(angle=f"{sweep:g}", turns=f"{sweep / (2.0 * math.pi):.1f}"))
 
 
 @dataclass(frozen=True)
@@ -181,11 +180,8 @@ class Spiral(OneCurve):
         checked_bend("pitch", self.pitch)
         for name, angle in (("start_angle", self.start_angle), ("end_angle", self.end_angle)):
             if finite(name, angle, "rad") < 0.0:
-                raise InputError(
-                    _("{name} must not be negative, but is {value}").format(
-                        name=name, value=f"{angle:g} rad"
-                    )
-                )
+                text = _("{name} must not be negative, but is {value}")
+                raise InputError(text.format(name=name, value=f"{angle:g} rad"))
         if self.start_angle == self.end_angle:
             raise InputError(_("a spiral must end at another angle than it starts at"))
         checked_size("radius", max(self.start_angle, self.end_angle) * self.k)
@@ -256,10 +252,9 @@ class BentCurve(OneCurve):
     def _check_turn(self) -> None:
         turn = self.length_m * max(abs(self.start_curvature), abs(self.end_curvature))  # or less
         if turn > kernel.MOST_TURN:
+            text = _("{kind} may sweep at most {most} rad, not {value} rad")
             raise InputError(
-                _("{kind} may sweep at most {most} rad, not {value} rad").format(
-                    kind=_(self.called), most=f"{kernel.MOST_TURN:g}", value=f"{turn:g}"
-                )
+                text.format(kind=_(self.called), most=f"{kernel.MOST_TURN:g}", value=f"{turn:g}")
             )
 
     def _part(self) -> PartNumbers:
@@ -324,12 +319,11 @@ class LogSpiral(BentCurve):
         super().__post_init__()
         a, b = self.start_curvature, self.end_curvature
         if b == 0.0 or not 1.0 / MOST_WINDING <= a / b <= MOST_WINDING:
-            raise InputError(
-                _(
-                    "the curvatures of a logarithmic spiral must have the same sign and differ by a "
-                    "factor of at most {most}, not be {start} and {end} 1/m"
-                ).format(most=f"{MOST_WINDING:g}", start=f"{a:g}", end=f"{b:g}")
+            text = _(
+                "the curvatures of a logarithmic spiral must have the same sign and differ by a "
+                "factor of at most {most}, not be {start} and {end} 1/m"
             )
+            raise InputError(text.format(most=f"{MOST_WINDING:g}", start=f"{a:g}", end=f"{b:g}"))
         self._check_turn()
 
 
@@ -354,11 +348,8 @@ def _checked_curves(curves: object) -> tuple[AnyCurve, ...]:
     checked = tuple(curves)
     for i, curve in enumerate(checked, start=1):
         if not isinstance(curve, AnyCurve):
-            raise InputError(
-                _(
-                    "curve {number} must be a Line, Arc, Spiral, Clothoid or LogSpiral, not {value}"
-                ).format(number=i, value=brief(curve))
-            )
+            text = _("curve {number} must be a Line, Arc, Spiral, Clothoid or LogSpiral, not {value}")
+            raise InputError(text.format(number=i, value=brief(curve)))
     if not checked:
         raise InputError(_("a route needs at least one curve"))
     return checked
@@ -461,16 +452,14 @@ class Route(Curve):
         misfits(self.rows, off)
         for i, (gap, kink) in enumerate(off.tolist(), start=1):
             if gap > JOINT_GAP:
-                raise InputError(
-                    _(
-                        "curves {first} and {second} do not meet: they are {gap} m apart; "
-                        "Route.joined moves each to where the one before it ends"
-                    ).format(first=i, second=i + 1, gap=f"{gap:.6g}")
+                text = _(
+                    "curves {first} and {second} do not meet: they are {gap} m apart; "
+                    "Route.joined moves each to where the one before it ends"
                 )
+                raise InputError(text.format(first=i, second=i + 1, gap=f"{gap:.6g}"))
             if kink > JOINT_KINK and not self.kinks:
-                raise InputError(
-                    _(
-                        "curves {first} and {second} meet at a kink of {kink} degrees; allow kinks "
-                        "or rotate one of them, as Route.joined does"
-                    ).format(first=i, second=i + 1, kink=f"{math.degrees(kink):.6g}")
+                text = _(
+                    "curves {first} and {second} meet at a kink of {kink} degrees; allow kinks "
+                    "or rotate one of them, as Route.joined does"
                 )
+                raise InputError(text.format(first=i, second=i + 1, kink=f"{math.degrees(kink):.6g}"))

@@ -90,9 +90,8 @@ class Dragon:
 
     def __init__(self, benches: Iterable[Bench]) -> None:
         if not isinstance(benches, Iterable):
-            raise InputError(
-                _("benches must be a list of Bench, not {value}").format(value=brief(benches))
-            )
+            text = _("benches must be a list of Bench, not {value}")
+            raise InputError(text.format(value=brief(benches)))
         benches = list(benches)
         for n, bench in enumerate(benches, start=1):
             if not isinstance(bench, Bench):
@@ -257,6 +256,5 @@ def fault_of(i: int, sizes: Sequence[float]) -> tuple[int, str, str]:
 
 def count_text(count: object) -> str:
     """What is wrong with so many benches."""
-    return _("a dragon has 1 to {most} benches, not {count}").format(
-        most=MOST_BENCHES, count=brief(count)
-    )
+    text = _("a dragon has 1 to {most} benches, not {count}")
+    return text.format(most=MOST_BENCHES, count=brief(count))

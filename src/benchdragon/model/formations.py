@@ -111,23 +111,14 @@ class Formation:
                     ),
                 )  # fmt: skip
             if not size.unit and value != int(value):
-                raise SizeError(
-                    name,
-                    _("{name} of {formation} must be a whole number, not {value}").format(
-                        name=name, formation=self.name, value=f"{value:g}"
-                    ),
-                )
+                text = _("{name} of {formation} must be a whole number, not {value}")
+                raise SizeError(name, text.format(name=name, formation=self.name, value=f"{value:g}"))
         for name, factor, other, than in self.smaller:
             value, most = getattr(self, name), factor * getattr(self, other)
             if value >= most:
-                raise SizeError(
-                    name,
-                    _(
-                        "{name} of {formation} ({value} m) must be smaller than {than} ({most} m)"
-                    ).format(
-                        name=name, formation=self.name, value=f"{value:g}", than=than, most=f"{most:g}"
-                    ),
-                )
+                text = _("{name} of {formation} ({value} m) must be smaller than {than} ({most} m)")
+                values = {"value": f"{value:g}", "than": than, "most": f"{most:g}"}
+                raise SizeError(name, text.format(name=name, formation=self.name, **values))
 
     @classmethod
     def defaults(cls) -> dict[str, Any]:
@@ -391,15 +382,11 @@ def formation(name: str, **sizes: Any) -> Formation:
         0.7
     """
     if not isinstance(name, str) or name not in FORMATIONS:
-        raise InputError(
-            _("expected one of {known}, not {name}").format(known=", ".join(FORMATIONS), name=name)
-        )
+        text = _("expected one of {known}, not {name}")
+        raise InputError(text.format(known=", ".join(FORMATIONS), name=name))
     known = FORMATIONS[name].defaults()
     for size in sizes:
         if size not in known:
-            raise InputError(
-                _("{formation} has no size {name}; it has {known}").format(
-                    formation=name, name=size, known=", ".join(known)
-                )
-            )
+            text = _("{formation} has no size {name}; it has {known}")
+            raise InputError(text.format(formation=name, name=size, known=", ".join(known)))
     return FORMATIONS[name](**sizes)

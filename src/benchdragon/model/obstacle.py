@@ -250,11 +250,8 @@ def closed_outline(name: str, points: "npt.ArrayLike | BaseGeometry") -> FloatAr
     crossing = _crossing(corners)
     if crossing is not None:
         i, j = crossing
-        raise InputError(
-            _("{name}: its sides {i} and {j} cross or touch: an outline must not meet itself").format(
-                name=name, i=i + 1, j=j + 1
-            )
-        )
+        text = _("{name}: its sides {i} and {j} cross or touch: an outline must not meet itself")
+        raise InputError(text.format(name=name, i=i + 1, j=j + 1))
     ring = corners.tolist()
     ways = zip(ring, [*ring[1:], ring[0]], strict=True)
     area = 0.5 * abs(sum(x * (to_y - y) - y * (to_x - x) for (x, y), (to_x, to_y) in ways))
@@ -269,29 +266,20 @@ def _points(
     """Points as an array, (P, 2); repeated ones refused, except a closed outline's last."""
     table = as_numbers(f"{name}: points", _drawn_points(name, points)).tolist()
     if np.shape(table)[1:] != (2,):
-        raise InputError(
-            _("{name}: expected a list of points [x, y], not {value}").format(
-                name=name, value=brief(points)
-            )
-        )
+        text = _("{name}: expected a list of points [x, y], not {value}")
+        raise InputError(text.format(name=name, value=brief(points)))
     if not all(abs(value) <= MOST_METRES for point in table for value in point):
         raise InputError(_("{name}: points must lie within 1e8 m of the origin").format(name=name))
     if closed and len(table) > 1 and table[0] == table[-1]:
         table = table[:-1]
     if not least <= len(table) <= MOST_CORNERS:
-        raise InputError(
-            _("{name}: expected {least} to {most} points, not {count}").format(
-                name=name, least=least, most=MOST_CORNERS, count=len(table)
-            )
-        )
+        text = _("{name}: expected {least} to {most} points, not {count}")
+        raise InputError(text.format(name=name, least=least, most=MOST_CORNERS, count=len(table)))
     ahead = [*table[1:], table[0]] if closed else table[1:]
     for i, (one, other) in enumerate(zip(table, ahead, strict=False), start=1):
         if math.dist(one, other) < LEAST_SIDE:
-            raise InputError(
-                _("{name}: points {i} and {j} are the same").format(
-                    name=name, i=i, j=i % len(table) + 1
-                )
-            )
+            text = _("{name}: points {i} and {j} are the same")
+            raise InputError(text.format(name=name, i=i, j=i % len(table) + 1))
     return as_table(table)
 
 

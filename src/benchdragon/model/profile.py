@@ -77,11 +77,8 @@ class SpeedProfile:
         for name in ("times", "speeds"):
             object.__setattr__(self, name, as_list(name, getattr(self, name)))
         if len(self.times) != len(self.speeds) or not self.times:
-            raise InputError(
-                _(
-                    "a speed profile needs as many times as speeds, at least one, not {a} and {b}"
-                ).format(a=len(self.times), b=len(self.speeds))
-            )
+            text = _("a speed profile needs as many times as speeds, at least one, not {a} and {b}")
+            raise InputError(text.format(a=len(self.times), b=len(self.speeds)))
         for t in self.times:
             finite("profile", t, "s")
         for v in self.speeds:

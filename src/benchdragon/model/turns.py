@@ -58,10 +58,9 @@ class TwoArcTurn:
         checked_size("entry_radius", self.entry_radius)
         positive("ratio", self.ratio)
         if self.theta <= 0.5:
+            text = _("the turn must begin farther out than {least} m at this pitch, not at {value} m")
             raise InputError(
-                _(
-                    "the turn must begin farther out than {least} m at this pitch, not at {value} m"
-                ).format(least=f"{0.5 * self.pitch / (2.0 * math.pi):.3g}", value=self.entry_radius)
+                text.format(least=f"{0.5 * self.pitch / (2.0 * math.pi):.3g}", value=self.entry_radius)
             )
 
     @property
@@ -151,11 +150,8 @@ class Turn:
         for name in ("entry_radius", "exit_radius"):
             checked_size(name, getattr(self, name))
         if np.shape(as_numbers("pieces", self.pieces))[1:] != (3,):
-            raise InputError(
-                _("pieces must be triples (length, curvature, curvature), not {value}").format(
-                    value=brief(self.pieces)
-                )
-            )
+            text = _("pieces must be triples (length, curvature, curvature), not {value}")
+            raise InputError(text.format(value=brief(self.pieces)))
         curves_of(self._parts(self.pitch, self.pitch)[1:-1])
 
     def _parts(self, lead: float, trail: float) -> FloatArray:

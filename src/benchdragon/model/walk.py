@@ -172,11 +172,8 @@ class Walk(Asked):
         clock = _clock(times)
         whole("workers", workers, 1, MOST_WORKERS)
         if clock.size * (len(self.dragon) + 1) > MOST_PLACES:
-            raise InputError(
-                _(
-                    "{asked} positions (handles by times) are more than one motion may hold ({most})"
-                ).format(asked=clock.size * (len(self.dragon) + 1), most=MOST_PLACES)
-            )
+            text = _("{asked} positions (handles by times) are more than one motion may hold ({most})")
+            raise InputError(text.format(asked=clock.size * (len(self.dragon) + 1), most=MOST_PLACES))
         motion = Motion(self, clock, head_s, workers=workers)
         if throw:
             motion.check()
@@ -196,13 +193,11 @@ class Walk(Asked):
 def _clock(times: npt.ArrayLike) -> FloatArray:
     clock = np.atleast_1d(as_numbers("times", times))
     if clock.ndim > 1:
-        raise InputError(
-            _("times must be one list, not a table of shape {shape}").format(shape=clock.shape)
-        )
+        text = _("times must be one list, not a table of shape {shape}")
+        raise InputError(text.format(shape=clock.shape))
     if not np.isfinite(clock).all():
-        raise InputError(
-            _("times must be finite, not {value}").format(value=f"{clock[~np.isfinite(clock)][0]} s")
-        )
+        text = _("times must be finite, not {value}")
+        raise InputError(text.format(value=f"{clock[~np.isfinite(clock)][0]} s"))
     return clock
 
 

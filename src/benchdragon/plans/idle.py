@@ -32,12 +32,10 @@ class Idle:
     def text(self) -> str:
         """The same in a sentence, in the language in use."""
         if self.missing:
-            return _(
-                "{key} has no effect without one of {because}: take it out, or say one of them"
-            ).format(key=self.key, because=self.because)
-        return _("{key} has no effect beside {because}: take it out").format(
-            key=self.key, because=self.because
-        )
+            text = _("{key} has no effect without one of {because}: take it out, or say one of them")
+            return text.format(key=self.key, because=self.because)
+        text = _("{key} has no effect beside {because}: take it out")
+        return text.format(key=self.key, because=self.because)
 
 
 # Keys of [turn] that belong to some families alone.

@@ -275,12 +275,8 @@ class SpiralInRoute(AfterStreet):
         end = plan.disc.radius / k if plan.disc.radius is not None else 0.0
         start = 2.0 * math.pi * self.start_turn
         if end >= start:
-            raise _at(
-                "disc.radius",
-                _(
-                    "disc.radius ({disc} m) must be smaller than the radius of start_turn ({start} m)"
-                ).format(disc=f"{plan.disc.radius:g}", start=f"{start * k:g}"),
-            )
+            text = _("disc.radius ({disc} m) must be smaller than the radius of start_turn ({start} m)")
+            raise _at("disc.radius", text.format(disc=f"{plan.disc.radius:g}", start=f"{start * k:g}"))
         return Route((Spiral(self.pitch, start, end, mirrored=not self.clockwise),)), 0.0
 
 
@@ -321,11 +317,9 @@ class TurnRoute(AfterStreet):
             return math.ceil(math.sqrt(square) / OUT_TO) * OUT_TO
         least = max(turn.entry_radius, turn.exit_radius)
         if self.outer_radius <= least:
+            text = _("route.outer_radius ({outer} m) must be larger than that of the turn, {least} m")
             raise _at(
-                "route.outer_radius",
-                _(
-                    "route.outer_radius ({outer} m) must be larger than that of the turn, {least} m"
-                ).format(outer=f"{self.outer_radius:g}", least=f"{least:g}"),
+                "route.outer_radius", text.format(outer=f"{self.outer_radius:g}", least=f"{least:g}")
             )
         return self.outer_radius
 
@@ -353,19 +347,14 @@ class TurnRoute(AfterStreet):
             raise _at("turn", str(error)) from None
         for name in ("entry_radius", "exit_radius"):
             if getattr(turn, name) > disc:
+                text = _("turn.{name} ({radius} m) must not exceed disc.radius ({disc} m)")
                 raise _at(
                     f"turn.{name}",
-                    _("turn.{name} ({radius} m) must not exceed disc.radius ({disc} m)").format(
-                        name=name, radius=f"{getattr(turn, name):g}", disc=f"{disc:g}"
-                    ),
+                    text.format(name=name, radius=f"{getattr(turn, name):g}", disc=f"{disc:g}"),
                 )
         if turn.extent > disc + FITS:
-            raise _at(
-                "turn",
-                _("the turn reaches {reach} m from the centre, out of a disc of {disc} m").format(
-                    reach=f"{turn.extent:.4g}", disc=f"{disc:g}"
-                ),
-            )
+            text = _("the turn reaches {reach} m from the centre, out of a disc of {disc} m")
+            raise _at("turn", text.format(reach=f"{turn.extent:.4g}", disc=f"{disc:g}"))
         link = _longest_link(plan)
         if 2.0 * turn.least_radius <= link:
             raise _at(

@@ -102,9 +102,8 @@ class Source:
         if self.folder is None:
             raise InputError(_("this plan was not read from a file, so nothing lies beside it"))
         if name != Path(name).name or name in ("", ".", "..") or "\\" in name or "\0" in name:
-            raise InputError(
-                _("expected the name of a file beside the plan, not {name}").format(name=brief(name))
-            )
+            text = _("expected the name of a file beside the plan, not {name}")
+            raise InputError(text.format(name=brief(name)))
         return self.folder / name
 
 

@@ -61,9 +61,8 @@ def at_least(least: float) -> AfterValidator:
 
     def checked(value: float) -> float:
         if 0.0 < value < least:
-            raise ValueError(
-                _("expected at least {least}, not {value}").format(least=least, value=value)
-            )
+            text = _("expected at least {least}, not {value}")
+            raise ValueError(text.format(least=least, value=value))
         return value
 
     return AfterValidator(checked)
@@ -91,9 +90,8 @@ LengthOrZero = Annotated[Finite, Field(ge=0.0, le=MOST_METRES), _unit(METRES), a
 def one_line(text: str) -> str:
     """Refuses what would break a line of a sentence or a paper, or would not be seen there."""
     if text and (text.isspace() or not text.isprintable()):
-        raise ValueError(
-            _("expected text that can be printed on one line, not {text}").format(text=brief(text))
-        )
+        said = _("expected text that can be printed on one line, not {text}")
+        raise ValueError(said.format(text=brief(text)))
     return text
 
 

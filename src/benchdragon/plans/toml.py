@@ -154,11 +154,8 @@ def _below(base: Any, folder: Path | None, source: str, chain: tuple[str, ...]) 
     """The tables of a base."""
     path = _base_path(base, folder, source)
     if base in chain or len(chain) > MOST_BASES:
-        raise PlanError(
-            _("{source}: base = {base} comes back to itself, or is the {most}th base in a row").format(
-                source=source, base=brief(base), most=MOST_BASES
-            )
-        )
+        text = _("{source}: base = {base} comes back to itself, or is the {most}th base in a row")
+        raise PlanError(text.format(source=source, base=brief(base), most=MOST_BASES))
     return with_base(parsed(_text(path, base), base), path.parent, base, chain)
 
 
@@ -169,11 +166,8 @@ def _base_path(base: object, folder: Path | None, source: str) -> Path:
     beside = isinstance(base, str) and base.isprintable() and base == Path(base).name
     beside = beside and base not in ("", ".", "..")
     if folder is None or not isinstance(base, str) or not beside:
-        raise PlanError(
-            _(
-                "{source}: base must be one of {names} or the name of a file beside it, not {base}"
-            ).format(source=source, names=", ".join(built_in_names()), base=brief(base))
-        )
+        text = _("{source}: base must be one of {names} or the name of a file beside it, not {base}")
+        raise PlanError(text.format(source=source, names=", ".join(built_in_names()), base=brief(base)))
     return folder / base
 
 
@@ -237,9 +231,8 @@ def _text(path: Path, source: str) -> str:
             + hint
         ) from None
     except UnicodeDecodeError:
-        raise PlanError(
-            _("{source} is not UTF-8 text: save it again with the encoding UTF-8").format(source=source)
-        ) from None
+        text = _("{source} is not UTF-8 text: save it again with the encoding UTF-8")
+        raise PlanError(text.format(source=source)) from None
     except OSError as error:
         raise PlanError(f"{source}: {reason(error)}") from None
 
@@ -253,9 +246,8 @@ def parsed(text: str, source: str) -> dict[str, Any]:
     try:
         return _loaded(text.removeprefix(BYTE_ORDER_MARK), source)
     except tomllib.TOMLDecodeError as error:
-        raise PlanError(
-            _("{source} is not TOML: {fault}").format(source=source, fault=toml_fault(error, text))
-        ) from None
+        said = _("{source} is not TOML: {fault}")
+        raise PlanError(said.format(source=source, fault=toml_fault(error, text))) from None
 
 
 def _loaded(text: str, source: str) -> dict[str, Any]:

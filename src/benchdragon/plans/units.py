@@ -52,11 +52,8 @@ def quantity(text: object, units: dict[str, float]) -> object:
     if not isinstance(text, str) or len(units) == 0:
         return text
     if len(text) > MOST_SIGNS:
-        raise ValueError(
-            _("expected a number, or text with a unit, in at most {most} signs, not {count}").format(
-                most=MOST_SIGNS, count=len(text)
-            )
-        )
+        said = _("expected a number, or text with a unit, in at most {most} signs, not {count}")
+        raise ValueError(said.format(most=MOST_SIGNS, count=len(text)))
     plain = narrow(text)
     pieces = [] if QUANTITY.sub("", plain).strip() else QUANTITY.findall(plain)
     # The sign of the first number is that of the whole: -1 min 30 s is 90 s before.

@@ -49,11 +49,8 @@ def write_player(path: Path, dance: messages.Dance) -> None:
     page = player_page(dance).encode()
     most = MOST_BYTES * max(1.0, len(dance.benches.length) / 1000.0)
     if len(page) > most:
-        raise InputError(
-            _("the player would have {size} MB, more than {most} MB: choose a shorter time").format(
-                size=f"{len(page) / 1e6:.1f}", most=f"{most / 1e6:.1f}"
-            )
-        )
+        text = _("the player would have {size} MB, more than {most} MB: choose a shorter time")
+        raise InputError(text.format(size=f"{len(page) / 1e6:.1f}", most=f"{most / 1e6:.1f}"))
     with whole_file(path) as temporary:
         temporary.write_bytes(page)
 

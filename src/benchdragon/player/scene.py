@@ -74,11 +74,8 @@ class Span:
 
     def __post_init__(self) -> None:
         if finite("start", self.start, "s") >= finite("end", self.end, "s"):
-            raise InputError(
-                _("the dance would end at {end} s, and must end after its start at {start} s").format(
-                    end=f"{self.end:g}", start=f"{self.start:g}"
-                )
-            )
+            text = _("the dance would end at {end} s, and must end after its start at {start} s")
+            raise InputError(text.format(end=f"{self.end:g}", start=f"{self.start:g}"))
 
 
 def is_long(walk: Walk, span: Span) -> bool:
@@ -202,11 +199,8 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
         InputError: see `checked_dance`.
     """
     if len(walk.dragon) > MOST_BENCHES:
-        raise InputError(
-            _("a player shows at most {most} benches, not {count}").format(
-                most=MOST_BENCHES, count=len(walk.dragon)
-            )
-        )
+        text = _("a player shows at most {most} benches, not {count}")
+        raise InputError(text.format(most=MOST_BENCHES, count=len(walk.dragon)))
     stage = stages(progress, 4)
     stage(_("computing positions"))
     shot, behind = _shot(walk, span)

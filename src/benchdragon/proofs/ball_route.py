@@ -208,9 +208,8 @@ class BallRoute:
         """
         strange = [kind for kind in rows[:, RouteRow.KIND].tolist() if kind not in ENCLOSED]
         if strange:
-            raise InputError(
-                _("a route with a curve of kind {kind} cannot be proved").format(kind=strange[0])
-            )
+            text = _("a route with a curve of kind {kind} cannot be proved")
+            raise InputError(text.format(kind=strange[0]))
         return cls([stored_row(rows, j) for j in range(len(rows))])
 
 

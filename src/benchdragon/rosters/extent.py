@@ -102,9 +102,8 @@ def _unpacked(archive: zipfile.ZipFile, part: zipfile.ZipInfo, left: int) -> byt
 
 def torn(name: str) -> str:
     """The error of a workbook that is not whole."""
-    return _("{file} is torn, or no workbook: open it in a spreadsheet and save it again").format(
-        file=name
-    )
+    text = _("{file} is torn, or no workbook: open it in a spreadsheet and save it again")
+    return text.format(file=name)
 
 
 def locked(name: str) -> str:

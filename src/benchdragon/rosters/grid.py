@@ -241,11 +241,10 @@ def decoded(data: bytes, name: str) -> str:
     for text in readings(data, _legacy(data, name)):
         if is_text(text, name):
             return text
-    raise InputError(
-        _(
-            "{file} is no table of text in UTF-8, GB18030 or Big5: save it as XLSX, or as CSV in UTF-8"
-        ).format(file=name)
+    said = _(
+        "{file} is no table of text in UTF-8, GB18030 or Big5: save it as XLSX, or as CSV in UTF-8"
     )
+    raise InputError(said.format(file=name))
 
 
 def is_text(text: str, name: str) -> bool:

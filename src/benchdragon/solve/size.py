@@ -280,17 +280,11 @@ def feasible_sizes(
 
 def _check_range(low: float, high: float, count: int) -> None:
     if not 0.0 < low < high < math.inf:
-        raise InputError(
-            _("expected a range from a positive size to a larger one, not {low} to {high} m").format(
-                low=low, high=high
-            )
-        )
+        text = _("expected a range from a positive size to a larger one, not {low} to {high} m")
+        raise InputError(text.format(low=low, high=high))
     if not 2 <= count <= MOST_COUNT:
-        raise InputError(
-            _("count must lie between 2 and {most}, not at {count}").format(
-                most=MOST_COUNT, count=count
-            )
-        )
+        text = _("count must lie between 2 and {most}, not at {count}")
+        raise InputError(text.format(most=MOST_COUNT, count=count))
 
 
 def _spans(search: SizeQuestion, trials: Sequence[tuple[float, int]]) -> Iterator[Span]:

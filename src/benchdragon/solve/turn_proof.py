@@ -127,12 +127,11 @@ def turns_of(plan: Plan, goal: TurnGoal) -> "tuple[Turns, Ends, Ends]":
 
     table, family = plan.turn, TurnFamily(plan, goal)
     if table.family not in FAMILIES or table.ease or goal.objective not in PROVABLE:
-        raise InputError(
-            _(
-                "a bound on better turns can be proved for the families {families} without clothoids, "
-                "and for {objectives}"
-            ).format(families=", ".join(FAMILIES), objectives=", ".join(PROVABLE))
+        text = _(
+            "a bound on better turns can be proved for the families {families} without clothoids, "
+            "and for {objectives}"
         )
+        raise InputError(text.format(families=", ".join(FAMILIES), objectives=", ".join(PROVABLE)))
     limit = plan.limits.speed
     turns = Turns(
         table.family,

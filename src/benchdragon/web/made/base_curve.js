@@ -48,14 +48,18 @@ export function checkPose(point, heading) {
   finite("heading", heading, "rad");
 }
 export function checkedBend(name, value) {
+  let text;
   if ((positive(name, value, "m") < LEAST_METRES)) {
-    throw new InputError(py.filled(_("{name} must be at least {least} m, not {value} m"), { name: name, least: `${py.format(LEAST_METRES, `g`)}`, value: `${py.format(value, `g`)}` }));
+    text = _("{name} must be at least {least} m, not {value} m");
+    throw new InputError(py.filled(text, { name: name, least: `${py.format(LEAST_METRES, `g`)}`, value: `${py.format(value, `g`)}` }));
   }
   return checkedSize(name, value);
 }
 export function checkedSize(name, value) {
+  let text;
   if ((positive(name, value, "m") > MOST_METRES)) {
-    throw new InputError(py.filled(_("{name} must be at most {most} m, not {value} m"), { name: name, most: `${py.format(MOST_METRES, `g`)}`, value: `${py.format(value, `g`)}` }));
+    text = _("{name} must be at most {most} m, not {value} m");
+    throw new InputError(py.filled(text, { name: name, most: `${py.format(MOST_METRES, `g`)}`, value: `${py.format(value, `g`)}` }));
   }
   return value;
 }

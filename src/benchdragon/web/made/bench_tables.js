@@ -22,7 +22,9 @@ export function beginnings() {
   return py.array(py.list(py.range(7)).map((n) => py.at(named, n)), "q");
 }
 export function tooManyKinds(sizes) {
-  return new InputError(py.filled(_("contacts can be searched for at most {most} different sizes, not {count}"), { most: MOST_SIZES, count: py.len(py.set_of([...py.iter(py.zip(...py.iter(py.tolist(sizes))))])) }));
+  let text;
+  text = _("contacts can be searched for at most {most} different sizes, not {count}");
+  return new InputError(py.filled(text, { most: MOST_SIZES, count: py.len(py.set_of([...py.iter(py.zip(...py.iter(py.tolist(sizes))))])) }));
 }
 export function kindsOf(sizes) {
   let benches, count, found, group, kind, most;

@@ -230,7 +230,8 @@ export function kept(report, told = /** @type {any} */ (null)) {
     py.append(said, py.filled(text, { levels: py.join(_(", "), py.list(py.slice(report.room, 1, null)).map((one) => shownName(one))) }));
   }
   if ((limits.speed != null)) {
-    py.append(said, py.filled(_("fastest handle {speed} m/s of {limit} m/s allowed"), { speed: speedText(report), limit: `${py.format(limits.speed, `g`)}` }));
+    text = _("fastest handle {speed} m/s of {limit} m/s allowed");
+    py.append(said, py.filled(text, { speed: speedText(report), limit: `${py.format(limits.speed, `g`)}` }));
   }
   for (name of py.iter(report.peaks)) {
     quantity = py.at(QUANTITIES, name);

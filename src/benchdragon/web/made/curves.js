@@ -103,11 +103,12 @@ export class Spiral extends OneCurve {
     this.__post_init__();
   }
   __post_init__() {
-    let angle, name, outer;
+    let angle, name, outer, text;
     checkedBend("pitch", this.pitch);
     for ([name, angle] of py.iter([["start_angle", this.start_angle], ["end_angle", this.end_angle]])) {
       if ((finite(name, angle, "rad") < 0.0)) {
-        throw new InputError(py.filled(_("{name} must not be negative, but is {value}"), { name: name, value: `${py.format(angle, `g`)} rad` }));
+        text = _("{name} must not be negative, but is {value}");
+        throw new InputError(py.filled(text, { name: name, value: `${py.format(angle, `g`)} rad` }));
       }
     }
     if (py.eq(this.start_angle, this.end_angle)) {
@@ -161,10 +162,11 @@ class BentCurve extends OneCurve {
     checkPose(this.start, this.start_heading);
   }
   _check_turn() {
-    let turn;
+    let text, turn;
     turn = (this.length_m * py.max(py.abs(this.start_curvature), py.abs(this.end_curvature)));
     if ((turn > 10000.0)) {
-      throw new InputError(py.filled(_("{kind} may sweep at most {most} rad, not {value} rad"), { kind: _(this.called), most: `${py.format(10000.0, `g`)}`, value: `${py.format(turn, `g`)}` }));
+      text = _("{kind} may sweep at most {most} rad, not {value} rad");
+      throw new InputError(py.filled(text, { kind: _(this.called), most: `${py.format(10000.0, `g`)}`, value: `${py.format(turn, `g`)}` }));
     }
   }
   _part() {
@@ -202,11 +204,12 @@ export class LogSpiral extends BentCurve {
     return this.constructor.kind;
   }
   __post_init__() {
-    let a, b;
+    let a, b, text;
     super.__post_init__();
     [a, b] = py.list([this.start_curvature, this.end_curvature]);
     if (((b === 0.0) || !(((1.0 / MOST_WINDING) <= (a / b)) && ((a / b) <= MOST_WINDING)))) {
-      throw new InputError(py.filled(_("the curvatures of a logarithmic spiral must have the same sign and differ by a factor of at most {most}, not be {start} and {end} 1/m"), { most: `${py.format(MOST_WINDING, `g`)}`, start: `${py.format(a, `g`)}`, end: `${py.format(b, `g`)}` }));
+      text = _("the curvatures of a logarithmic spiral must have the same sign and differ by a factor of at most {most}, not be {start} and {end} 1/m");
+      throw new InputError(py.filled(text, { most: `${py.format(MOST_WINDING, `g`)}`, start: `${py.format(a, `g`)}`, end: `${py.format(b, `g`)}` }));
     }
     this._check_turn();
   }
@@ -269,15 +272,17 @@ export class Route extends Curve {
     return py.next(py.list(this.curves).flatMap((curve) => (((curve instanceof Spiral)) ? [curve.centre] : [])), [0.0, 0.0]);
   }
   _check_joints() {
-    let gap, i, kink, off;
+    let gap, i, kink, off, text;
     off = py.zeros([(py.len(this.curves) - 1), 2]);
     py.entry("bd_route_parts_misfits", this.rows, off);
     for ([i, [gap, kink]] of py.iter(py.enumerate(py.tolist(off), 1))) {
       if ((gap > JOINT_GAP)) {
-        throw new InputError(py.filled(_("curves {first} and {second} do not meet: they are {gap} m apart; Route.joined moves each to where the one before it ends"), { first: i, second: (i + 1), gap: `${py.format(gap, `.6g`)}` }));
+        text = _("curves {first} and {second} do not meet: they are {gap} m apart; Route.joined moves each to where the one before it ends");
+        throw new InputError(py.filled(text, { first: i, second: (i + 1), gap: `${py.format(gap, `.6g`)}` }));
       }
       if (((kink > JOINT_KINK) && !py.truth(this.kinks))) {
-        throw new InputError(py.filled(_("curves {first} and {second} meet at a kink of {kink} degrees; allow kinks or rotate one of them, as Route.joined does"), { first: i, second: (i + 1), kink: `${py.format(py.degrees(kink), `.6g`)}` }));
+        text = _("curves {first} and {second} meet at a kink of {kink} degrees; allow kinks or rotate one of them, as Route.joined does");
+        throw new InputError(py.filled(text, { first: i, second: (i + 1), kink: `${py.format(py.degrees(kink), `.6g`)}` }));
       }
     }
   }

@@ -32,5 +32,7 @@ export function faultOf(i, sizes) {
   return [i, "length", py.filled(text, { number: (i + 1), front: front, rear: rear, length: length })];
 }
 export function countText(count) {
-  return py.filled(_("a dragon has 1 to {most} benches, not {count}"), { most: MOST_BENCHES, count: brief(count) });
+  let text;
+  text = _("a dragon has 1 to {most} benches, not {count}");
+  return py.filled(text, { most: MOST_BENCHES, count: brief(count) });
 }

@@ -26,14 +26,15 @@ export class WalkError extends BenchDragonError {
 }
 const ADVICE = py.dict([[1, N_("{when} the head would stand at s = {s} m, before the route starts; begin the walk later or begin the route with a line or an inward spiral, which run on behind their start")], [2, N_("{when} the head would walk past the end of the route, which is {size} long (s = {s} m); end the walk earlier or lengthen the route")], [3, N_("{when} bench {bench} has no place: its front handle stands at s = {s} m and no point of the route behind it is one link ({size}) away; shorten the dragon, or begin the route with a line or an inward spiral, which run on behind their start")], [4, N_("{when} bench {bench} (link {size}) folds: with its front handle at s = {s} m it stands square to the route, where the speed ratio runs away; use gentler curves or shorter benches")], [5, N_("{when} bench {bench} cannot follow an arc: with its front handle at s = {s} m its link ({size}) is longer than the arc's diameter; use a larger radius or shorter benches")]]);
 function advice(error) {
-  let when;
+  let text, when;
   if ((error.t == null)) {
     when = py.filled(_("with the head at s = {head} m"), { head: `${py.format(error.head, `.6g`)}` });
   }
   else {
     when = py.filled(_("at t = {t} s"), { t: `${py.format(error.t, `.6g`)}` });
   }
-  return py.filled(_(py.at(ADVICE, error.status)), { when: when, bench: error.bench, s: `${py.format(error.s, `.6g`)}`, size: error.size });
+  text = _(py.at(ADVICE, error.status));
+  return py.filled(text, { when: when, bench: error.bench, s: `${py.format(error.s, `.6g`)}`, size: error.size });
 }
 export function finite(name, value, unit = "") {
   let number, text;

@@ -58,20 +58,23 @@ class Formation {
     return this.constructor.tightest;
   }
   __post_init__() {
-    let factor, most, name, other, size, than, value;
+    let factor, most, name, other, size, text, than, value, values;
     for ([name, size] of py.iter(py.items(this.sizes))) {
       value = finite(name, this[name], size.unit);
       if (!((size.least <= value) && (value <= size.most))) {
         throw new SizeError(name, py.filled(_("{name} of {formation} must lie in {least} .. {most}, not at {value}"), { name: name, formation: this.name, value: py.strip(`${py.format(value, `g`)} ${py.str(size.unit)}`), least: `${py.format(size.least, `g`)}`, most: py.strip(`${py.format(size.most, `g`)} ${py.str(size.unit)}`) }));
       }
       if ((!py.truth(size.unit) && !py.eq(value, py.int(value)))) {
-        throw new SizeError(name, py.filled(_("{name} of {formation} must be a whole number, not {value}"), { name: name, formation: this.name, value: `${py.format(value, `g`)}` }));
+        text = _("{name} of {formation} must be a whole number, not {value}");
+        throw new SizeError(name, py.filled(text, { name: name, formation: this.name, value: `${py.format(value, `g`)}` }));
       }
     }
     for ([name, factor, other, than] of py.iter(this.smaller)) {
       [value, most] = py.list([this[name], (factor * this[other])]);
       if ((value >= most)) {
-        throw new SizeError(name, py.filled(_("{name} of {formation} ({value} m) must be smaller than {than} ({most} m)"), { name: name, formation: this.name, value: `${py.format(value, `g`)}`, than: than, most: `${py.format(most, `g`)}` }));
+        text = _("{name} of {formation} ({value} m) must be smaller than {than} ({most} m)");
+        values = py.dict([["value", `${py.format(value, `g`)}`], ["than", than], ["most", `${py.format(most, `g`)}`]]);
+        throw new SizeError(name, py.filled(text, { name: name, formation: this.name, ...py.object(values) }));
       }
     }
   }

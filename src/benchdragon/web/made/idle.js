@@ -15,10 +15,13 @@ class Idle {
     return py.join(".", py.list(this.path).map((one) => py.str(one)));
   }
   get text() {
+    let text;
     if (py.truth(this.missing)) {
-      return py.filled(_("{key} has no effect without one of {because}: take it out, or say one of them"), { key: this.key, because: this.because });
+      text = _("{key} has no effect without one of {because}: take it out, or say one of them");
+      return py.filled(text, { key: this.key, because: this.because });
     }
-    return py.filled(_("{key} has no effect beside {because}: take it out"), { key: this.key, because: this.because });
+    text = _("{key} has no effect beside {because}: take it out");
+    return py.filled(text, { key: this.key, because: this.because });
   }
 }
 const FAMILIES = py.dict([["ratio", ["arc-arc"]], ["radii", ["arc-line-arc", "arc-arc-arc"]], ["curvature", ["arc-arc-arc"]]]);

@@ -19,8 +19,10 @@ export function seamsOf(rows) {
   return seams;
 }
 export function checkedOff(off) {
+  let text;
   if ((off > MOST_OFF)) {
-    throw new UnsureError(py.filled(_("rounding may hide {off} m of distances; a search allows for {most} m"), { off: atMost(off), most: atMost(MOST_OFF) }));
+    text = _("rounding may hide {off} m of distances; a search allows for {most} m");
+    throw new UnsureError(py.filled(text, { off: atMost(off), most: atMost(MOST_OFF) }));
   }
   return off;
 }

@@ -134,12 +134,13 @@ class AfterStreet extends RouteTable {
 }
 export class SpiralInRoute extends AfterStreet {
   build(plan) {
-    let end, k, start;
+    let end, k, start, text;
     k = (this.pitch / (2.0 * Math.PI));
     end = ((plan.disc.radius != null) ? (plan.disc.radius / k) : 0.0);
     start = ((2.0 * Math.PI) * this.start_turn);
     if ((end >= start)) {
-      throw _at("disc.radius", py.filled(_("disc.radius ({disc} m) must be smaller than the radius of start_turn ({start} m)"), { disc: `${py.format(plan.disc.radius, `g`)}`, start: `${py.format((start * k), `g`)}` }));
+      text = _("disc.radius ({disc} m) must be smaller than the radius of start_turn ({start} m)");
+      throw _at("disc.radius", py.filled(text, { disc: `${py.format(plan.disc.radius, `g`)}`, start: `${py.format((start * k), `g`)}` }));
     }
     return [new Route([new Spiral(this.pitch, start, end, undefined, undefined, !py.truth(this.clockwise))]), 0.0];
   }
@@ -161,14 +162,15 @@ export class TurnRoute extends AfterStreet {
     return [route, py.float(py.at(route.joints, 1))];
   }
   _outer(turn, plan) {
-    let least, square;
+    let least, square, text;
     if ((this.outer_radius == null)) {
       square = py.add((turn.exit_radius ** 2), ((_extent(plan) * this.pitch) / Math.PI));
       return (py.ceil((py.sqrt(square) / OUT_TO)) * OUT_TO);
     }
     least = py.max(turn.entry_radius, turn.exit_radius);
     if ((this.outer_radius <= least)) {
-      throw _at("route.outer_radius", py.filled(_("route.outer_radius ({outer} m) must be larger than that of the turn, {least} m"), { outer: `${py.format(this.outer_radius, `g`)}`, least: `${py.format(least, `g`)}` }));
+      text = _("route.outer_radius ({outer} m) must be larger than that of the turn, {least} m");
+      throw _at("route.outer_radius", py.filled(text, { outer: `${py.format(this.outer_radius, `g`)}`, least: `${py.format(least, `g`)}` }));
     }
     return this.outer_radius;
   }
@@ -180,7 +182,7 @@ export class TurnRoute extends AfterStreet {
     return this.back_radius;
   }
   turn(plan) {
-    let disc, link, name, turn;
+    let disc, link, name, text, turn;
     disc = TurnRoute.disc(plan);
     try {
       turn = plan.turn.build(this.pitch, disc);
@@ -192,11 +194,13 @@ export class TurnRoute extends AfterStreet {
     }
     for (name of py.iter(["entry_radius", "exit_radius"])) {
       if ((turn[name] > disc)) {
-        throw _at(`turn.${py.str(name)}`, py.filled(_("turn.{name} ({radius} m) must not exceed disc.radius ({disc} m)"), { name: name, radius: `${py.format(turn[name], `g`)}`, disc: `${py.format(disc, `g`)}` }));
+        text = _("turn.{name} ({radius} m) must not exceed disc.radius ({disc} m)");
+        throw _at(`turn.${py.str(name)}`, py.filled(text, { name: name, radius: `${py.format(turn[name], `g`)}`, disc: `${py.format(disc, `g`)}` }));
       }
     }
     if ((turn.extent > py.add(disc, FITS))) {
-      throw _at("turn", py.filled(_("the turn reaches {reach} m from the centre, out of a disc of {disc} m"), { reach: `${py.format(turn.extent, `.4g`)}`, disc: `${py.format(disc, `g`)}` }));
+      text = _("the turn reaches {reach} m from the centre, out of a disc of {disc} m");
+      throw _at("turn", py.filled(text, { reach: `${py.format(turn.extent, `.4g`)}`, disc: `${py.format(disc, `g`)}` }));
     }
     link = _longestLink(plan);
     if (((2.0 * turn.least_radius) <= link)) {

@@ -43,12 +43,13 @@ export class SpeedProfile {
     this.__post_init__();
   }
   __post_init__() {
-    let name, t, v;
+    let name, t, text, v;
     for (name of py.iter(["times", "speeds"])) {
       this[name] = asList(name, this[name]);
     }
     if ((!py.eq(py.len(this.times), py.len(this.speeds)) || !py.truth(this.times))) {
-      throw new InputError(py.filled(_("a speed profile needs as many times as speeds, at least one, not {a} and {b}"), { a: py.len(this.times), b: py.len(this.speeds) }));
+      text = _("a speed profile needs as many times as speeds, at least one, not {a} and {b}");
+      throw new InputError(py.filled(text, { a: py.len(this.times), b: py.len(this.speeds) }));
     }
     for (t of py.iter(this.times)) {
       finite("profile", t, "s");

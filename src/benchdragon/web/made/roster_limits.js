@@ -10,7 +10,9 @@ const MOST_COLUMNS = 100;
 const MOST_CELLS = 100000;
 const MOST_SIGNS = 1000;
 export function torn(name) {
-  return py.filled(_("{file} is torn, or no workbook: open it in a spreadsheet and save it again"), { file: name });
+  let text;
+  text = _("{file} is torn, or no workbook: open it in a spreadsheet and save it again");
+  return py.filled(text, { file: name });
 }
 export function tooLarge(name) {
   return new InputError(py.filled(_("{file} is too large for a list of names: at most {rows} rows, {columns} columns, {cells} cells and {signs} signs in a cell are read; save the list alone"), { file: name, rows: MOST_ROWS, columns: MOST_COLUMNS, cells: MOST_CELLS, signs: MOST_SIGNS }));

@@ -88,13 +88,14 @@ function _within(rows, name) {
   return found;
 }
 export function decoded(data, name) {
-  let text;
+  let said, text;
   for (text of py.iter(readings(data, _legacy(data, name)))) {
     if (py.truth(isText(text, name))) {
       return text;
     }
   }
-  throw new InputError(py.filled(_("{file} is no table of text in UTF-8, GB18030 or Big5: save it as XLSX, or as CSV in UTF-8"), { file: name }));
+  said = _("{file} is no table of text in UTF-8, GB18030 or Big5: save it as XLSX, or as CSV in UTF-8");
+  throw new InputError(py.filled(said, { file: name }));
 }
 export function isText(text, name) {
   let found, line, said;

@@ -13,8 +13,10 @@ import { threePieces, twoArcs } from "./turns.js";
 
 const ROOMY = 0.9;
 export function oneLine(text) {
+  let said;
   if ((py.truth(text) && (py.isspace(text) || !py.isprintable(text)))) {
-    throw new ValueError(py.filled(_("expected text that can be printed on one line, not {text}"), { text: brief(text) }));
+    said = _("expected text that can be printed on one line, not {text}");
+    throw new ValueError(py.filled(said, { text: brief(text) }));
   }
   return text;
 }

@@ -60,10 +60,11 @@ function toldSentences(passings) {
   return said;
 }
 function tempoText(plan, score) {
-  let tempo;
+  let tempo, text;
   tempo = `${py.format(score.tempo, `.4g`)}`;
   if (!py.truth(score.by_step)) {
     return py.filled(_("{tempo} beats a minute, as the plan says"), { tempo: tempo });
   }
-  return py.filled(_("{tempo} beats a minute: a step of {step} cm a beat at the head's speed"), { tempo: tempo, step: `${py.format((100.0 * plan.people.step), `g`)}` });
+  text = _("{tempo} beats a minute: a step of {step} cm a beat at the head's speed");
+  return py.filled(text, { tempo: tempo, step: `${py.format((100.0 * plan.people.step), `g`)}` });
 }

@@ -27,13 +27,14 @@ export class Turn {
     this.__post_init__();
   }
   __post_init__() {
-    let name;
+    let name, text;
     checkedBend("pitch", this.pitch);
     for (name of py.iter(["entry_radius", "exit_radius"])) {
       checkedSize(name, this[name]);
     }
     if (!py.eq(py.slice(py.shape(asNumbers("pieces", this.pieces)), 1, null), [3])) {
-      throw new InputError(py.filled(_("pieces must be triples (length, curvature, curvature), not {value}"), { value: brief(this.pieces) }));
+      text = _("pieces must be triples (length, curvature, curvature), not {value}");
+      throw new InputError(py.filled(text, { value: brief(this.pieces) }));
     }
     curvesOf(py.slice(this._parts(this.pitch, this.pitch), 1, -1));
   }

@@ -10,7 +10,7 @@ import { narrow } from "./signs.js";
 const MOST_SIGNS = 100;
 const QUANTITY = py.pattern("([-+]?[0-9.]+(?:e[-+]?\\p{Nd}+)?)[\\t-\\r\\x1c-\\x20\\x85\\xa0\\u1680\\u2000-\\u200a\\u2028\\u2029\\u202f\\u205f\\u3000]*([^\\t-\\r\\x1c-\\x20\\x85\\xa0\\u1680\\u2000-\\u200a\\u2028\\u2029\\u202f\\u205f\\u3000\\p{Nd}.+^-]+(?:\\^\\p{Nd})?)", "i");
 export function quantity(text, units) {
-  let pieces, plain, signs, size, wrong;
+  let pieces, plain, said, signs, size, wrong;
   if ((py.is(text, "bool"))) {
     throw new ValueError(py.filled(_("expected a number, not {text}"), { text: py.lower(py.str(text)) }));
   }
@@ -21,7 +21,8 @@ export function quantity(text, units) {
     return text;
   }
   if ((py.len(text) > MOST_SIGNS)) {
-    throw new ValueError(py.filled(_("expected a number, or text with a unit, in at most {most} signs, not {count}"), { most: MOST_SIGNS, count: py.len(text) }));
+    said = _("expected a number, or text with a unit, in at most {most} signs, not {count}");
+    throw new ValueError(py.filled(said, { most: MOST_SIGNS, count: py.len(text) }));
   }
   plain = narrow(text);
   pieces = (py.truth(py.strip(QUANTITY.sub("", plain))) ? [] : QUANTITY.findall(plain));
