@@ -166,11 +166,7 @@ class ObstacleSearch(EngineQuestion):
         return self._answer((value, early, late), "s", status, row)
 
     def _distance(self, row: list[float]) -> Answer:
-        bracket = (
-            row[ObstacleFound.VALUE],
-            row[ObstacleFound.LOW_END],
-            row[ObstacleFound.HIGH_END],
-        )
+        bracket = (row[ObstacleFound.VALUE], row[ObstacleFound.LOW_END], row[ObstacleFound.HIGH_END])
         return self._answer(bracket, "m", "found", row)
 
     def _answer(

@@ -19,14 +19,7 @@ from benchdragon import budget
 from benchdragon.analysis.asked import asked_of
 from benchdragon.analysis.swept_steps import Steps, walked_steps
 from benchdragon.analysis.swept_width import Widest, widest_place
-from benchdragon.errors import (
-    InputError,
-    UnsureError,
-    WalkError,
-    finite,
-    in_order,
-    not_negative,
-)
+from benchdragon.errors import InputError, UnsureError, WalkError, finite, in_order, not_negative
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.methods import Method

@@ -13,14 +13,7 @@ from matplotlib.path import Path
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.swept import Shape, SweptArea
 from benchdragon.figures.framing import route_positions
-from benchdragon.figures.scale import (
-    EDGE,
-    Sheet,
-    corners_of,
-    draw_obstacles,
-    drawn_sheet,
-    sheet_for,
-)
+from benchdragon.figures.scale import EDGE, Sheet, corners_of, draw_obstacles, drawn_sheet, sheet_for
 from benchdragon.figures.style import BODY, HEAD, ROUTE, drawable
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray

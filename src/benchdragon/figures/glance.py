@@ -112,10 +112,7 @@ def _report(report: Report) -> tuple[str, Rows]:
 
 
 def _plan(plan: Plan) -> tuple[str, Rows]:
-    rows = [
-        (_("plan"), plan.title(language()) or plan.source.name),
-        (_("route"), plan.route.kind),
-    ]
+    rows = [(_("plan"), plan.title(language()) or plan.source.name), (_("route"), plan.route.kind)]
     try:
         walk = plan.build()
         start, end = plan.span(walk)

@@ -260,10 +260,7 @@ class FigureEight(Formation):
         "danced in Anshan, Xianju (China News, 2024), and in Youlong, Anhui; no source gives its "
         "geometry, which is this project's own"
     )
-    sizes: ClassVar = {
-        "radius": Size(N_("radius of the bends"), 0.5, 1000.0),
-        "rounds": ROUNDS,
-    }
+    sizes: ClassVar = {"radius": Size(N_("radius of the bends"), 0.5, 1000.0), "rounds": ROUNDS}
     tightest: ClassVar = ("radius",)
 
     radius: float = 40.0

@@ -216,10 +216,7 @@ class Placement:
         if bench:
             out = np.empty(1)
             positions(
-                self.route.rows,
-                self._row[bench - 1 : bench, i],
-                self._u[bench - 1 : bench, i],
-                out,
+                self.route.rows, self._row[bench - 1 : bench, i], self._u[bench - 1 : bench, i], out
             )
             s, size = float(out[0]), float(self.dragon.links[bench - 1])
         return WalkError(status, bench, s, head, f"{size:.6g} m")

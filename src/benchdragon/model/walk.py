@@ -10,14 +10,7 @@ from typing import TYPE_CHECKING, Self
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import (
-    InputError,
-    MissingExtraError,
-    WalkError,
-    finite,
-    of_kind,
-    whole,
-)
+from benchdragon.errors import InputError, MissingExtraError, WalkError, finite, of_kind, whole
 from benchdragon.i18n import _
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import MOST_METRES, FloatArray

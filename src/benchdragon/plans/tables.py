@@ -202,9 +202,7 @@ class LinePart(CurvePart):
     """A straight line."""
 
     about: ClassVar[str] = N_("A straight line.")
-    keys: ClassVar[Mapping[str, Key]] = {
-        "length": Key(N_("length of the part"), "30 m", "m"),
-    }
+    keys: ClassVar[Mapping[str, Key]] = {"length": Key(N_("length of the part"), "30 m", "m")}
 
     kind: Literal["line"]
     length: Length

@@ -109,10 +109,7 @@ def checked_dance(
 
 @budget.question()
 def judged_dance(
-    plan: Plan,
-    judge: Callable[[Plan], Report],
-    span: Span | None = None,
-    progress: Progress = silent,
+    plan: Plan, judge: Callable[[Plan], Report], span: Span | None = None, progress: Progress = silent
 ) -> messages.Dance:
     """The dance of a plan, judged; one that cannot be walked to its end as far as it can.
 
@@ -295,9 +292,7 @@ def _way(walk: Walk, shot: Frames) -> Course:
 def _course(way: Course) -> messages.Course:
     """The route as a page takes it."""
     return messages.Course(
-        stretches=_stretches(way.stretches),
-        origin=way.origin,
-        packed=packed_bytes(way.nodes.ravel()),
+        stretches=_stretches(way.stretches), origin=way.origin, packed=packed_bytes(way.nodes.ravel())
     )
 
 

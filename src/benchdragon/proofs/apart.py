@@ -60,10 +60,7 @@ def corners(chain: Chain, sizes: Sizes) -> FloatArray:
     ahead = np.stack([chain.x[:-1] - chain.x[1:], chain.y[:-1] - chain.y[1:]], 1) / links[:, None]
     left = np.stack([-ahead[:, 1], ahead[:, 0]], 1)
     handles = np.stack([chain.x, chain.y], 1)
-    ends = (
-        handles[:-1] + front[:, None] * ahead,
-        handles[1:] - rear[:, None] * ahead,
-    )
+    ends = (handles[:-1] + front[:, None] * ahead, handles[1:] - rear[:, None] * ahead)
     half = 0.5 * width[:, None] * left
     return np.stack([ends[end] + side * half for end, side in CORNERS], 1)
 

@@ -20,13 +20,7 @@ from benchdragon.kernels.workspace import Benches
 from benchdragon.kernels.workspace import Walk as KernelWalk
 from benchdragon.model.answer import Witness
 from benchdragon.model.walk import Walk
-from benchdragon.plans.routes import (
-    FITS,
-    FormationRoute,
-    ProgrammeRoute,
-    SpiralInRoute,
-    TurnRoute,
-)
+from benchdragon.plans.routes import FITS, FormationRoute, ProgrammeRoute, SpiralInRoute, TurnRoute
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.tables import LEAST, LEAST_PITCH, ROOMY
 from benchdragon.plans.toml import PlanError
