@@ -4,6 +4,8 @@ import errno
 import math
 import signal
 import socket
+from collections.abc import Iterator
+from contextlib import contextmanager
 from operator import index
 from typing import Any
 
@@ -131,6 +133,19 @@ class MissingExtraError(BenchDragonError):
     def __init__(self, extra: str) -> None:
         text = _("this needs an extra: pip install 'benchdragon[{extra}]'")
         super().__init__(text.format(extra=extra))
+
+
+@contextmanager
+def brought_by(extra: str) -> Iterator[None]:
+    """Import what an extra brings.
+
+    Raises:
+        MissingExtraError: if it is not installed.
+    """
+    try:
+        yield
+    except ImportError:
+        raise MissingExtraError(extra) from None
 
 
 ADVICE = {

@@ -30,7 +30,7 @@ from multiprocessing.connection import wait as wait_for
 from multiprocessing.context import SpawnContext, SpawnProcess
 from typing import Any, Generic, TypeVar
 
-from benchdragon.errors import BenchDragonError, MachineError, MissingExtraError, whole
+from benchdragon.errors import BenchDragonError, MachineError, brought_by, whole
 from benchdragon.i18n import _, language, spoken_in
 
 T = TypeVar("T")
@@ -121,10 +121,8 @@ def dask(address: str | None = None, count: int | None = None) -> Place:
         InputError: for a number of workers out of range.
         MissingExtraError: without distributed.
     """
-    try:
+    with brought_by("cluster"):
         import distributed
-    except ImportError:
-        raise MissingExtraError("cluster") from None
     library: Any = distributed  # it has no types
     many = cores() if count is None else whole("workers", count, 1, MOST_WORKERS)
     clients: list[Any] = []

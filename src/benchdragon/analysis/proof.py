@@ -14,7 +14,7 @@ from benchdragon import budget
 from benchdragon.analysis.asked import asked_of
 from benchdragon.analysis.contact import MOST_GRAZES, contact_windows
 from benchdragon.analysis.obstacles import ObstacleAnswers, touching
-from benchdragon.errors import MissingExtraError, UnsureError, in_order
+from benchdragon.errors import UnsureError, brought_by, in_order
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
@@ -68,10 +68,8 @@ def require_flint() -> None:
     Raises:
         MissingExtraError: if it is not.
     """
-    try:
+    with brought_by("prove"):
         import flint  # noqa: F401 - an optional extra
-    except ImportError:
-        raise MissingExtraError("prove") from None
 
 
 @budget.question()

@@ -13,7 +13,7 @@ import shapely
 
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.swept import ERROR, Shape, SweptArea, rings, swept_area
-from benchdragon.errors import MissingExtraError, in_order
+from benchdragon.errors import brought_by, in_order
 from benchdragon.figures.area import AreaDrawing, area_picture
 from benchdragon.figures.style import write_picture
 from benchdragon.files import whole_bytes
@@ -117,11 +117,9 @@ def route_line(drawing: AreaDrawing) -> FloatArray:
 
 def dxf_bytes(drawing: AreaDrawing, plan_sha256: str) -> bytes:
     """A DXF file: closed polylines in metres, a layer for each kind of line; always the same bytes."""
-    try:
+    with brought_by("survey"):
         from ezdxf._options import options  # an optional extra
         from ezdxf.filemanagement import new
-    except ImportError:
-        raise MissingExtraError("survey") from None
     before = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True
     try:

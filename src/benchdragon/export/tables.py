@@ -16,7 +16,7 @@ import numpy as np
 
 from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.obstacles import ObstacleAnswers
-from benchdragon.errors import InputError, MissingExtraError
+from benchdragon.errors import InputError, brought_by
 from benchdragon.files import whole_bytes, whole_file
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
@@ -269,11 +269,9 @@ def write_npz(path: Path, what: Selection, progress: Progress) -> None:
 
 def write_parquet(path: Path, what: Selection, progress: Progress) -> None:
     """The CSV's long form as Parquet (needs the extra `data`)."""
-    try:
+    with brought_by("data"):
         import pyarrow as pa  # an optional extra
         from pyarrow import parquet
-    except ImportError:
-        raise MissingExtraError("data") from None
     names = ["time_s", "handle", "x_m", "y_m", "v_m_s"]
     kinds = [pa.float64(), pa.int32(), pa.float64(), pa.float64(), pa.float64()]
     schema = pa.schema(list(zip(names, kinds, strict=True)))
@@ -293,10 +291,8 @@ def write_netcdf(path: Path, what: Selection, progress: Progress) -> None:
     Raises:
         InputError: for more than memory should hold.
     """
-    try:
+    with brought_by("data"):
         import h5netcdf  # an optional extra
-    except ImportError:
-        raise MissingExtraError("data") from None
     _check_memory(what)
     times, handles = what.times, what.handles
     units = {"x": "m", "y": "m", "s": "m", "speed": "m s-1"}

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Self
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, MissingExtraError, WalkError, finite, of_kind, whole
+from benchdragon.errors import InputError, WalkError, brought_by, finite, of_kind, whole
 from benchdragon.i18n import _
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
@@ -262,10 +262,8 @@ class Motion(Placement):
 
         Indexed by time (s) and handle (from 0); x, y, s (m), speed (m/s) and acceleration (m/s^2).
         """
-        try:
+        with brought_by("data"):
             import pandas  # an optional extra
-        except ImportError:
-            raise MissingExtraError("data") from None
         index = pandas.MultiIndex.from_product(
             [self.times, range(len(self.walk.dragon) + 1)], names=["time", "handle"]
         )
@@ -274,10 +272,8 @@ class Motion(Placement):
 
     def to_xarray(self) -> "xarray.Dataset":
         """The tables as an xarray Dataset with units (needs the extra `data`)."""
-        try:
+        with brought_by("data"):
             import xarray  # an optional extra
-        except ImportError:
-            raise MissingExtraError("data") from None
         time_handle, time_bench = ("time", "handle"), ("time", "bench")
         variables = {
             "x": (time_handle, self.x, "m", "x of the handle"),

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from benchdragon.errors import InputError, MissingExtraError
+from benchdragon.errors import InputError, brought_by
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
 
@@ -125,11 +125,9 @@ def system_of(crs: str) -> System:
     if (code := code_of(crs)) is None:
         text = _("survey.crs must be {names} or a code like EPSG:4549, not {crs}")
         raise InputError(text.format(names=", ".join((WGS84, GCJ02, BD09)), crs=repr(crs)[:40]))
-    try:
+    with brought_by("survey"):
         from pyproj import CRS
         from pyproj.exceptions import CRSError
-    except ImportError:
-        raise MissingExtraError("survey") from None
     try:
         found: Any = CRS.from_epsg(code)
     except CRSError:

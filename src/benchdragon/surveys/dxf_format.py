@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from benchdragon.errors import InputError, MissingExtraError
+from benchdragon.errors import InputError, brought_by
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.surveys.flattening import Fineness, Tally, bezier_points, ellipse_points, pairs
@@ -69,10 +69,8 @@ def dxf_file(data: bytes, name: str, fineness: Fineness) -> RawFile:
 
 def _document(data: bytes, name: str) -> tuple[Any, bool]:
     """What ezdxf makes of a file, whatever its line ends and its encoding, and if it says its unit."""
-    try:
+    with brought_by("survey"):
         from ezdxf.filemanagement import dxf_stream_info, read
-    except ImportError:
-        raise MissingExtraError("survey") from None
     if data.startswith((BINARY, DWG)):
         said = _("{file} is a binary drawing: save it as DXF in text (ASCII)")
         raise InputError(said.format(file=name))

@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element, tostring
 
 import numpy as np
 
-from benchdragon.errors import InputError, MissingExtraError
+from benchdragon.errors import InputError, brought_by
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.surveys.flattening import Fineness, Tally, bezier_points, ellipse_points, pairs
@@ -54,10 +54,8 @@ def svg_file(data: bytes, name: str, fineness: Fineness, physical: bool) -> RawF
         InputError: for invalid SVG, and for too many points.
         MissingExtraError: without svgelements.
     """
-    try:
+    with brought_by("survey"):
         from svgelements import SVG, Path, Shape
-    except ImportError:
-        raise MissingExtraError("survey") from None
     root = xml_tree(data, name)
     if root.tag != "svg":
         raise InputError(_("{file} is not SVG").format(file=name))

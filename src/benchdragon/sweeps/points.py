@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from benchdragon.errors import InputError, MissingExtraError, brief, whole
+from benchdragon.errors import InputError, brief, brought_by, whole
 from benchdragon.i18n import _
 from benchdragon.kernels.route import IntArray
 
@@ -225,11 +225,9 @@ def read_points(path: Path) -> Points:
         >>> bd.read_points(folder / "points.csv").keys
         ('route.pitch', 'disc.radius')
     """
-    try:
+    with brought_by("data"):
         import pyarrow as pa
         from pyarrow import csv, parquet
-    except ImportError:
-        raise MissingExtraError("data") from None
     try:
         read = parquet.read_table if path.suffix == ".parquet" else csv.read_csv
         table = read(path)

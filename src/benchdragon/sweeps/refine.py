@@ -7,12 +7,12 @@ broken off asks for the same points when it goes on.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import version
 from typing import Any
 
 import numpy as np
 
-from benchdragon.errors import InputError, MissingExtraError, finite, whole
+from benchdragon.errors import InputError, brought_by, finite, whole
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.sweeps.points import MOST_LISTED, Points
@@ -57,10 +57,8 @@ def adaptive_version() -> str:
     Raises:
         MissingExtraError: if it is not installed.
     """
-    try:
+    with brought_by("refine"):
         return version("adaptive")
-    except PackageNotFoundError:
-        raise MissingExtraError("refine") from None
 
 
 class Refiner:
@@ -74,10 +72,8 @@ class Refiner:
     def __init__(self, points: Points, refinement: Refinement) -> None:
         if not points.numeric or len(points.keys) > 2:
             raise InputError(_("refine: expected one key or two, with numbers for values"))
-        try:
+        with brought_by("refine"):
             import adaptive
-        except ImportError:
-            raise MissingExtraError("refine") from None
         self._ends = [(float(min(column)), float(max(column))) for column in points.columns]
         if any(low == high for low, high in self._ends):
             raise InputError(_("refine: each key needs a range of values"))

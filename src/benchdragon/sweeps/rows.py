@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from benchdragon.errors import BenchDragonError, MissingExtraError
+from benchdragon.errors import BenchDragonError, brought_by
 from benchdragon.hosts.built import source_hash
 from benchdragon.plans.schema import Plan
 from benchdragon.sweeps.points import Value
@@ -41,10 +41,8 @@ def arrow() -> Any:
     Raises:
         MissingExtraError: if it is not installed.
     """
-    try:
+    with brought_by("data"):
         import pyarrow
-    except ImportError:
-        raise MissingExtraError("data") from None
     return pyarrow
 
 

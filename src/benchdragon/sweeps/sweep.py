@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from benchdragon.errors import InputError, MachineError, MissingExtraError, of_kind
+from benchdragon.errors import InputError, MachineError, brought_by, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
@@ -198,10 +198,8 @@ class Sweep:
         Raises:
             MissingExtraError: without pandas.
         """
-        try:
+        with brought_by("data"):
             import pandas  # noqa: F401 - pyarrow needs it
-        except ImportError:
-            raise MissingExtraError("data") from None
         return self.table.to_pandas().set_index("point")
 
     def to_xarray(self) -> Any:
@@ -213,10 +211,8 @@ class Sweep:
             InputError: if the points were no grid, or some are missing.
             MissingExtraError: without xarray.
         """
-        try:
+        with brought_by("data"):
             import xarray
-        except ImportError:
-            raise MissingExtraError("data") from None
         axes, first = self.about["points"]["grid"], int(self.about["points"]["count"])
         table = self.table.slice(0, first)
         if axes is None or table["point"].to_pylist() != list(range(first)):
