@@ -1,7 +1,7 @@
 // What the permit annex calls its numbers, and how it lays them out.
 
 import { decimalsTowards, general } from "./compute/number_format.js";
-import { make } from "./elements.js";
+import { make, table as tableOf } from "./elements.js";
 import { shown } from "./made/answer.js";
 import { known, outward } from "./made/number_format.js";
 import { N_, _, language } from "./words.js";
@@ -110,18 +110,11 @@ function block(one) {
   return typeof one === "string" ? make("p", {}, one) : one;
 }
 
-/** A table with a head. @param {string} name @param {string[]} heads @param {Cell[][]} rows @param {string} [kind] */
+/** A table with a head; cells that are not known are blanks. @param {string} name @param {string[]} heads @param {Cell[][]} rows @param {string} [kind] */
 export function table(name, heads, rows, kind = "") {
-  const cell = (/** @type {Cell} */ text) => make("td", {}, text ?? blank());
-  const body = rows.map(([first, ...others]) =>
-    make("tr", {}, make("th", { scope: "row" }, first ?? ""), ...others.map(cell)),
-  );
-  const head = heads.map((text) => make("th", { scope: "col" }, text));
-  return make(
-    "table",
-    kind ? { class: kind } : {},
-    make("caption", {}, name),
-    make("thead", {}, make("tr", {}, ...head)),
-    make("tbody", {}, ...body),
-  );
+  const filled = rows.map(([first, ...others]) => [
+    first ?? "",
+    ...others.map((text) => text ?? blank()),
+  ]);
+  return tableOf(heads, filled, { kind, name, named: true });
 }

@@ -3,7 +3,7 @@
 import { pegLine } from "./made/ground.js";
 import { ANALYSIS_CHALK } from "./compute/constants.js";
 import { decimals } from "./compute/number_format.js";
-import { make } from "./elements.js";
+import { make, table } from "./elements.js";
 import { Sayings } from "./sayings.js";
 import { readable, SheetMaps } from "./sheet_map.js";
 import { _, language } from "./words.js";
@@ -177,17 +177,11 @@ function ticksOf({ ticks }, star, tape) {
 function spokeTable(chalk, { spokes }, n) {
   const columns = Array.from({ length: spokes }, (_none, k) => ticksOf(chalk, n, k + 1).map(cellOf));
   const rows = Array.from({ length: Math.max(...columns.map(({ length }) => length)) }, (_none, k) =>
-    make("tr", {}, ...columns.map((column) => make("td", {}, column[k] ?? ""))),
+    columns.map((column) => column[k] ?? ""),
   );
-  const heads = columns.map((_column, k) => make("th", { scope: "col" }, String(k + 1)));
+  const heads = columns.map((_column, k) => String(k + 1));
   const name = chalk.stars.length > 1 ? _("Spokes of stake {n}", { n: n + 1 }) : _("Spokes");
-  return make(
-    "table",
-    { class: "spokes" },
-    make("caption", {}, name),
-    make("thead", {}, make("tr", {}, ...heads)),
-    make("tbody", {}, ...rows),
-  );
+  return table(heads, rows, { kind: "spokes", name });
 }
 
 /** Tapes along the line: a row each. @param {ChalkPlan} chalk */
@@ -210,12 +204,7 @@ function legTable(chalk) {
       .map(cellOf)
       .join("; "),
   ]);
-  return make(
-    "table",
-    { class: "legs" },
-    make("thead", {}, make("tr", {}, ...heads.map((text) => make("th", { scope: "col" }, text)))),
-    make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((text) => make("td", {}, text))))),
-  );
+  return table(heads, rows, { kind: "legs" });
 }
 
 /** Make type smaller until all of it stands on one page, if it can. @param {HTMLElement} paper @param {HTMLElement} sheet */

@@ -100,6 +100,22 @@ export function tick(name, on, action) {
   return make("label", { class: "tick" }, box, name);
 }
 
+/**
+ * A table: what its columns are called, and its rows, whose first cells name them where they are `named`.
+ * @param {string[]} heads
+ * @param {(Node | string)[][]} rows
+ * @param {{ kind?: string, name?: string, named?: boolean }} [how] its class, and what stands above it
+ */
+export function table(heads, rows, { kind = "", name = "", named = false } = {}) {
+  const cell = (/** @type {Node | string} */ shown, /** @type {number} */ n) =>
+    named && n === 0 ? make("th", { scope: "row" }, shown) : make("td", {}, shown);
+  const row = (/** @type {(Node | string)[]} */ cells) => make("tr", {}, ...cells.map(cell));
+  const head = make("tr", {}, ...heads.map((text) => make("th", { scope: "col" }, text)));
+  const parts = [make("thead", {}, head), make("tbody", {}, ...rows.map(row))];
+  const above = name ? [make("caption", {}, name)] : [];
+  return make("table", kind ? { class: kind } : {}, ...above, ...parts);
+}
+
 /** What an inert script element of the page holds. @param {string} id */
 export function held(id) {
   return JSON.parse(/** @type {HTMLElement} */ (document.getElementById(id)).textContent ?? "");

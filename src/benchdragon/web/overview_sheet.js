@@ -1,6 +1,6 @@
 // The leader's table: who carries each bench, where it starts, what comes nearest; on paper and as a file.
 
-import { make } from "./elements.js";
+import { make, table } from "./elements.js";
 import { BENCH_NEARNESS } from "./compute/constants.js";
 import { csvFile } from "./csv.js";
 import { decimals, general } from "./compute/number_format.js";
@@ -82,21 +82,9 @@ function tableOf(rows, alike) {
     cells.filter((_cell, n) => !(alike && n === WHAT) && (near || n !== TIGHTEST));
   const body = rows.map(({ bench, people, start, quick, tightest }) => {
     const names = people.join(_(", ")) || _("(nobody)");
-    const [head, ...cells] = kept([bench, names, start, quick, tightest]);
-    return make(
-      "tr",
-      {},
-      make("th", { scope: "row" }, head),
-      ...cells.map((text) => make("td", {}, text)),
-    );
+    return kept([bench, names, start, quick, tightest]);
   });
-  const heads = kept(headings()).map((text) => make("th", { scope: "col" }, text));
-  return make(
-    "table",
-    alike ? { class: "alike" } : {},
-    make("thead", {}, make("tr", {}, ...heads)),
-    make("tbody", {}, ...body),
-  );
+  return table(kept(headings()), body, { kind: alike ? "alike" : "", named: true });
 }
 
 /** When it was checked, and how many benches and people there are: who is named at several counts once. @param {Sayings} said @param {string} date */

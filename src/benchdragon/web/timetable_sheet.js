@@ -2,7 +2,7 @@
 // files.
 
 import { csvFile } from "./csv.js";
-import { make } from "./elements.js";
+import { make, table } from "./elements.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./compute/briefing.js").Briefing} Briefing */
@@ -16,17 +16,13 @@ const NONE = "-";
 /** The table and the sentences above it. @param {Briefing} briefing @param {NameList} _names @param {Looks} looks @returns {Built} */
 export function timetableSheet({ title, timetable }, _names, { foot }) {
   const { name, columns, rows, lines } = timetable[language()];
-  const heads = columns.map((text) => make("th", { scope: "col" }, text));
-  const body = rows.map(([place, ...cells]) =>
-    make("tr", {}, make("th", { scope: "row" }, place), ...cells.map((text) => make("td", {}, text))),
-  );
   const sheet = make(
     "article",
     { class: "overview timetable" },
     make("h2", {}, title[language()] || _("Timetable")),
     ...lines.map((line) => make("p", {}, line)),
     make("h3", {}, name),
-    make("table", {}, make("thead", {}, make("tr", {}, ...heads)), make("tbody", {}, ...body)),
+    table(columns, rows, { named: true }),
     make("footer", {}, foot),
   );
   return { pages: [sheet] };
