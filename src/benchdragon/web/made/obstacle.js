@@ -106,12 +106,13 @@ export function rectangleOutline(name, centre, size, angle) {
   return _points(name, ends, 4, true);
 }
 function closedOutline(name, points) {
-  let area, corners, crossing, i, j, ring, ways;
+  let area, corners, crossing, i, j, ring, text, ways;
   corners = _points(name, points, 3, true);
   crossing = _crossing(corners);
   if ((crossing != null)) {
     [i, j] = py.list(crossing);
-    throw new InputError(py.filled(_("{name}: its sides {i} and {j} cross or touch: an outline must not meet itself"), { name: name, i: (i + 1), j: (j + 1) }));
+    text = _("{name}: its sides {i} and {j} cross or touch: an outline must not meet itself");
+    throw new InputError(py.filled(text, { name: name, i: (i + 1), j: (j + 1) }));
   }
   ring = py.tolist(corners);
   ways = py.zip(ring, [...py.iter(py.slice(ring, 1, null)), py.at(ring, 0)]);
@@ -122,10 +123,11 @@ function closedOutline(name, points) {
   return corners;
 }
 function _points(name, points, least, closed = false) {
-  let ahead, i, one, other, table;
+  let ahead, i, one, other, table, text;
   table = py.tolist(asNumbers(`${py.str(name)}: points`, _drawnPoints(name, points)));
   if (!py.eq(py.slice(py.shape(table), 1, null), [2])) {
-    throw new InputError(py.filled(_("{name}: expected a list of points [x, y], not {value}"), { name: name, value: brief(points) }));
+    text = _("{name}: expected a list of points [x, y], not {value}");
+    throw new InputError(py.filled(text, { name: name, value: brief(points) }));
   }
   if (!py.list(table).every((point) => py.list(point).every((value) => (py.abs(value) <= MOST_METRES)))) {
     throw new InputError(py.filled(_("{name}: points must lie within 1e8 m of the origin"), { name: name }));
@@ -134,12 +136,14 @@ function _points(name, points, least, closed = false) {
     table = py.slice(table, null, -1);
   }
   if (!((least <= py.len(table)) && (py.len(table) <= MOST_CORNERS))) {
-    throw new InputError(py.filled(_("{name}: expected {least} to {most} points, not {count}"), { name: name, least: least, most: MOST_CORNERS, count: py.len(table) }));
+    text = _("{name}: expected {least} to {most} points, not {count}");
+    throw new InputError(py.filled(text, { name: name, least: least, most: MOST_CORNERS, count: py.len(table) }));
   }
   ahead = (py.truth(closed) ? [...py.iter(py.slice(table, 1, null)), py.at(table, 0)] : py.slice(table, 1, null));
   for ([i, [one, other]] of py.iter(py.enumerate(py.zip(table, ahead), 1))) {
     if ((py.dist(one, other) < LEAST_SIDE)) {
-      throw new InputError(py.filled(_("{name}: points {i} and {j} are the same"), { name: name, i: i, j: (py.mod(i, py.len(table)) + 1) }));
+      text = _("{name}: points {i} and {j} are the same");
+      throw new InputError(py.filled(text, { name: name, i: i, j: (py.mod(i, py.len(table)) + 1) }));
     }
   }
   return asTable(table);
