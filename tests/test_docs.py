@@ -132,6 +132,13 @@ def test_each_listing_that_a_page_leads_to_is_made(language: str) -> None:
             assert getattr(found, "__module__", f"benchdragon.{room}") == f"benchdragon.{room}", name
 
 
+def own_modules(node: ast.AST) -> list[str]:
+    """The modules of the package that a statement imports."""
+    named = [node.module] if isinstance(node, ast.ImportFrom) else []
+    named += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+    return [str(name) for name in named if str(name).startswith("benchdragon")]
+
+
 @pytest.mark.parametrize("page", PAGES)
 def test_what_the_cells_of_a_page_name_is_there(page: str) -> None:
     """Without running them, as the site's own test does."""
@@ -141,6 +148,14 @@ def test_what_the_cells_of_a_page_name_is_there(page: str) -> None:
         if isinstance(node, ast.ImportFrom):
             module = importlib.import_module(str(node.module))
             assert [alias.name for alias in node.names if not hasattr(module, alias.name)] == []
+        for name in own_modules(node):
+            assert name == "benchdragon", f"{name}: cells use public names alone"
+        if (
+            isinstance(node, ast.Attribute)
+            and isinstance(node.value, ast.Name)
+            and node.value.id == "bd"
+        ):
+            assert node.attr in {*benchdragon.__all__, "__version__"}
     done = subprocess.run(
         [sys.executable, "-m", "ruff", "check", "--isolated", "--quiet", "--select=F821", "-"],
         input=code, capture_output=True, text=True, check=False,
@@ -175,7 +190,7 @@ def test_each_folder_of_a_sweep_holds_one_sweep(language: str) -> None:
     told: dict[str, set[str]] = {}
     for page in PAGES:
         text = source(language, page)
-        for name, folder in re.findall(r'print\(command\((\w+), "([^"]+)"\)\)', text):
+        for name, folder in re.findall(r'print\(bd.sweep_command\((\w+), "([^"]+)"\)\)', text):
             told.setdefault(folder, set()).add(f"{page}: {name}")
         for line in commands(text):
             if found := re.fullmatch(r"(benchdragon sweep .*) -o (\S+)", line):

@@ -39,6 +39,7 @@ from .errors import UnsureError as UnsureError
 from .errors import WalkError as WalkError
 from .export.film import animate as animate
 from .figures.glance import as_html as as_html
+from .figures.plots import picture_style as picture_style
 from .figures.plots import plot_answer as plot_answer
 from .figures.plots import plot_area as plot_area
 from .figures.plots import plot_clearance as plot_clearance
@@ -76,11 +77,17 @@ from .model.walk import Motion as Motion
 from .model.walk import Walk as Walk
 from .paper.compare import Comparison as Comparison
 from .paper.compare import compare as compare
+from .paper.differences import difference_velocities as difference_velocities
 from .paper.grading import Grade as Grade
 from .paper.grading import grade as grade
 from .paper.handed_in import write_result1 as write_result1
 from .paper.handed_in import write_result2 as write_result2
 from .paper.handed_in import write_result4 as write_result4
+from .paper.random_dances import kept_tolerances as kept_tolerances
+from .paper.runge_kutta import head_positions as head_positions
+from .paper.sensitivity import limit_rates as limit_rates
+from .paper.traversal import first_overlap as first_overlap
+from .paper.traversal import traversed_pitch as traversed_pitch
 from .plans.roster import roster_of as roster_of
 from .plans.schema import Plan as Plan
 from .plans.schema import read_plan as read_plan
@@ -88,7 +95,9 @@ from .plans.toml import PlanError as PlanError
 from .player.page import show as show
 from .rosters.roster import Person as Person
 from .rosters.roster import Roster as Roster
+from .solve.head_speed import Pace as Pace
 from .solve.head_speed import greatest_head_speed as greatest_head_speed
+from .solve.head_speed import slowed as slowed
 from .solve.place import PlacedDance as PlacedDance
 from .solve.place import best_place as best_place
 from .solve.proposal import Proposal as Proposal
@@ -104,6 +113,7 @@ from .solve.turn import best_turn as best_turn
 from .solve.turn_goal import TurnGoal as TurnGoal
 from .solve.wishes import Wishes as Wishes
 from .speech import use_language as use_language
+from .sweeps.command import sweep_command as sweep_command
 from .sweeps.points import Points as Points
 from .sweeps.points import listed_points as listed_points
 from .sweeps.points import read_points as read_points

@@ -12,7 +12,14 @@ from benchdragon import Deviations, Plan, Points, RandomDances, Refinement, read
 from benchdragon.cli import sweep as verb
 from benchdragon.plans.keys import meaning
 from benchdragon.plans.schema import checked
-from benchdragon.sweeps.command import MOST_SEED, POINTS_FILE, command, plan_words, unsaid, vary_text
+from benchdragon.sweeps.command import (
+    MOST_SEED,
+    POINTS_FILE,
+    plan_words,
+    sweep_command,
+    unsaid,
+    vary_text,
+)
 from benchdragon.sweeps.points import Value, grid_points, listed_points, parse_vary
 from benchdragon.sweeps.sweep import Design, Sweep
 
@@ -72,7 +79,7 @@ def asked_again(line: str) -> Design:
     ],
 )  # fmt: skip
 def test_the_command_asks_the_same(design: Design) -> None:
-    line = command(made(design), "a folder")
+    line = sweep_command(made(design), "a folder")
     again = asked_again(line)
     assert again.about() == {**design.about(), "plan": again.about()["plan"]}
     assert line.endswith("-o 'a folder'")
@@ -92,7 +99,7 @@ def test_points_of_a_list_come_from_a_file(
     monkeypatch.chdir(tmp_path)
     keys = pa.schema([(key, getattr(pa, kind)()) for key, kind in design.keys])  # as in the rows
     parquet.write_table(pa.table(columns, keys), POINTS_FILE)
-    line = command(made(design), "x")
+    line = sweep_command(made(design), "x")
     assert "--vary" not in line
     assert asked_again(line).about() == design.about()
 
@@ -131,7 +138,7 @@ SAMPLE = {"route.pitch": (0.4, 0.6)}
     ],
 )
 def test_what_no_command_line_can_say_is_told_in_a_sentence(design: Design, why: str) -> None:
-    said = command(made(design), "out/x")
+    said = sweep_command(made(design), "out/x")
     assert said == unsaid(made(design)) == f"No command line makes this sweep: {why}."
 
 
@@ -166,7 +173,8 @@ def test_a_plan_that_is_no_built_in_one_with_a_few_values_is_a_file() -> None:
     few = [*sizes, *lengths, "route.pitch=0.6", "walk.speed=2"]
     assert len(plan_words(read_plan("spiral-in", few)) or []) == 1 + 2 * len(few)
     assert plan_words(read_plan("spiral-in", [*few, "walk.start=1", "dragon.benches=9"])) is None
-    line = command(made(Design(eight, grid_points({"walk.speed": [0.5, 1.0]}), ("clearance",))), "x")
+    design = Design(eight, grid_points({"walk.speed": [0.5, 1.0]}), ("clearance",))
+    line = sweep_command(made(design), "x")
     assert line.startswith("benchdragon sweep plan.dragon.toml --vary walk.speed=0.5,1.0 ")
 
 

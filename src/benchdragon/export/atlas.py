@@ -26,7 +26,7 @@ from benchdragon.figures.sweep_rows import Answered, answered, who_text
 from benchdragon.i18n import _, language
 from benchdragon.plans.keys import meaning
 from benchdragon.progress import Progress, silent, stages
-from benchdragon.sweeps.command import PLAN_FILE, POINTS_FILE, command, plan_words, unsaid
+from benchdragon.sweeps.command import PLAN_FILE, POINTS_FILE, plan_words, sweep_command, unsaid
 from benchdragon.sweeps.questions import STATES, Question
 from benchdragon.sweeps.sweep import Sweep
 
@@ -99,7 +99,7 @@ def _chapter(number: int, folder: str, sweep: Sweep) -> Iterator[Block]:
 
 def _how_made(folder: str, sweep: Sweep) -> Iterator[Block]:
     """The command of a sweep and the files that it reads, or why there is no command."""
-    said = command(sweep, folder)
+    said = sweep_command(sweep, folder)
     known = unsaid(sweep) is None
     yield Listing(said) if known else say(said)
     if plan_words(sweep.plan) is None:

@@ -1,7 +1,7 @@
 """Walks and answers as readers draw them: a picture of its own, or on axes of a figure of theirs."""
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from typing import Any, Literal
 
 import matplotlib
@@ -61,6 +61,18 @@ def _on(ax: Axes | None, width: float, height: float) -> Iterator[Axes]:
 def _figure(panel: Axes) -> Figure:
     """The whole figure that axes stand in."""
     return panel.figure.figure
+
+
+def picture_style() -> AbstractContextManager[None]:
+    """The look of the program's pictures, for figures of your own: fonts with Chinese signs, colours.
+
+    Examples:
+        >>> import matplotlib.pyplot as plt
+        >>> with bd.picture_style():
+        ...     plt.rcParams["font.family"][0]
+        'Noto Sans SC'
+    """
+    return matplotlib.rc_context(STYLE)
 
 
 def plot_route(route: Curve, ax: Axes | None = None, *, label: str | None = None) -> Figure:

@@ -84,3 +84,18 @@ def walked_again(run: Run, count: int) -> float:
             draw = Draw(CASES[name].deviations, SEED, number)
             most = max(most, abs(needed_pitch(plan(), draw, run.exact) - float(kept[number])))
     return most
+
+
+def kept_tolerances() -> dict[str, Tolerance]:
+    """What a thousand random dances need for each assumption that is relaxed: kept with the program.
+
+    They are dances of the plan "question-3", the same as `tolerance` draws with their deviations and
+    seed. By name: "aside", "play", "stray", "height", "benches" and "all".
+
+    Examples:
+        >>> found = bd.kept_tolerances()["aside"]
+        >>> f"{found.pitch_for(0.1):.3f} m, exactly {found.exact:.3f} m"
+        '0.503 m, exactly 0.450 m'
+    """
+    run = kept_run()
+    return {name: run.tolerance(name) for name in CASES}

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, positive
+from benchdragon.errors import InputError, of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray, spiral_length
 from benchdragon.model.arrays import as_numbers
@@ -35,12 +35,19 @@ def head_positions(
     Args:
         walk: its head stays on one spiral at all times.
         times: in any order.
-        method: see `head_angles`.
-        step: see `head_angles`.
+        method: "rk4", the classical one of fixed step, or "adaptive", SciPy's DOP853.
+        step: of "rk4", s, at most.
 
     Raises:
         InputError: for a head on another curve, another method, or too many steps.
+
+    Examples:
+        >>> walk = bd.read_plan("spiral-in").build()
+        >>> error = bd.head_positions(walk, [300.0], "rk4", 5.0) - walk.head_position([300.0])
+        >>> bool(1e-9 < abs(error[0]) < 1e-7)
+        True
     """
+    of_kind("walk", walk, Walk)
     exact, route = walk.head_position(times), walk.route
     part = _only_part(walk, exact, method)
     curve = route.curves[part]

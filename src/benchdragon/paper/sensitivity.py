@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-from benchdragon.errors import InputError, WalkError
+from benchdragon.errors import InputError, WalkError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer, Witness
@@ -265,7 +265,15 @@ def limit_rates(plan: Plan, name: str, limit: Answer) -> dict[str, float]:
 
     Raises:
         InputError: where the pair that decides does not graze: it meets at the walk's end.
+
+    Examples:
+        >>> plan = bd.read_plan("question-3")
+        >>> rates = bd.limit_rates(plan, "pitch", plan.smallest_pitch())
+        >>> f"{rates['dragon.width']:.4f} m of pitch for each m of width"
+        '0.9690 m of pitch for each m of width'
     """
+    of_kind("plan", plan, Plan)
+    of_kind("limit", limit, Answer)
     keys = question(name).keys
     touch = Touch.of(_known(limit))
     there = plan.with_values(dict.fromkeys(keys, limit.value))

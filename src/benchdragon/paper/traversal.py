@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.analysis.asked import asked_of
 from benchdragon.analysis.contact import first_contact
-from benchdragon.errors import positive
+from benchdragon.errors import of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.curve import FloatArray
@@ -46,8 +47,15 @@ def traversed_pitch(
 
     Raises:
         InputError: for steps that are not positive, or a plan without a pitch.
+
+    Examples:
+        >>> plan = bd.read_plan("question-3")
+        >>> found = bd.traversed_pitch(plan, 0.01, 5.0)
+        >>> found.status, f"{found.value:.2f} m", f"{plan.smallest_pitch().value:.6f} m"
+        ('undecided', '0.45 m', '0.450337 m')
     """
     began = clock.perf_counter()
+    of_kind("plan", plan, Plan)
     positive("pitch_step", pitch_step, "m")
     positive("time_step", time_step, "s")
     family = PlanFamily(plan, QUESTIONS["pitch"], 0.0)
@@ -71,11 +79,26 @@ def traversed_pitch(
     )  # fmt: skip
 
 
-def first_overlap(walk: Walk, times: FloatArray) -> float | None:
-    """The first in the list `times` (s) at which two non-adjacent benches overlap; None if none.
+def first_overlap(walk: Walk | Plan, times: npt.ArrayLike) -> float | None:
+    """The first in the list `times` at which two non-adjacent benches overlap; None if there is none.
 
-    The paper's flag: the separating axis theorem at each time, and nothing said of what lies between.
+    The paper's flag: the separating axis theorem at each time, and nothing known of what lies between.
+    Compare `first_contact`, which misses nothing.
+
+    Args:
+        walk: what moves, or a plan of it.
+        times: s, (T,), in the order in which they are tried.
+
+    Raises:
+        InputError: for what is neither, and times that are none.
+        WalkError: if the dragon cannot stand at a time.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in")
+        >>> bd.first_overlap(plan, np.arange(400.0, 430.0))
+        413.0
     """
+    walk, _start, _end = asked_of(walk, 0.0, 0.0)
     for motion in walk.motions(times):
         for n, t in enumerate(motion.times):
             x, y = (np.ascontiguousarray(table[n, :, np.newaxis]) for table in (motion.x, motion.y))

@@ -52,6 +52,11 @@ class Pace:
         steady: the greatest constant speed that keeps the same limits, m/s.
         seconds: how long the walk takes.
         saved: by how much less than at the steady speed, s.
+
+    Examples:
+        >>> pace = bd.slowed(bd.read_plan("turn", {"walk.speed": 1.5, "dragon.benches": 9}))
+        >>> pace.steady.unit
+        'm/s'
     """
 
     profile: SpeedProfile
@@ -158,7 +163,13 @@ def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
         InputError: without a limit, or with a plan that has a profile already, or cues that hold it.
         WalkError: if the dragon cannot walk all the way.
         UnsureError: if that could not be decided, or if no pace was found to keep the limits.
+
+    Examples:
+        >>> pace = bd.slowed(bd.read_plan("turn", {"walk.speed": 1.5, "dragon.benches": 9}))
+        >>> f"{min(pace.profile.speeds):.2f} m/s, {pace.saved:.0f} s saved"
+        '1.24 m/s, 24 s saved'
     """
+    of_kind("plan", plan, Plan)
     if plan.walk.profile:
         raise InputError(_("the plan has a speed profile of its own: take walk.profile out"))
     if any(cue.kind in ("hold", "stop") for cue in plan.cues.cue):

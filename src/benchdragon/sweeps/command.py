@@ -6,7 +6,7 @@ from dataclasses import asdict
 from decimal import Decimal
 from typing import Any
 
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
 from benchdragon.plans.keys import written
 from benchdragon.plans.schema import Plan, read_plan
@@ -23,7 +23,7 @@ MOST_SETTINGS = 8
 MOST_SEED = 2**31
 
 
-def command(sweep: Sweep, output: str) -> str:
+def sweep_command(sweep: Sweep, output: str = "rows") -> str:
     """The command line that makes a sweep; a sentence where none can say it.
 
     A plan that is no built-in one with a few values set is PLAN_FILE; points that are neither a grid
@@ -32,7 +32,18 @@ def command(sweep: Sweep, output: str) -> str:
     Args:
         sweep: what is to be made.
         output: the folder that it names.
+
+    Raises:
+        InputError: if `sweep` is no Sweep, or `output` no text.
+
+    Examples:
+        >>> plan = bd.read_plan("spiral-in")
+        >>> found = bd.sweep(plan, {"route.pitch": [0.5, 0.6]}, executor=threads)
+        >>> bd.sweep_command(found)
+        'benchdragon sweep spiral-in --vary route.pitch=0.5,0.6 --ask first_contact -o rows'
     """
+    of_kind("sweep", sweep, Sweep)
+    of_kind("output", output, str)
     reason = unsaid(sweep)
     if reason is not None:
         return reason

@@ -148,6 +148,10 @@ def _columns(
 ) -> tuple[tuple[str, ...], tuple[tuple[Value, ...], ...]]:
     """Keys, and the values of each; InputError for invalid ones."""
     _check_mapping(columns)
+    columns = {
+        key: parse_vary([f"{key}={values}"])[key] if _stepped(values) else values
+        for key, values in columns.items()
+    }
     for key, values in columns.items():
         if isinstance(values, str) or not isinstance(values, Iterable):
             text = _("{key}: expected a list of values, not {value}")
@@ -157,6 +161,11 @@ def _columns(
         for key, values in columns.items()
     )
     return tuple(columns), made
+
+
+def _stepped(values: object) -> bool:
+    """Whether values are given in steps, as on the command line: "0.45:0.6:0.01"."""
+    return isinstance(values, str) and ":" in values
 
 
 def _check_mapping(columns: object) -> None:
