@@ -64,7 +64,7 @@ page-test: .venv/engine $(if $(NPM),node_modules/installed)
 
 # What takes seconds each: proofs, random dances, strangers' plans, sweeps that are killed.
 long-test: .venv/engine
-	nice $(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m long --ignore tests/kernels
+	nice $(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m long $(sort $(shell cut -d: -f1 tests/long.txt))
 
 quick: lint .venv/engine
 	$(BIN)/python -m pytest -q @tests/quick.txt

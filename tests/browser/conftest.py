@@ -62,9 +62,9 @@ def opened(pages: Pages, file: Path) -> Opened:
     """Opens the planner, and waits for its first dance."""
 
     def open_page(device: Device = "desktop", where: str = "") -> Page:
-        page = pages.open(f"{file.as_uri()}{where}", device)
+        page = settled(pages.open(f"{file.as_uri()}{where}", device))
         expect(page.locator("canvas")).to_be_visible()
-        return settled(page)
+        return page
 
     return open_page
 

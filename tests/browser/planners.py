@@ -11,6 +11,9 @@ from tests.browser.players import until
 
 Opened = Callable[..., Page]
 PITCH = "spiral pitch"
+SETTLED = """document.getElementById("planner")?.ariaBusy === "false"
+  && [...document.querySelectorAll("[data-stale]")].every((one) => !one.checkVisibility())
+  && document.querySelectorAll(".verdict:is(.safe, .tight, .unsafe)").length === 1"""
 
 
 def verdict(page: Page) -> Locator:
@@ -44,10 +47,11 @@ def settle(page: Page, pattern: str) -> None:
 
 
 def settled(page: Page) -> Page:
-    """The page, once it shows verdict and dance of its plan."""
-    expect(page.locator("#planner")).to_have_attribute("aria-busy", "false")
-    expect(page.locator("[data-stale]:visible")).to_have_count(0)
-    expect(page.locator(".verdict:is(.safe, .tight, .unsafe)")).to_have_count(1)
+    """The page, once it shows verdict and dance of its plan.
+
+    It is asked in one: an expectation that does not hold yet reads all of the page out each time.
+    """
+    until(page, SETTLED)
     return page
 
 

@@ -1,5 +1,6 @@
 """The player as tests open it: dances, pages, and what can be asked of one."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,7 @@ from benchdragon.plans.schema import read_plan
 from benchdragon.player import messages
 from benchdragon.player.page import player_page
 from benchdragon.player.scene import Span, checked_dance, plain_dance
-from tests.browser.pages import Colours, Device, Language, Pages
+from tests.browser.pages import HANGING, Colours, Device, Language, Pages
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PLANS = {
@@ -94,11 +95,17 @@ def page_of(pages: Pages, folder: Path, name: str, **changes: object) -> Page:
 
 def until(page: Page, said: str) -> None:
     """Wait until something is so; the page's policy keeps others from asking in it."""
-    for _look in range(30_000):
-        if page.evaluate(said):
-            return
-        page.wait_for_timeout(10)
-    raise AssertionError(said)
+    asked = f"""() => new Promise((done) => {{
+      const end = Date.now() + 1000;
+      const ask = () => {{
+        const so = {said};
+        if (so || Date.now() > end) done(!!so);
+        else setTimeout(ask, 10);
+      }};
+      ask();
+    }})"""
+    if not any(page.evaluate(asked) for _second in range(HANGING // 1000)):
+        raise AssertionError(said)
 
 
 def seconds(time: float, digits: int = 2) -> str:
@@ -142,16 +149,21 @@ def look_at(page: Page, bench: int, scale: float) -> None:
     drawn(page)
 
 
-def pixels(page: Page, places: list[tuple[float, float]]) -> list[list[int]]:
+def pixels(page: Page, places: Sequence[Sequence[float]]) -> list[list[int]]:
     """Red, green and blue of the canvas at places of the page."""
     return page.evaluate(  # type: ignore[no-any-return]
         """(places) => {
           const canvas = document.querySelector("canvas");
           const box = canvas.getBoundingClientRect();
           const dots = canvas.width / box.width;
-          return places.map(([x, y]) => [...canvas.getContext("2d").getImageData(
-            Math.round((x - box.left) * dots), Math.round((y - box.top) * dots), 1, 1,
-          ).data].slice(0, 3));
+          const { width, height } = canvas;
+          const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+          return places.map(([x, y]) => {
+            const [i, j] = [x - box.left, y - box.top].map((at) => Math.round(at * dots));
+            const inside = i >= 0 && j >= 0 && i < width && j < height;
+            const first = 4 * (j * width + i);
+            return inside ? [...data.subarray(first, first + 3)] : [0, 0, 0];
+          });
         }""",
         places,
     )

@@ -238,6 +238,7 @@ def test_three_answers_make_a_dance_that_stays_on_the_square(
     pages: Pages, bare_file: Path, device: Device, language: Language
 ) -> None:
     page = pages.open(f"{bare_file.as_uri()}#lang={language}", device, language)
+    until(page, "!!globalThis.benchdragon?.player")
     boxes = screen(page).locator(".box input:visible")
     for n, text in enumerate(("九条", "150cm", "20", "20米")):
         boxes.nth(n).fill(text)

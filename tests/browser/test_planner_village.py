@@ -106,6 +106,7 @@ def test_a_street_and_then_three_rounds_with_rests_are_made_in_the_page_and_walk
     pages: Pages, bare_file: Path, device: Device, language: Language
 ) -> None:
     page = pages.open(f"{bare_file.as_uri()}#lang={language}", device, language)
+    page.emulate_media(reduced_motion="reduce")
     until(page, "!!globalThis.benchdragon?.player")
     leader = Leader(page, language, device)
     leader.answer({**ANSWERS, "length": "46", "width": "36"})
