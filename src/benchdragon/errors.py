@@ -164,7 +164,8 @@ ADVICE = {
     ),
     Status.FOLDED: N_(
         "{when} bench {bench} (link {size}) folds: with its front handle at s = {s} m it stands "
-        "square to the route, where the speed ratio runs away; use gentler curves or shorter benches"
+        "square to the route, where the speed ratio runs away; end the walk before that (in a plan by "
+        "disc.radius or walk.end), or use gentler curves or shorter benches"
     ),
     Status.LINK_OVER_DIAMETER: N_(
         "{when} bench {bench} cannot follow an arc: with its front handle at s = {s} m its link "

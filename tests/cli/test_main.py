@@ -194,6 +194,7 @@ def test_files_are_written_once_and_again_only_when_forced(
         (["motion", "spiral-in", "--at", "3", "--set", "x"], 3, "expected KEY=VALUE"),
         (["motion", "spiral-in", "--at", "3", "--set", "route.pitch=-1"], 3, "more than 0.0"),
         (["motion", "nowhere", "--at", "3"], 3, "there is no plan nowhere"),
+        (["check", "spiral-in", "--set", "route.pitch=1.7"], 4, "by disc.radius or walk.end"),
         (["motion", "spiral-in", "--at", "500"], 4, "past the end of the route"),
         (["motion", "spiral-in", "--at", "0..300"], 2, "rows are too many for a screen"),
         (["motion", "spiral-in", "--at", "3", "--leader", "x"], 2, "Invalid value for '--leader'"),

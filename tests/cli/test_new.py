@@ -3,6 +3,7 @@
 import os
 import pty
 import re
+import shlex
 import subprocess
 import sys
 from contextlib import suppress
@@ -17,6 +18,7 @@ from benchdragon.explain.proposal import proposal_lines
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.proposal import Proposal, propose
 from benchdragon.solve.wishes import Wishes
+from tests.cli.verbs import VERBS
 
 END_OF_INPUT = "\x04"
 # In the order of the questions: benches, length, width, head, holes, square, bearers, beside, speeds,
@@ -168,6 +170,15 @@ def test_what_does_not_fit_is_asked_again_alone_and_the_other_answers_stay(tmp_p
         assert benches == most if n == 2 else 2 <= benches <= most
 
 
+def test_a_square_without_the_ground_for_the_benches_is_asked_again(tmp_path: Path) -> None:
+    first = ["24", "1.5m", "15cm", "2", "", "1x1", "", "beside", "", "", "", ""]
+    again = "\n22x22\n" + END_OF_INPUT
+    code, shown = asked(tmp_path, "".join(f"{answer}\n" for answer in first) + again)
+    assert code == 0, shown
+    assert "24 benches do not fit on this square, however they dance" in shown
+    assert shown.count("Proposed:") == 1
+
+
 def test_a_refusal_names_walking_under_the_benches_where_that_fits(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -187,6 +198,9 @@ def test_a_radius_may_be_told_as_the_question_shows_it_and_names_are_quoted(
     assert run(["new", "-o", "n $m.dragon.toml", *line, "--carry", "under", "--quiet"]) == 0
     out = capsys.readouterr().out
     assert "benchdragon view 'n $m.dragon.toml' -o 'n $m.html'" in out
+    following = out[out.index("Next:") :].splitlines()[1:]
+    for words in (shlex.split(line, comments=True) for line in following):
+        assert VERBS[words[1]].make_context(words[1], words[2:])
     assert run(["new", "-o", "o.dragon.toml", *line[:-1], "wide", "--quiet"]) == 2
     assert "--radius: expected a length" in capsys.readouterr().err
 

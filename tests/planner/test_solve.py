@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from benchdragon.analysis.check import check
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, NoSolutionError
 from benchdragon.explain.proposal import proposal_lines, refusal_lines
 from benchdragon.i18n import spoken_in
 from benchdragon.inlining import chinese
@@ -204,6 +204,17 @@ def test_memory_is_given_back() -> None:
     (said,) = asked("solve_plans.mjs", {"asked": [question], "rounds": 6})
     assert said["bytes"][-1] == said["bytes"][1]
     assert said["held"] == 0
+
+
+NO_GROUND = [{"benches": 200, "rectangle": [4, 4]}, {"rectangle": [1, 1.2]}]
+
+
+@pytest.mark.parametrize("few", NO_GROUND)
+def test_the_page_refuses_what_has_no_ground_as_python_does(few: dict[str, Any]) -> None:
+    wishes = YARD | few
+    with pytest.raises(NoSolutionError) as refused:
+        propose(Wishes(**{key: _tuples(value) for key, value in wishes.items()}))
+    assert told("propose", wishes, "en")["error"] == str(refused.value)
 
 
 YARD: dict[str, Any] = {"benches": 9, "length": 1.5, "width": 0.15, "rectangle": [16, 15]}

@@ -2,11 +2,13 @@
 
 import random
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
 from benchdragon.analysis.check import check
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, NoSolutionError, UnsureError
+from benchdragon.solve import proposal
 from benchdragon.solve.course import course_of
 from benchdragon.solve.proposal import Proposal, TooSmall, propose
 from benchdragon.solve.wishes import Wishes
@@ -39,6 +41,40 @@ def test_a_square_that_is_too_small_is_refused_and_the_one_it_names_is_not() -> 
     found = propose(replace(SMALL, rectangle=(6.0, 6.0)))
     assert isinstance(found, TooSmall)
     assert isinstance(propose(replace(SMALL, rectangle=None, radius=found.radius)), Proposal)
+
+
+CROOKED = ((0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (1.0, 1.0), (1.0, 4.0), (0.0, 4.0))  # 7 m²
+
+
+@pytest.mark.parametrize(
+    ("square", "most"),
+    [({"rectangle": (4.0, 4.0)}, 143), ({"radius": 2.0}, 111), ({"boundary": CROOKED}, 63)],
+)
+def test_benches_that_need_more_ground_than_there_is_are_refused_without_a_search(
+    square: dict[str, Any], most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every second bench alone takes more: so many are still searched for, and one more is not."""
+    monkeypatch.setattr(proposal, "_tried", found_nothing)
+    for benches in (most + 1, 200):
+        with pytest.raises(NoSolutionError, match=f"enough for {most} benches at most"):
+            propose(Wishes(benches, 1.5, 0.15, **square))
+    with pytest.raises(UnsureError):
+        propose(Wishes(most, 1.5, 0.15, **square))
+
+
+def found_nothing(*_asked: object) -> object:
+    """What a search comes to that found a dance for the square, which did not pass the check."""
+    return proposal._Tried(None, True)
+
+
+def test_a_bench_that_is_longer_than_the_square_is_across_is_refused_without_a_search(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(proposal, "_tried", found_nothing)
+    with pytest.raises(NoSolutionError, match=r"a bench of 5.1 m .* which is 5.00 m across"):
+        propose(Wishes(2, 1.5, 0.15, head_length=5.1, rectangle=(3.0, 4.0)))
+    with pytest.raises(UnsureError):
+        propose(Wishes(2, 1.5, 0.15, head_length=5.0, rectangle=(3.0, 4.0)))
 
 
 def test_a_head_slows_down_where_benches_behind_would_be_too_fast() -> None:

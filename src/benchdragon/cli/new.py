@@ -15,13 +15,12 @@ from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import file_option, output_option, take, verb
 from benchdragon.cli.parsing import check_ending
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, NoSolutionError
 from benchdragon.i18n import N_, _, language
 from benchdragon.plans.answers import QUESTIONS, Question, count_in, wished
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
-    from benchdragon.solve.proposal import TooSmall
     from benchdragon.solve.wishes import Wishes
 
 
@@ -91,8 +90,16 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
 
     while True:
         wishes = replace(_wishes(said, options["kind"], roster, given), obstacles=standing)
+        try:
+            with shown_progress(quiet) as progress:
+                found = propose(wishes, progress=progress)
+        except NoSolutionError as error:
+            if not sys.stdin.isatty():
+                raise
+            click.echo(str(error), err=True)
+            given |= _asked_again(said, under=False, benches=0)
+            continue
         with shown_progress(quiet) as progress:
-            found = propose(wishes, progress=progress)
             out = isinstance(found, TooSmall) or wishes.kind or found.plan.route.kind == "turn"
             again = 0 if out else benches_out_again(wishes, progress=progress)
         if not isinstance(found, TooSmall):
@@ -100,7 +107,7 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
         click.echo(("" if language() == "zh" else " ").join(refusal_lines(wishes, found)), err=True)
         if not sys.stdin.isatty():
             return NO_SOLUTION
-        given |= _asked_again(said, found)
+        given |= _asked_again(said, under=found.under, benches=found.benches)
     write_whole(output, _text(found.plan, wishes, given))
     click.echo(_("Proposed:"))
     for line in proposal_lines(found, wishes, again):
@@ -150,9 +157,9 @@ def _standing(plan: str | None) -> tuple[dict[str, Any], ...]:
     return () if plan is None else tuple(read_plan(plan).data().get("obstacle", ()))
 
 
-def _asked_again(said: dict[str, Any], found: "TooSmall") -> set[str]:
+def _asked_again(said: dict[str, Any], *, under: bool, benches: int) -> set[str]:
     """Ask which answer is to change, and its question again; the names of what was changed."""
-    usual = {"carry": "2" if found.under else "", "benches": str(found.benches or "")}
+    usual = {"carry": "2" if under else "", "benches": str(benches or "")}
     first = [name for name, text in usual.items() if text] + ["square"]
     named = {one.name: one for one in QUESTIONS}
     offered = [named[name] for name in dict.fromkeys((*first, *named))]
@@ -278,7 +285,7 @@ def _print_next(output: Path) -> None:
     click.echo(_("Next:"))
     for command, text in (
         (f"benchdragon view {name} -o {shown}", _("see it walk")),
-        (f"benchdragon check {name} --record", _("check it again after each change")),
+        (f"benchdragon check {name}", _("check it again after each change")),
         (f"benchdragon sheets {name} -o sheets", _("papers for everyone")),
     ):
         click.echo(f"  {command}  # {text}")

@@ -13,7 +13,7 @@ from benchdragon import budget
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.check import checked as judged
 from benchdragon.analysis.room import with_people
-from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
+from benchdragon.errors import InputError, NoSolutionError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import _
 from benchdragon.plans.answers import MOST_BEARERS, MOST_BENCHES
 from benchdragon.plans.schema import Plan, checked
@@ -133,6 +133,7 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     Raises:
         InputError: if `wishes` is not a Wishes, for a square that is missing or given twice, and for
             sizes that no dance can have.
+        NoSolutionError: if the benches themselves need more ground than there is, or one is longer.
         UnsureError: if what fits the square does not pass the check.
         PlanError: for sizes of which no dragon can be built, and for obstacles that cannot be.
 
@@ -143,6 +144,7 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     """
     of_kind("wishes", wishes, Wishes)
     _refuse(wishes)
+    _refuse_ground(wishes)
     tried = _tried(wishes, ROUNDS, progress)
     if tried.found is not None:
         return tried.found
@@ -275,6 +277,32 @@ def _refuse(wishes: Wishes) -> None:
     if behind * ELBOWS > wishes.length:
         text = _("a bench of {length} m has no room for {count} bearers behind one another")
         raise InputError(text.format(length=f"{wishes.length:g}", count=behind))
+
+
+def _refuse_ground(wishes: Wishes) -> None:
+    """Refuse benches that cannot stand on the square however they dance, without any search.
+
+    No two of them overlap that have one between them, so that every second one has ground of its own;
+    and none is longer than the box about the square is from corner to corner.
+    """
+    wishes.plan(_kinds(wishes)[0], 1.0, 1.0, AHEAD[-1])  # reports sizes that cannot be
+    corners = wishes.corners
+    turns = zip(corners, (*corners[1:], corners[0]), strict=True)
+    area = 0.5 * abs(sum(x * to_y - y * to_x for (x, y), (to_x, to_y) in turns))
+    bench = wishes.length * wishes.width
+    if wishes.benches // 2 * bench > area:
+        text = _(
+            "{count} benches do not fit on this square, however they dance: every second one alone "
+            "takes {needed} m² in all, and the square has {area} m², enough for {most} benches at most"
+        )
+        needed, most = wishes.benches // 2 * bench, 2 * int(area / bench) + 1
+        words = {"needed": f"{needed:.1f}", "area": f"{area:.1f}", "most": most}
+        raise NoSolutionError(text.format(count=wishes.benches, **words))
+    across = math.hypot(*(max(sides) - min(sides) for sides in zip(*corners, strict=True)))
+    longest = max(wishes.length, wishes.head_length)
+    if longest > across:
+        text = _("a bench of {length} m does not fit on this square, which is {across} m across")
+        raise NoSolutionError(text.format(length=f"{longest:g}", across=f"{across:.2f}"))
 
 
 def _begun(plan: Plan, rounds: float) -> Plan:

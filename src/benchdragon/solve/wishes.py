@@ -1,7 +1,7 @@
 """What a village asks for: its benches, its people, its square; and the plan of a dance for it."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -100,9 +100,15 @@ class Wishes:
         """The edge of the square, as a plan has it."""
         if self.rectangle is not None:
             return {"rectangle": list(self.rectangle)}
-        if self.boundary is not None:
-            return {"boundary": [list(corner) for corner in self.boundary]}
-        return {"boundary": _round(self.radius or 0.0)}
+        return {"boundary": [list(corner) for corner in self.corners]}
+
+    @property
+    def corners(self) -> Sequence[Point]:
+        """The corners of the square's edge, in order, m."""
+        if self.rectangle is not None:
+            length, width = self.rectangle
+            return [(0.0, 0.0), (length, 0.0), (length, width), (0.0, width)]
+        return _round(self.radius or 0.0) if self.boundary is None else self.boundary
 
     def plan(self, kind: Kind, pitch: float, disc: float, ahead: float) -> Plan:
         """The plan of a dance about the middle of its square, with so much room before the head, m."""
@@ -132,12 +138,12 @@ class Wishes:
         return checked(said, NAME)
 
 
-def _round(radius: float) -> list[list[float]]:
+def _round(radius: float) -> list[Point]:
     """The corners of a round square, to a millimetre, m."""
     angles = [2.0 * math.pi * n / CORNERS for n in range(CORNERS)]
     # + 0.0 makes -0.0 a 0.0
     return [
-        [round(radius * math.cos(angle), 3) + 0.0, round(radius * math.sin(angle), 3) + 0.0]
+        (round(radius * math.cos(angle), 3) + 0.0, round(radius * math.sin(angle), 3) + 0.0)
         for angle in angles
     ]
 

@@ -2,7 +2,7 @@
 // Made from solve/proposal.py by tools/make_twins.py; to make it again: make generate
 
 import { withPeople } from "../compute/dragon.js";
-import { InputError, PlanError, UnsureError } from "../compute/error_kinds.js";
+import { InputError, NoSolutionError, PlanError, UnsureError } from "../compute/error_kinds.js";
 import { checked } from "../compute/plan.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
@@ -65,6 +65,7 @@ export async function propose(wishes, progress = silent) {
   return py.scoped(async () => {
     let least, smallest, tried;
     _refuse(wishes);
+    _refuseGround(wishes);
     tried = (await _tried(wishes, ROUNDS, progress));
     if ((tried.found != null)) {
       return tried.found;
@@ -190,6 +191,26 @@ function _refuse(wishes) {
   if (((behind * ELBOWS) > wishes.length)) {
     text = _("a bench of {length} m has no room for {count} bearers behind one another");
     throw new InputError(py.filled(text, { length: `${py.format(wishes.length, `g`)}`, count: behind }));
+  }
+}
+function _refuseGround(wishes) {
+  let across, area, bench, corners, longest, most, needed, text, turns, words;
+  wishes.plan(py.at(_kinds(wishes), 0), 1.0, 1.0, py.at(AHEAD, -1));
+  corners = wishes.corners;
+  turns = py.zip(corners, [...py.iter(py.slice(corners, 1, null)), py.at(corners, 0)]);
+  area = (0.5 * py.abs(py.sum(py.list(turns).map(([[x, y], [toX, toY]]) => py.sub((x * toY), (y * toX))))));
+  bench = (wishes.length * wishes.width);
+  if (((py.div(wishes.benches, 2) * bench) > area)) {
+    text = _("{count} benches do not fit on this square, however they dance: every second one alone takes {needed} m² in all, and the square has {area} m², enough for {most} benches at most");
+    [needed, most] = py.list([(py.div(wishes.benches, 2) * bench), ((2 * py.int((area / bench))) + 1)]);
+    words = py.dict([["needed", `${py.format(needed, `.1f`)}`], ["area", `${py.format(area, `.1f`)}`], ["most", most]]);
+    throw new NoSolutionError(py.filled(text, { count: wishes.benches, ...py.object(words) }));
+  }
+  across = py.hypot(...py.iter(py.list(py.zip(...py.iter(corners))).map((sides) => py.sub(py.max(sides), py.min(sides)))));
+  longest = py.max(wishes.length, wishes.head_length);
+  if ((longest > across)) {
+    text = _("a bench of {length} m does not fit on this square, which is {across} m across");
+    throw new NoSolutionError(py.filled(text, { length: `${py.format(longest, `g`)}`, across: `${py.format(across, `.2f`)}` }));
   }
 }
 function _begun(plan, rounds) {

@@ -59,10 +59,15 @@ export class Wishes {
     if ((this.rectangle != null)) {
       return py.dict([["rectangle", py.list(this.rectangle)]]);
     }
-    if ((this.boundary != null)) {
-      return py.dict([["boundary", py.list(this.boundary).map((corner) => py.list(corner))]]);
+    return py.dict([["boundary", py.list(this.corners).map((corner) => py.list(corner))]]);
+  }
+  get corners() {
+    let length, width;
+    if ((this.rectangle != null)) {
+      [length, width] = py.list(this.rectangle);
+      return [[0.0, 0.0], [length, 0.0], [length, width], [0.0, width]];
     }
-    return py.dict([["boundary", _round(py.or(this.radius, () => 0.0))]]);
+    return ((this.boundary == null) ? _round(py.or(this.radius, () => 0.0)) : this.boundary);
   }
   plan(kind, pitch, disc, ahead) {
     let data, people, said, sources, title;
