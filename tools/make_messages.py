@@ -72,9 +72,9 @@ def verb_messages(source: Path) -> Iterator[str]:
     """The help of the command line's verbs: what their functions say of themselves."""
     for node in ast.walk(ast.parse(source.read_text("utf-8"))):
         if isinstance(node, ast.FunctionDef):
-            marks = {ast.unparse(mark) for mark in node.decorator_list}
-            if marks & {"verb", "program.command()"}:
-                yield paragraphs(ast.get_docstring(node) or "")
+            said = ast.get_docstring(node)
+            if said and any(ast.unparse(mark).startswith("verb(") for mark in node.decorator_list):
+                yield paragraphs(said)
 
 
 def extracted(package: Path = PACKAGE) -> Iterator[MessageId]:

@@ -1,10 +1,12 @@
 """All errors in words: checks of input, and Status -> advice."""
 
+import difflib
 import errno
 import math
+import re
 import signal
 import socket
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from operator import index
 from typing import Any
@@ -13,8 +15,8 @@ from benchdragon.hosts.trouble import EngineError, Trouble
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.status import Status
 
-# Signs of a wrong value that are shown.
-MOST_SHOWN = 80
+# Signs of a wrong value that are shown, and names that may have been meant.
+MOST_SHOWN, MOST_MEANT = 80, 3
 
 
 class BenchDragonError(Exception):
@@ -182,6 +184,22 @@ def advice(error: WalkError) -> str:
         when = _("at t = {t} s").format(t=f"{error.t:.6g}")
     text = _(ADVICE[error.status])
     return text.format(when=when, bench=error.bench, s=f"{error.s:.6g}", size=error.size)
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """What a half or mistyped word may have meant: "; did you mean route.pitch?", or nothing.
+
+    A name is meant by a whole part of it, by how one begins, or by most signs of one, in this order.
+    """
+    low = word.casefold().lstrip("-")
+    parts = {name: {name.casefold(), *re.split(r"[-./ ]+", name.casefold())} - {""} for name in known}
+    found = [name for name, of in parts.items() if low in of]
+    found = found or [name for name, of in parts.items() if low and any(p.startswith(low) for p in of)]
+    if not found:
+        near = difflib.get_close_matches(low, set[str]().union(*parts.values()), 1)
+        found = [name for name, of in parts.items() if not of.isdisjoint(near)]
+    names = _(", or ").join(found[:MOST_MEANT])
+    return _("; did you mean {name}?").format(name=names) if found else ""
 
 
 ENGINE_ADVICE = {

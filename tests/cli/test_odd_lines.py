@@ -43,6 +43,8 @@ LINES = {
     "formations": ["formations"],
     "schema": ["schema"],
     "doctor": ["doctor"],
+    "help": ["help"],
+    "completion": ["completion"],
     "plan": ["plan", "PLAN"],
     "new": [
         "new",
@@ -125,6 +127,7 @@ MORE = [
     ["solve", "pitch", "turn", "--range", "x"], ["solve", "speed", "turn", "--pace", "x"],
     ["margins", "turn", "-o", "/dev/null/x"], ["reproduce", "-o", "/dev/null/x"],
     ["doctor", "x"], ["schema", "x"], ["formations", "x"],
+    ["completion"], ["completion", "csh"], ["help", "chek"],
     ["motion", "/dev/null", "--at", "3"], ["motion", "/", "--at", "3"],
     ["motion", "x" * 5000, "--at", "3"],
     ["motion", "", "--at", "3"], ["view", "turn", "-o", ""],

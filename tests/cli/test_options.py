@@ -295,7 +295,7 @@ CASES: dict[str, Case] = {
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
             *(AREA, TIMES, SURVEY, PROPOSED, PLANNER),
-            *(["doctor"], ["plan"], ["formations"], ["schema"]),
+            *(["doctor"], ["plan"], ["formations"], ["schema"], ["help", "check"]),
         )
     },
     **{

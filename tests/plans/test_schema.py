@@ -70,7 +70,7 @@ def test_a_quantity_without_a_known_unit_is_refused(text: str) -> None:
     [
         ("dragon.bences=3", "dragon.bences is not a known key; did you mean dragon.benches?"),
         ("route.pitc=3", "route.pitc is not a known key; did you mean route.pitch?"),
-        ("wak.speed=3", "wak is not a known key; did you mean walk?"),
+        ("wak.speed=3", "wak.speed is not a known key; did you mean walk.speed?"),
         ("route.pitch=-1", "route.pitch: expected more than 0.0, not -1"),
         ("route.pitch=nan", "route.pitch: expected a finite number, not NaN"),
         ("route.pitch=inf", "route.pitch: expected a finite number, not Infinity"),

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
 
 
-@verb
+@verb("animate turn -o turn.mp4 --start -5 --end 20")
 @take("plan")
 @output_option(N_("File to write: .mp4, .gif, .png, .svg or .pdf."))
 @take("span")
@@ -70,9 +70,8 @@ if TYPE_CHECKING:
 def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """The dance as a film, a still, or a sheet of stills; the name of the file says which.
 
-    turn.mp4 or turn.gif is a film; turn.png, turn.svg or turn.pdf a still, or with --sheet many of them
-    side by side. PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists
-    them. For example: benchdragon animate turn -o turn.mp4 --start -5 --end 20
+    turn.mp4 or turn.gif is a film; turn.png, turn.svg or turn.pdf a still, or with --sheet many of
+    them side by side.
     """
     path: Path = options["output"]
     kind = path.suffix[1:]

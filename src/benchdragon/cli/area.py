@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
 
 
-@verb
+@verb("area turn -o turn.pdf --margin 2 --scale 1:200 --paper A3")
 @take("plan")
 @output_option(
     N_("File to write: .svg or .pdf, to scale; .dxf for CAD; .geojson. Default: numbers alone."),
@@ -62,9 +62,6 @@ DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
 def area(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """The ground that a dance covers: its area, its widest place, the spectators' line, drawings to
     scale.
-
-    PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists them. For
-    example: benchdragon area turn -o turn.pdf --margin 2 --scale 1:200 --paper A3
     """
     files = _files(options["output"], options["formats"])
     kinds = {path.suffix[1:] for path in files}

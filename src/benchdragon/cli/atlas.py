@@ -11,7 +11,7 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 
 
-@verb
+@verb("atlas out/pitch out/width -o atlas.html")
 @click.argument("folders", metavar="FOLDERS", nargs=-1, required=True)
 @output_option(N_("The file to write, for example atlas.html."))
 @take("force", "shared")

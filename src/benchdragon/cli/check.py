@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from benchdragon.progress import Progress
 
 
-@verb
+@verb("check spiral-in --set disc.radius=4.5 --explain")
 @take("plan", "prove")
 @click.option(
     "--prove-all",
@@ -41,12 +41,11 @@ if TYPE_CHECKING:
 @click.option("--show-plan", is_flag=True, help=N_("Print the plan in effect too, as a plan file."))
 @take("json", "brackets", "explain", "shared")
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Whether a walk is safe: no benches touch, margin and limits are kept, and all of the dance stays
-    in the venue and touches no obstacle.
+    """Whether a walk is safe: no benches touch, margin and limits are kept, and all of the dance
+    stays in the venue and touches no obstacle.
 
-    PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists them. Each
-    finding has a code, such as BD303: the manual says what it means and what to do. Exit code 0: safe;
-    1: not; 4: it cannot be walked; 5: undecided.
+    Each finding has a code, such as BD303: the manual says what it means and what to do. Exit code 0:
+    safe; 1: not; 4: it cannot be walked; 5: undecided.
     """
     from benchdragon.analysis.check import check as checked
     from benchdragon.explain.contact import check_lines

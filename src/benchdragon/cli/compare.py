@@ -23,14 +23,13 @@ if TYPE_CHECKING:
     from benchdragon.paper.grading import Grade
 
 
-@verb
+@verb("starter -o contest.py")
 @output_option(N_("The file to write: a script, contest.py, or a notebook, contest.ipynb."))
 @take("force", "shared")
 def starter(output: Path, force: bool, quiet: bool) -> int:
     """Write a skeleton of the contest's five questions, to be filled in and graded.
 
-    It runs as it is: what is yet to be computed is marked by TODO, and each part grades itself. For
-    example: benchdragon starter -o contest.py.
+    It runs as it is: what is yet to be computed is marked by TODO, and each part grades itself.
     """
     del quiet
     from benchdragon.files import refuse_existing, write_whole
@@ -43,7 +42,7 @@ def starter(output: Path, force: bool, quiet: bool) -> int:
     return 0
 
 
-@verb
+@verb("compare result1.xlsx pitch=0.45")
 @click.argument("given", metavar="FILE|TASK=NUMBER...", nargs=-1, required=True)
 @click.option(
     "--as",
@@ -65,8 +64,8 @@ def compare(
 
     FILE is an .xlsx workbook in the layout of the contest's templates; each cell is compared with the
     exact value. TASK=NUMBER is an answer to a question or an exercise: contact=412.5, pitch=0.45,
-    turn-length=13.6, head-speed=1.2. For example: benchdragon compare result1.xlsx pitch=0.45. Exit
-    code 0: all of it agrees; 1: something does not, or cells are empty.
+    turn-length=13.6, head-speed=1.2. Exit code 0: all of it agrees; 1: something does not, or cells
+    are empty.
     """
     del quiet
     from benchdragon.paper.compare import compare as compared

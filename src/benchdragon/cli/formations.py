@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from benchdragon.model.formations import Formation
 
 
-@verb
+@verb("formations")
 @take("json", "shared")
 def formations(as_json: bool, quiet: bool) -> int:
     """The formations that plans can name: Chinese name, pinyin, sizes by default, and source.

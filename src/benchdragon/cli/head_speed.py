@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from benchdragon.solve.head_speed import Pace
 
 
-@verb
+@verb("solve speed turn --set limits.speed=1.5")
 @take("plan")
 @file_option(
     "--pace",
@@ -37,9 +37,8 @@ if TYPE_CHECKING:
 def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """The greatest constant head speed that keeps the plan's limits.
 
-    PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists them. It must
-    limit speeds, accelerations or turning rates: --set limits.speed=2, for example. Exit code 4: it
-    cannot be walked; 5: undecided.
+    The plan must limit speeds, accelerations or turning rates: --set limits.speed=2, for example.
+    Exit code 4: it cannot be walked; 5: undecided.
     """
     path: Path | None = options["pace"]
     not_with("--pace", path is not None, "prove")

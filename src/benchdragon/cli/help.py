@@ -1,13 +1,15 @@
-"""How click's help is shown: in the language in use, Chinese signs in two columns, verbs in order."""
+"""How click's help is shown: in the language in use, Chinese signs in two columns, verbs in groups."""
 
 import copy
-from collections.abc import Iterable
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
 from inspect import cleandoc
 from typing import Any
 from unicodedata import east_asian_width
 
 import click
 
+from benchdragon.errors import did_you_mean
 from benchdragon.i18n import N_, _
 
 PAD = "\0"
@@ -51,22 +53,47 @@ def paragraphs(said: str) -> str:
 
 
 class Verb(click.Command):
-    """A command whose help is what its function says of itself, to be translated."""
+    """A command whose help is what its function says of itself, to be translated, and an example."""
 
-    def __init__(self, *args: Any, **more: Any) -> None:
+    def __init__(self, *args: Any, example: str = "", **more: Any) -> None:
         super().__init__(*args, **more)
-        self.help = paragraphs(self.help or "")
+        self.help, self.example = paragraphs(self.help or ""), example
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write what PLAN is, the options, and the example, which can be pasted as it is broken."""
+        if any(parameter.name == "plan" for parameter in self.params):
+            text = _("PLAN is a *.dragon.toml file, or a built-in plan: benchdragon plan lists them.")
+            formatter.write_paragraph()
+            with formatter.indentation():
+                formatter.write_text(text)
+        super().format_options(ctx, formatter)
+        if self.example:
+            lines = textwrap.wrap(
+                f"benchdragon {self.example}", formatter.width - 6, subsequent_indent="  ",
+                break_on_hyphens=False, break_long_words=False,
+            )  # fmt: skip
+            with formatter.section(_("Example")):
+                formatter.write("".join(f"  {line}\n" for line in " \\\n".join(lines).split("\n")))
 
 
 class HelpfulGroup(click.Group):
-    """Verbs in the order they were written, and named where one is called that is not there."""
+    """Verbs under the titles of `titled`, and named where one is called that is not there."""
 
-    command_class = Verb
+    titled: Mapping[str, Sequence[click.Command]] = {}
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Names of the verbs."""
         del ctx
         return list(self.commands)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the verbs, a section each title."""
+        if not self.titled:
+            super().format_commands(ctx, formatter)
+        for title, verbs in self.titled.items():
+            rows = [(str(verb.name), self.commands[str(verb.name)].short_help or "") for verb in verbs]
+            with formatter.section(_(title)):
+                formatter.write_dl(rows)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -76,13 +103,28 @@ class HelpfulGroup(click.Group):
         Raises:
             click.UsageError: if there is no such verb.
         """
-        try:
-            return super().resolve_command(ctx, args)
-        except click.NoSuchOption:
-            raise
-        except click.UsageError as error:
-            known = _("Known: {names}.").format(names=", ".join(self.commands))
-            raise click.UsageError(f"{error.format_message()} {known}", ctx) from None
+        name = args[0]
+        if name not in self.commands and not name.startswith("-") and not ctx.resilient_parsing:
+            inner = (
+                f"{above} {one}"
+                for above, group in self.commands.items()
+                for one in getattr(group, "commands", ())
+            )
+            hint = did_you_mean(name, self.commands) or did_you_mean(name, inner)
+            hint = hint or _("; known: {names}").format(names=", ".join(self.commands))
+            raise click.UsageError(_("there is no command {name}").format(name=name) + hint, ctx)
+        return super().resolve_command(ctx, args)
+
+
+def sentence(error: click.ClickException) -> str:
+    """What is wrong with a command line, in one sentence, and where its help is."""
+    text, context = error.format_message(), getattr(error, "ctx", None)
+    if isinstance(error, click.NoSuchOption) and context is not None:
+        known = [name for one in context.command.params for name in one.opts if name.startswith("--")]
+        text = _("there is no option {name}").format(name=error.option_name)
+        text += did_you_mean(error.option_name, known)
+    help_at = "" if context is None else f" ({context.command_path} --help)"
+    return text.rstrip(".。") + help_at
 
 
 def translated(command: click.Command) -> click.Command:

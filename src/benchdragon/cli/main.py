@@ -29,9 +29,9 @@ from benchdragon.cli.console import (
     shown_progress,
 )
 from benchdragon.cli.formations import formations
-from benchdragon.cli.help import HelpfulGroup, translated
+from benchdragon.cli.help import HelpfulGroup, sentence, translated
 from benchdragon.cli.new import new
-from benchdragon.cli.options import files_option, folder_option, only_with, plan_to_walk, take
+from benchdragon.cli.options import files_option, folder_option, only_with, plan_to_walk, take, verb
 from benchdragon.cli.parsing import (
     PICTURE_FORMATS,
     TABLE_FORMATS,
@@ -43,6 +43,7 @@ from benchdragon.cli.parsing import (
 from benchdragon.cli.plan import plan, schema
 from benchdragon.cli.planner import planner
 from benchdragon.cli.sheets import sheets
+from benchdragon.cli.shell import completion, help_
 from benchdragon.cli.solve import solve
 from benchdragon.cli.survey import survey
 from benchdragon.cli.sweep import sweep
@@ -89,13 +90,15 @@ PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
     context_settings={"help_option_names": ["-h", "--help"]},
     help=N_("Where every handle of a bench dragon is, and how fast, on any route."),
 )
-@click.version_option(__version__, prog_name="benchdragon", help=N_("Show the version and exit."))
+@click.version_option(
+    __version__, "-V", "--version", prog_name="benchdragon", help=N_("Show the version and exit.")
+)
 @take("lang")
 def program() -> None:
     """Hold the verbs."""
 
 
-@program.command()
+@verb("reproduce -o out")
 @folder_option(Path("out"))
 @click.option(
     "--docs",
@@ -127,7 +130,7 @@ def reproduce(
     return 0
 
 
-@program.command()
+@verb("motion spiral-in --at 0..300..10 -o out/spiral")
 @take("plan")
 @click.option(
     "--at",
@@ -171,10 +174,7 @@ def reproduce(
 )  # fmt: skip
 @take("explain", "shared")
 def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Position and speed of every handle at chosen times.
-
-    PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan lists them.
-    """
+    """Position and speed of every handle at chosen times."""
     _refuse_strays(options)
     from benchdragon.export.tables import Selection
 
@@ -191,14 +191,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for one in (
-    new, check, solve, margins, sweep, atlas, survey, starter, compare, view, planner, animate, area,
-    timetable, sheets, plan, formations, schema, verify,
-):  # fmt: skip
-    program.add_command(one)
-
-
-@program.command()
+@verb("doctor")
 @take("json", "shared")
 def doctor(as_json: bool, quiet: bool) -> int:
     """Versions, fonts, cache folder, and what else is there to work with."""
@@ -215,6 +208,20 @@ def doctor(as_json: bool, quiet: bool) -> int:
         for line in advice():
             click.echo(line)
     return 0
+
+
+program.titled = {
+    N_("Plans"): (new, plan, planner, formations, schema, survey),
+    N_("Judge"): (check, solve, margins, verify),
+    N_("Look"): (motion, view, animate, area),
+    N_("Papers"): (sheets, timetable),
+    N_("Research"): (sweep, atlas),
+    N_("Contest"): (starter, compare, reproduce),
+    N_("Help"): (help_, doctor, completion),
+}
+for verbs in program.titled.values():
+    for one in verbs:
+        program.add_command(one)
 
 
 def _refuse_strays(options: dict[str, Any]) -> None:
@@ -398,10 +405,12 @@ def run(arguments: Sequence[str]) -> int:
             )
         sys.stdout.flush()
         return code if isinstance(code, int) else 0
-    except click.ClickException as error:
+    except click.exceptions.NoArgsIsHelpError as error:
         with suppress(OSError):  # there is no reader any more
             error.show()
         return error.exit_code
+    except click.ClickException as error:
+        return _failed(sentence(error), error.exit_code)
     except BenchDragonError as error:
         return _failed(str(error), error.exit_code)
     except EngineError as error:
@@ -411,8 +420,8 @@ def run(arguments: Sequence[str]) -> int:
         _say(_("interrupted; nothing half-written is left"))
         number = getattr(error.__cause__ or error, "args", ())
         return 128 + number[0] if number else INTERRUPTED
-    except SystemExit:  # so click ends where a pipe is closed
-        return NOBODY_READS
+    except SystemExit as ended:  # so click ends what a shell completes, and where a pipe is closed
+        return NOBODY_READS if ended.code else 0
     except OSError as error:
         if pipe_closed(error):
             return NOBODY_READS

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from benchdragon.solve.wishes import Wishes
 
 
-@verb
+@verb("new -o village.dragon.toml --benches 60 --bench-length 1.5m --bench-width 15cm --square 30x20")
 @output_option(N_("The plan file to write, for example village.dragon.toml."))
 @click.option("--benches", metavar="COUNT", help=N_("How many benches, head and tail included."))
 @click.option("--bench-length", metavar="LENGTH", help=N_("Length of a bench: 1.5m or 150cm."))
@@ -73,9 +73,7 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
     """Propose a plan for your benches and your square.
 
     In a terminal it asks for what is not given. It finds pitch, disc, speed and place so that bearers
-    have room, writes the plan and prints its check. For example: benchdragon new -o village.dragon.toml
-    --benches 60 --bench-length 1.5m --bench-width 15cm --square 30x20. Exit code 4: the dance does not
-    fit.
+    have room, writes the plan and prints its check. Exit code 4: the dance does not fit.
     """
     from benchdragon.files import refuse_existing, write_whole
 

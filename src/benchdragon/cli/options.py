@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.core import ParameterSource
 
+from benchdragon.cli.completed import keys, plans
 from benchdragon.cli.help import Verb
 from benchdragon.errors import InputError
 from benchdragon.i18n import LANGUAGES, N_, _
@@ -39,9 +40,9 @@ class NamedPath(click.Path):
 FILE, FOLDER = NamedPath(folder=False), NamedPath(folder=True)
 
 
-def verb(function: Command) -> click.Command:
-    """A verb of the command line, whose help is what the function says of itself."""
-    return click.command(cls=Verb)(function)
+def verb(example: str, **more: str) -> Callable[[Command], click.Command]:
+    """A verb of the command line with an example; its help is what the function says of itself."""
+    return click.command(cls=Verb, example=example, **more)
 
 
 def together(*options: Decorator) -> Decorator:
@@ -71,6 +72,7 @@ _set = click.option(
     "settings",
     multiple=True,
     metavar="KEY=VALUE",
+    shell_complete=keys,
     help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
 )
 # What several verbs take, by the name under which `take` knows it; `parsing.parse_span` reads the span.
@@ -78,8 +80,10 @@ COMMON: dict[str, Decorator] = {
     "lang": _lang,
     "shared": together(_lang, flag("--quiet", N_("No progress and no talk on standard error."))),
     "set": _set,
-    "plan": together(click.argument("plan", metavar="PLAN"), _set),
-    "maybe a plan": together(click.argument("plan", metavar="[PLAN]", required=False), _set),
+    "plan": together(click.argument("plan", metavar="PLAN", shell_complete=plans), _set),
+    "maybe a plan": together(
+        click.argument("plan", metavar="[PLAN]", required=False, shell_complete=plans), _set
+    ),
     "force": flag("--force", N_("Overwrite files that are there already.")),
     "json": click.option(
         "--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else.")

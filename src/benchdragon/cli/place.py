@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from benchdragon.solve.place import Enough, PlacedDance
 
 
-@verb
+@verb("solve place village.dragon.toml")
 @take("plan")
 @file_option("--plan-file", N_("Write the plan with the place that was found."))
 @take("force", "json", "brackets", "shared")
@@ -37,8 +37,8 @@ def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     """The place on the square where the dance fits best.
 
     It has the most room to the venue's edge and to every obstacle, and is judged as `check` judges:
-    where that finds the dance not safe there, no plan is written, and the exit code is that of `check`.
-    PLAN is a *.dragon.toml file with a [venue]. Exit code 4: no place was found.
+    where that finds the dance not safe there, no plan is written, and the exit code is that of
+    `check`. The plan needs a [venue]. Exit code 4: no place was found.
     """
     from benchdragon.files import refuse_existing
     from benchdragon.solve.place import best_place, enough_room
@@ -108,7 +108,7 @@ def _print_enough(enough: "Enough") -> None:
         click.echo(text.format(count=enough.benches))
 
 
-@verb
+@verb("solve square turn")
 @take("plan")
 @click.option(
     "--error",
@@ -120,8 +120,7 @@ def _print_enough(enough: "Enough") -> None:
 def square(plan: str, settings: tuple[str, ...], quiet: bool, error: float, as_json: bool) -> int:
     """The smallest rectangle and circle that hold the dance.
 
-    All benches are in them from start to end, tail included. PLAN is a *.dragon.toml file or the name
-    of a built-in plan; benchdragon plan lists them.
+    All benches are in them from start to end, tail included.
     """
     from benchdragon.analysis.swept import enclosing
 

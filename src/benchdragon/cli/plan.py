@@ -23,7 +23,7 @@ STATUSES = {
 }
 
 
-@verb
+@verb("plan turn -o my.dragon.toml")
 @take("maybe a plan")
 @output_option(N_("The file to write, for example my.dragon.toml."), required=False)
 @take("force")
@@ -39,9 +39,8 @@ STATUSES = {
 def plan(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print a plan as a plan file, to begin one of your own.
 
-    PLAN is a built-in plan, the contest's or a village's, or a *.dragon.toml file; without it all names
-    are listed, which every command takes. With --set the values that are in effect then, each with what
-    it means. For example: benchdragon plan turn > my.dragon.toml
+    Without PLAN all built-in plans are listed, the contest's and the villages', which every command
+    takes. With --set the values that are in effect then, each with what it means.
     """
     output: Path | None = options["output"]
     only_with("-o", output is not None, "force", "head_speed")
@@ -109,7 +108,7 @@ def _text(name: str, settings: tuple[str, ...]) -> str:
     return f"# {getattr(preset.source, language())}\n{commented(plan.data(), notes)}"
 
 
-@verb
+@verb("schema --table")
 @click.option("--table", is_flag=True, help=N_("Print a table for readers."))
 @take("shared")
 def schema(table: bool, quiet: bool) -> int:

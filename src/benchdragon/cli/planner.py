@@ -10,7 +10,7 @@ from benchdragon.cli.parsing import check_ending
 from benchdragon.i18n import N_
 
 
-@verb
+@verb("planner turn -o planner.html")
 @take("maybe a plan")
 @output_option(N_("The file to write, for example planner.html."), required=False)
 @take("force", "shared")
@@ -20,8 +20,7 @@ def planner(
     """Write the planner: one page on which a dance is planned, judged and watched.
 
     The file needs no network, no server and no program; send it to a phone and open it there. Without
-    -o the browser opens it from a temporary folder. PLAN, a *.dragon.toml file or the name of a
-    built-in plan, is what it begins with.
+    -o the browser opens it from a temporary folder. PLAN is what it begins with.
     """
     from benchdragon.files import refuse_existing
     from benchdragon.planner.page import write_planner

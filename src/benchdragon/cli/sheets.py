@@ -24,7 +24,7 @@ SPEAK_OF = {
 }
 
 
-@verb
+@verb("sheets village.dragon.toml -o papers.html --paper quarter")
 @take("plan")
 @click.option(
     "-o",
@@ -74,9 +74,8 @@ def sheets(
 ) -> int:
     """Write what people hold in their hands: a sheet for each bench, an overview, and more.
 
-    PLAN is a *.dragon.toml file or the name of a built-in plan; only a plan that is safe has papers.
-    The page that is written needs no network; it holds the plan and its list of names. For example:
-    benchdragon sheets village.dragon.toml -o papers.html --paper quarter
+    Only a plan that is safe has papers. The page that is written needs no network; it holds the plan
+    and its list of names.
     """
     from benchdragon.analysis.check import check
     from benchdragon.export.metronome import write_drum

@@ -46,7 +46,7 @@ size_options = together(
 )
 
 
-@verb
+@verb("solve pitch spiral-in --set disc.radius=4.5")
 @take("plan")
 @click.option(
     "--method",
@@ -70,9 +70,8 @@ size_options = together(
 def pitch(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """The smallest pitch of the spiral with which the walk is safe.
 
-    Safe means here: no contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a
-    built-in plan; benchdragon plan lists them. A spiral needs an end: --set disc.radius=4.5, for
-    example. Exit code 4: there is no such pitch; 5: undecided.
+    Safe means here: no contact, and the margin kept. A spiral needs an end: --set disc.radius=4.5,
+    for example. Exit code 4: there is no such pitch; 5: undecided.
     """
     stepped = options["method"] == "traversal"
     not_with("--range", options["span"] is not None, "method")
@@ -85,21 +84,17 @@ def pitch(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 SIZES = {
     "disc": N_(
         "The smallest radius of the disc with which the walk is safe.\n\nSafe means here: no "
-        "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
-        "plan; benchdragon plan lists them. It needs a disc to begin with: --set disc.radius=4.5, for "
+        "contact, and the margin kept. It needs a disc to begin with: --set disc.radius=4.5, for "
         "example. Exit code 4: there is no such radius; 5: undecided."
     ),
     "width": N_(
         "The greatest width of the benches with which the walk is safe.\n\nSafe means here: no "
-        "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
-        "plan; benchdragon plan lists them. A spiral needs an end: --set disc.radius=4.5, for "
-        "example. Exit "
+        "contact, and the margin kept. A spiral needs an end: --set disc.radius=4.5, for example. Exit "
         "code 4: there is no such width; 5: undecided."
     ),
     "length": N_(
         "The greatest length of the benches with which the walk is safe.\n\nSafe means here: no "
-        "contact, and the margin kept. The head's length stays. PLAN is a *.dragon.toml file or "
-        "the name of a built-in plan; benchdragon plan lists them. A spiral needs an end: --set "
+        "contact, and the margin kept. The head's length stays. A spiral needs an end: --set "
         "disc.radius=4.5, for example. Exit code 4: there is no such length; 5: undecided."
     ),
 }
@@ -108,7 +103,7 @@ SIZES = {
 def size_question(name: str) -> click.Command:
     """The question of a size, which has no options of its own."""
 
-    @click.command(name, help=SIZES[name])
+    @verb(f"solve {name} spiral-in --set disc.radius=4.5", name=name, help=SIZES[name])
     @take("plan")
     @size_options
     def asked(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:

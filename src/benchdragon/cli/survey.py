@@ -18,13 +18,13 @@ if TYPE_CHECKING:
     from benchdragon.surveys.fitting import Fit
 
 
-@verb
+@verb("survey field.dragon.toml")
 @take("plan", "json", "shared")
 def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
     """What a drawn route is like: its parts, how near to the drawing it keeps, its tightest bend, and
     which gaps and kinks of the drawing were absorbed.
 
-    PLAN is a *.dragon.toml file whose route has kind = drawn.
+    The plan's route has kind = drawn.
     """
     del quiet
     from benchdragon.plans.routes import DrawnRoute

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from benchdragon.cli.completed import keys
 from benchdragon.cli.console import print_rows, shown_progress
 from benchdragon.cli.options import (
     FOLDER,
@@ -32,13 +33,13 @@ if TYPE_CHECKING:
 METHODS = ("latin-hypercube", "sobol")
 
 
-@verb
-@click.argument("plan", metavar="PLAN", required=False)
-@take("set")
+@verb("sweep spiral-in --vary route.pitch=0.5..0.6..0.01 -o out/pitch")
+@take("maybe a plan")
 @click.option(
     "--vary",
     multiple=True,
     metavar="KEY=VALUES",
+    shell_complete=keys,
     help=N_(
         "A key of the plan and its values: route.pitch=0.45:0.6:0.01 (first, last, step) or "
         "dragon.width=0.25,0.3; with --sample a range, route.pitch=0.45:0.6. May be repeated."
@@ -90,9 +91,9 @@ METHODS = ("latin-hypercube", "sobol")
 def sweep(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Many questions: the answers of a plan at many values of its keys.
 
-    PLAN is a *.dragon.toml file or the name of a built-in plan. Each combination of the values behind
-    --vary is a point; --points takes them from a file, --sample draws them. The answers are rows of
-    Parquet files in a folder. The same command goes on where one was broken off.
+    Each combination of the values behind --vary is a point; --points takes them from a file, --sample
+    draws them. The answers are rows of Parquet files in a folder. The same command goes on where one
+    was broken off.
     """
     from benchdragon.sweeps.sweep import read_sweep
 

@@ -12,14 +12,13 @@ from benchdragon.cli.options import plan_to_walk, take, verb
 from benchdragon.i18n import language
 
 
-@verb
+@verb("timetable turn")
 @take("plan", "json", "shared")
 def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
     """When the head and the tail pass each place of a dance, and where the head stops.
 
     The rows are those of the paper that the planner's page prints; whether the dance is safe says
-    benchdragon check. PLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan
-    lists them. For example: benchdragon timetable turn
+    benchdragon check.
     """
     from benchdragon.analysis.ground import Ground
     from benchdragon.analysis.stops import stops_of

@@ -51,7 +51,7 @@ def given_deviations(options: dict[str, Any]) -> dict[str, float]:
     return {name: options[name] for name in DEVIATIONS if options[name] is not None}
 
 
-@verb
+@verb("margins spiral-in --set disc.radius=4.5 --aside 0.03")
 @take("plan")
 @deviation_options
 @dances_options(N_("Seed of the random dances."), N_("Number of random dances."))
@@ -61,10 +61,9 @@ def given_deviations(options: dict[str, Any]) -> dict[str, float]:
 def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """The tolerance that imprecise people need, as the pitch at which benches rarely touch.
 
-    Random dances are walked: handles off the route, routes that drift, benches that vary; the smallest
-    pitch that each needs is sought. Without options each deviation is tried by itself, then all
-    together. PLAN is a *.dragon.toml file or the name of a built-in plan; a spiral needs an end: --set
-    disc.radius=4.5, for example.
+    Random dances are walked: handles off the route, routes that drift, benches that vary; the
+    smallest pitch that each needs is sought. Without options each deviation is tried by itself, then
+    all together. A spiral needs an end: --set disc.radius=4.5, for example.
     """
     from benchdragon.files import refuse_existing
 

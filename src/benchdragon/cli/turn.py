@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from benchdragon.solve.turn_goal import TurnGoal
 
 
-@verb
+@verb("solve turn turn --set turn.family=arc-line-arc")
 @take("plan")
 @click.option(
     "--objective",
@@ -73,10 +73,9 @@ if TYPE_CHECKING:
 def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """A search for the best turn of the plan's family.
 
-    PLAN is a *.dragon.toml file or the name of a built-in plan whose route is a turn: turn. The plan's
-    turn.family names the family. A better turn than the one found may exist; --prove bounds how much
-    better. Exit code 4: no turn was found that keeps the limits; 5: --prove did not get as near as
-    --within says.
+    The plan's route is a turn, and its turn.family names the family. A better turn than the one found
+    may exist; --prove bounds how much better. Exit code 4: no turn was found that keeps the limits; 5:
+    --prove did not get as near as --within says.
     """
     from benchdragon.files import refuse_existing
     from benchdragon.solve.turn import best_turn

@@ -9,7 +9,7 @@ from benchdragon.cli.console import shown_progress
 from benchdragon.cli.options import take, verb
 
 
-@verb
+@verb("verify certificate.json")
 @click.argument("file", metavar="FILE")
 @take("json", "shared")
 def verify(file: str, quiet: bool, as_json: bool) -> int:

@@ -11,15 +11,14 @@ from benchdragon.i18n import N_
 from benchdragon.progress import part
 
 
-@verb
+@verb("view turn -o turn.html")
 @take("plan")
 @output_option(N_("The file to write, for example dance.html."))
 @take("force", "span", "shared")
 def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Write the dance of a plan as one page for any browser.
 
-    The file needs no network and no program; send it to a phone and open it there. PLAN is a
-    *.dragon.toml file or the name of a built-in plan.
+    The file needs no network and no program; send it to a phone and open it there.
     """
     from benchdragon.analysis.check import check
     from benchdragon.files import refuse_existing

@@ -2,11 +2,13 @@
 
 import difflib
 import json
-from typing import Any, get_args
+from collections.abc import Sequence
+from typing import Any, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic_core import ErrorDetails
 
+from benchdragon.errors import did_you_mean
 from benchdragon.i18n import N_, _
 from benchdragon.plans.source import Fault
 
@@ -55,15 +57,40 @@ def known_keys(model: type[BaseModel], path: list[str]) -> list[str]:
     return [field.alias or name for table in tables for name, field in table.model_fields.items()]
 
 
+def single_keys(model: type[BaseModel]) -> list[str]:
+    """The dotted keys under which plans say one value, whatever the route: route.pitch, walk.speed."""
+    tables = {
+        name: tables_in(field.annotation)
+        for name, field in model.model_fields.items()
+        if get_origin(field.annotation) is not list
+    }
+    found = (
+        f"{name}.{field.alias or key}"
+        for name, kinds in tables.items()
+        for table in kinds
+        for key, field in table.model_fields.items()
+    )
+    return list(dict.fromkeys(found))
+
+
 def kinds_of(table: type[BaseModel]) -> tuple[str, ...]:
     """The kinds that a table of a union is for."""
     return get_args(table.model_fields["kind"].annotation) if "kind" in table.model_fields else ()
 
 
-def fault_of(error: ErrorDetails, data: dict[str, Any], model: type[BaseModel]) -> Fault:
-    """One validation error of `data`, which should be a `model`, in the language in use."""
+def fault_of(
+    error: ErrorDetails, data: dict[str, Any], model: type[BaseModel], settings: Sequence[str] = ()
+) -> Fault:
+    """One validation error of `data`, which should be a `model`, in the language in use.
+
+    Of `settings`, keys that were set besides, a half one is told the whole: pitch, route.pitch.
+    """
     path = [str(step) for step in error["loc"]]
     where = ".".join(step for i, step in enumerate(path) if not _is_tag(path, i, data))
+    if error["type"] == "extra_forbidden" and len(path) == 1:
+        half = next((key for key in settings if f"{key}.".startswith(f"{where}.")), None)
+        if half is not None and (hint := did_you_mean(half, single_keys(model))):
+            return Fault(where, _("{where} is not a known key").format(where=half) + hint)
     return Fault(where, _sentence(error, path, where, model))
 
 

@@ -461,7 +461,8 @@ def _fill(plan: Plan, data: dict[str, Any], where: Source) -> None:
         plan.__pydantic_validator__.validate_python(data, self_instance=plan)
     except ValidationError as error:
         wrong = error.errors()
-        faults = [fault_of(each, data, Plan) for each in wrong[:MOST_FAULTS]] + faults
+        told = [fault_of(each, data, Plan, where.settings) for each in wrong[:MOST_FAULTS]]
+        faults = told + faults
         others = len(wrong[MOST_FAULTS:])
     if faults:
         raise PlanError(where.sentences(faults, others))

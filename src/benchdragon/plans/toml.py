@@ -3,7 +3,6 @@
 Light to import, so that the command line can see how large a job is before it loads the kernels.
 """
 
-import difflib
 import re
 import stat
 import tomllib
@@ -11,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from benchdragon.errors import BenchDragonError, brief, reason
+from benchdragon.errors import BenchDragonError, brief, did_you_mean, reason
 from benchdragon.i18n import N_, _
 from benchdragon.plans.digits import number, rounded_numbers
 from benchdragon.plans.idle import drop_replaced
@@ -222,8 +221,9 @@ def _text(path: Path, source: str) -> str:
             )
         return path.read_text(encoding="utf-8").removeprefix(BYTE_ORDER_MARK)
     except FileNotFoundError:
-        near = difflib.get_close_matches(source, built_in_names(), 1)
-        hint = _("; did you mean {name}?").format(name=near[0]) if near else ""
+        files = [str(one) for one in sorted(path.parent.glob(f"*{SUFFIX}"))]
+        bare = source.removesuffix(".toml").removesuffix(".dragon")
+        hint = did_you_mean(bare, [*built_in_names(), *files])
         raise PlanError(
             _("there is no plan {source}: expected a {suffix} file or one of {names}").format(
                 source=source, suffix=SUFFIX, names=", ".join(built_in_names())
