@@ -113,14 +113,14 @@ SWEEP := $(BIN)/benchdragon sweep
 ATLAS := out/atlas
 CHAPTERS := pitch disc pitch-disc width lengths benches turn three-keys
 atlas: .venv/engine
-	$(SWEEP) spiral-in --vary route.pitch=0.45:0.6:0.005 --refine 400 -o $(ATLAS)/pitch
-	$(SWEEP) spiral-in --vary disc.radius=2:8:0.1 --ask smallest_pitch --refine 200 -o $(ATLAS)/disc
-	$(SWEEP) spiral-in --vary route.pitch=0.4:0.6:0.005 --vary disc.radius=2:8:0.25 -o $(ATLAS)/pitch-disc
-	$(SWEEP) spiral-in --set disc.radius=4.5 --vary dragon.width=0.1:0.6:0.01 --ask smallest_pitch -o $(ATLAS)/width
-	$(SWEEP) spiral-in --set disc.radius=4.5 --vary dragon.head_length=2:5:0.25 --vary dragon.body_length=1.4:3:0.2 --ask smallest_pitch -o $(ATLAS)/lengths
-	$(SWEEP) spiral-in --set disc.radius=4.5 --vary dragon.benches=3:40:1 --ask smallest_pitch -o $(ATLAS)/benches
-	$(SWEEP) turn --vary route.pitch=1.4:2:0.1 --vary turn.ratio=0.6:2:0.1 --ask clearance,greatest_speed,greatest_head_speed -o $(ATLAS)/turn
-	$(SWEEP) spiral-in --vary route.pitch=0.45:0.65:0.01 --vary dragon.width=0.2:0.4:0.02 --vary dragon.body_length=1.8:2.8:0.2 -o $(ATLAS)/three-keys
+	$(SWEEP) spiral-in --vary route.pitch=0.45..0.6..0.005 --refine 400 -o $(ATLAS)/pitch
+	$(SWEEP) spiral-in --vary disc.radius=2..8..0.1 --ask smallest_pitch --refine 200 -o $(ATLAS)/disc
+	$(SWEEP) spiral-in --vary route.pitch=0.4..0.6..0.005 --vary disc.radius=2..8..0.25 -o $(ATLAS)/pitch-disc
+	$(SWEEP) spiral-in --set disc.radius=4.5 --vary dragon.width=0.1..0.6..0.01 --ask smallest_pitch -o $(ATLAS)/width
+	$(SWEEP) spiral-in --set disc.radius=4.5 --vary dragon.head_length=2..5..0.25 --vary dragon.body_length=1.4..3..0.2 --ask smallest_pitch -o $(ATLAS)/lengths
+	$(SWEEP) spiral-in --set disc.radius=4.5 --vary dragon.benches=3..40..1 --ask smallest_pitch -o $(ATLAS)/benches
+	$(SWEEP) turn --vary route.pitch=1.4..2..0.1 --vary turn.ratio=0.6..2..0.1 --ask clearance,greatest_speed,greatest_head_speed -o $(ATLAS)/turn
+	$(SWEEP) spiral-in --vary route.pitch=0.45..0.65..0.01 --vary dragon.width=0.2..0.4..0.02 --vary dragon.body_length=1.8..2.8..0.2 -o $(ATLAS)/three-keys
 	$(BIN)/benchdragon atlas $(addprefix $(ATLAS)/,$(CHAPTERS)) -o out/atlas.html --force
 
 # `make bench BEFORE=FOLDER` times another checkout beside this one.

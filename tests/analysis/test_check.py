@@ -283,7 +283,7 @@ def test_the_greatest_head_speed_is_on_the_command_line(
     assert json.loads(out)["value"] == pytest.approx(1.246266358157487, abs=1e-9)
     path = tmp_path / "paced.dragon.toml"
     words = ["solve", "speed", "turn", "--set", "walk.speed=1.5", "--set", "dragon.benches=20"]
-    code, out, _err = spoken(capsys, *words, "--pace", str(path))
+    code, out, _err = spoken(capsys, *words, "--pace", "-o", str(path))
     assert code == 0
     assert "slowing down only where it must" in out
     assert check(read_plan(str(path))).safe

@@ -124,7 +124,7 @@ MORE = [
     ["motion", "turn", "--at", "3", "-o", ""],
     ["motion", "turn", "--at", "3", "-o", "/dev/null/x"], ["check", "turn", "-o", "/dev/null"],
     ["check", "turn", "-o", "x", "--format", ""], ["solve", "pitch", "turn", "--range", "2..1..0"],
-    ["solve", "pitch", "turn", "--range", "x"], ["solve", "speed", "turn", "--pace", "x"],
+    ["solve", "pitch", "turn", "--range", "x"], ["solve", "speed", "turn", "--pace", "-o", "x"],
     ["margins", "turn", "-o", "/dev/null/x"], ["reproduce", "-o", "/dev/null/x"],
     ["doctor", "x"], ["schema", "x"], ["formations", "x"],
     ["completion"], ["completion", "csh"], ["help", "chek"],

@@ -51,7 +51,7 @@ SOLVE = SIZES["pitch"]
 TRAVERSAL = [*SOLVE, "--method", "traversal", "--pitch-step", "0.1", "--time-step", "2"]
 RANGE = [*SOLVE, "--range", "0.5..0.8", "--count", "3"]
 SPEED = ["solve", "speed", *TURN]
-PACED = [*SPEED, "--pace", "paced.toml"]
+PACED = [*SPEED, "--pace", "-o", "paced.toml"]
 BEST = ["solve", "turn", *TURN]
 # Between the disc's joints some boxes tell how much better another turn may be.
 BOUNDED = [*BEST, "--set", "turn.entry_radius=4.5", "--set", "turn.exit_radius=4.5"]
@@ -62,7 +62,7 @@ SQUARE = ["solve", "square", "spiral-in", *IN_HALL]
 MARGINS = ["margins", "spiral-in", *DISC, "--aside", "0.01", "--draws", "4"]
 ROWS = ["sweep", "spiral-in", *SMALL, "--set", "walk.end=3", "-o", "rows"]
 SWEEP = [*ROWS, "--vary", "route.pitch=1.2,1.3"]
-SAMPLE = [*ROWS, "--vary", "route.pitch=1.2:1.4", "--sample", "3"]
+SAMPLE = [*ROWS, "--vary", "route.pitch=1.2..1.4", "--sample", "3"]
 TOUCHING = [*SWEEP, "--ask", "tolerance", "--draws", "2"]
 REFINED = [*SWEEP, "--ask", "clearance", "--refine", "4"]
 # Of its drawing something is passed over, which is told.
@@ -79,8 +79,8 @@ DRAWN = [*AREA, "-o", "area.svg"]
 MINE = ["plan", "spiral-in", *SHORT, "-o", "mine.dragon.toml"]
 STARTER = ["starter", "-o", "a.py"]
 REPRODUCE = ["reproduce", "-o", "out"]
-VERIFY = ["verify", "out/certificate.json"]
-CERTIFIED = [*CHECK, "--prove", "-o", "out", "--format", "svg"]
+VERIFY = ["verify", "certificate.json"]
+CERTIFIED = [*CHECK, "--prove", "--certificate", "certificate.json"]
 NEW = ["new", "-o", "new.toml", "--benches", "4", "--bench-length", "1.5", "--bench-width", "0.2"]
 PROPOSED = [*NEW, "--square", "20x20"]
 WELL = [
@@ -130,18 +130,21 @@ CASES: dict[str, Case] = {
     "check --force": Case(
         [*CHECK, "-o", "out", "--format", "svg"], ["--force"], [*CHECK, "-o", "out", "--format", "svg"]
     ),
+    "check --certificate": Case([*CHECK, "--prove"], ["--certificate", "certificate.json"]),
     "check --json": Case(CHECK, ["--json"]),
     "check --explain": Case(CHECK, ["--explain"]),
     "check --brackets": Case(CHECK, ["--brackets"]),
     "check --show-plan": Case(CHECK, ["--show-plan"]),
     "survey --set": Case(SURVEY, ["--set", "route.smooth=G1"]),
     "survey --json": Case(SURVEY, ["--json"]),
+    "plan --json": Case(["plan", "turn"], ["--json"]),
     "plan --set": Case(["plan", "turn"], ["--set", "route.pitch=1.8"]),
     "plan --head-speed": Case(["plan", "turn", "-o", "mine.toml"], ["--head-speed", "0.6 m/s"]),
     "plan --output": Case(["plan", "turn"], ["-o", "mine.toml"]),
     "plan --force": Case(
         ["plan", "turn", "-o", "mine.toml"], ["--force"], ["plan", "turn", "-o", "mine.toml"]
     ),
+    "new --json": Case(PROPOSED, ["--json"]),
     "new --output": Case(PROPOSED, ["-o", "other.toml"]),
     "new --benches": Case(PROPOSED, ["--benches", "5"]),
     "new --bench-length": Case(PROPOSED, ["--bench-length", "1.6"]),
@@ -162,6 +165,7 @@ CASES: dict[str, Case] = {
     "new --force": Case(PROPOSED, ["--force"], PROPOSED),
     "starter --output": Case(["starter", "-o", "a.py"], ["-o", "a.ipynb"]),
     "starter --force": Case(STARTER, ["--force"], STARTER),
+    "starter --json": Case(STARTER, ["--json"]),
     "starter --lang": Case(STARTER, ["--lang", "zh"]),
     "formations --json": Case(["formations"], ["--json"]),
     "schema --table": Case(["schema"], ["--table"]),
@@ -174,9 +178,9 @@ CASES: dict[str, Case] = {
             "--range": Case(line, ["--range", RANGES[size]]),
             "--count": Case([*line, "--range", RANGES[size], "--json"], ["--count", "4"]),
             "--prove": Case(line, ["--prove"]),
-            "--output": Case([*line, "--prove"], ["-o", "proof.json"]),
-            # In the place of a certificate that is made sooner.
-            "--force": Case([*line, "--prove", "-o", "out/certificate.json"], ["--force"], CERTIFIED),
+            "--output": Case(line, ["-o", "sized.toml"]),
+            "--certificate": Case([*line, "--prove"], ["--certificate", "proof.json"]),
+            "--force": Case([*line, "-o", "mine.dragon.toml"], ["--force"], MINE),
             "--json": Case(line, ["--json"]),
             "--brackets": Case(line, ["--brackets"]),
             "--explain": Case(line, ["--explain"]),
@@ -186,10 +190,11 @@ CASES: dict[str, Case] = {
     "solve pitch --pitch-step": Case(TRAVERSAL, ["--pitch-step", "0.15"]),
     "solve pitch --time-step": Case([*TRAVERSAL, "--explain"], ["--time-step", "4"]),
     "solve speed --set": Case(SPEED, ["--set", "limits.speed=1.5"]),
-    "solve speed --pace": Case(SPEED, ["--pace", "paced.toml"]),
+    "solve speed --pace": Case(SPEED, ["--pace"]),
     "solve speed --force": Case(PACED, ["--force"], PACED),
     "solve speed --prove": Case(SPEED, ["--prove"]),
-    "solve speed --output": Case([*SPEED, "--prove"], ["-o", "speed.json"]),
+    "solve speed --output": Case(SPEED, ["-o", "fast.toml"]),
+    "solve speed --certificate": Case([*SPEED, "--prove"], ["--certificate", "speed.json"]),
     "solve speed --json": Case(SPEED, ["--json"]),
     "solve speed --explain": Case(SPEED, ["--explain"]),
     "solve speed --brackets": Case(SPEED, ["--brackets"]),
@@ -202,16 +207,14 @@ CASES: dict[str, Case] = {
     "solve turn --within": Case([*BOUNDED, "--prove"], ["--within", "3"]),
     "solve turn --boxes": Case([*BOUNDED, "--prove"], ["--boxes", "2"]),
     "solve turn --certificate": Case([*BOUNDED, "--prove"], ["--certificate", "turn.json"]),
-    "solve turn --plan-file": Case(BEST, ["--plan-file", "best.toml"]),
-    "solve turn --force": Case(
-        [*BEST, "--plan-file", "best.toml"], ["--force"], [*BEST, "--plan-file", "best.toml"]
-    ),
+    "solve turn --output": Case(BEST, ["-o", "best.toml"]),
+    "solve turn --force": Case([*BEST, "-o", "best.toml"], ["--force"], [*BEST, "-o", "best.toml"]),
     "solve turn --json": Case(BEST, ["--json"]),
     "solve turn --explain": Case(BEST, ["--explain"]),
     "solve place --set": Case(PLACE, ["--set", "venue.rectangle=[15, 14]"]),
-    "solve place --plan-file": Case(PLACE, ["--plan-file", "placed.toml"]),
+    "solve place --output": Case(PLACE, ["-o", "placed.toml"]),
     "solve place --force": Case(
-        [*PLACE, "--plan-file", "placed.toml"], ["--force"], [*PLACE, "--plan-file", "placed.toml"]
+        [*PLACE, "-o", "placed.toml"], ["--force"], [*PLACE, "-o", "placed.toml"]
     ),
     "solve place --json": Case(PLACE, ["--json"]),
     "solve place --brackets": Case(PLACE, ["--brackets"]),
@@ -252,11 +255,13 @@ CASES: dict[str, Case] = {
     "margins --on": Case(MARGINS, ["--on", "dask"]),
     "view --set": Case(VIEW, ["--set", "dragon.width=0.4"]),
     "view --output": Case(VIEW, ["-o", "other.html"]),
+    "view --json": Case(VIEW, ["--json"]),
     "view --force": Case(VIEW, ["--force"], VIEW),
     "view --start": Case(VIEW, ["--start", "1"]),
     "view --end": Case(VIEW, ["--end", "1"]),
     "planner --set": Case(PLANNER, ["--set", "dragon.width=0.4"]),
     "planner --output": Case(PLANNER, ["-o", "other.html"]),
+    "planner --json": Case(PLANNER, ["--json"]),
     "planner --force": Case(PLANNER, ["--force"], PLANNER),
     "area --set": Case(AREA, ["--set", "dragon.width=0.5"]),
     "area --output": Case(AREA, ["-o", "area.svg"]),
@@ -311,7 +316,7 @@ ELSEWHERE = {f"reproduce --{name}" for name in ("json", "explain", "lang", "quie
 # These want a workbook: tests/cli/test_compare.py gives them.
 ELSEWHERE |= {f"compare --{name}" for name in ("as", "tolerance", "json", "lang", "quiet")}
 # These want a sweep: tests/cli/test_atlas.py gives them.
-ELSEWHERE |= {f"atlas --{name}" for name in ("output", "force", "lang", "quiet")}
+ELSEWHERE |= {f"atlas --{name}" for name in ("output", "force", "json", "lang", "quiet")}
 # Where it opens a browser: tests/planner/test_page.py gives it.
 ELSEWHERE |= {"planner --quiet"}
 # These want a plan with a list of names: tests/cli/test_sheets.py gives it.
@@ -327,6 +332,7 @@ ELSEWHERE |= {
         "output",
         "pdf",
         "force",
+        "json",
         "lang",
         "quiet",
     )
@@ -465,17 +471,21 @@ def test_an_option_has_an_effect(outcome: Come, known: dict[str, Outcome], name:
         ([*MOTION, "--leader", "adaptive", "--step", "1"], "--step goes with --leader rk4 alone"),
         ([*MOTION, "-o", "x", "--format", "png", "--only", "1"], "--only goes with xlsx, csv"),
         ([*CHECK, "--format", "png"], "--format goes with -o alone"),
-        ([*CHECK, "--force"], "--force goes with -o alone"),
+        ([*CHECK, "--force"], "--force goes with -o, --certificate alone"),
+        ([*CHECK, "--certificate", "a.json"], "--certificate goes with --prove alone"),
+        ([*SPEED, "--certificate", "a.json"], "--certificate goes with --prove alone"),
+        ([*PACED, "--prove"], "--prove does not go with --pace"),
         (["plan", "turn", "--force"], "--force goes with -o alone"),
         (["plan", "-o", "x"], "--output goes with PLAN alone"),
         (["plan", "--set", "route.pitch=1"], "--set goes with PLAN alone"),
         ([*SOLVE, "--pitch-step", "0.1"], "--pitch-step goes with --method traversal alone"),
         ([*SOLVE, "--time-step", "1"], "--time-step goes with --method traversal alone"),
         ([*SOLVE, "--count", "50"], "--count goes with --range alone"),
-        ([*SPEED, "--force"], "--force goes with --pace alone"),
-        ([*BEST, "--force"], "--force goes with --plan-file alone"),
-        ([*PLACE, "--force"], "--force goes with --plan-file alone"),
+        ([*SPEED, "--force"], "--force goes with -o, --certificate alone"),
+        ([*BEST, "--force"], "--force goes with -o, --certificate alone"),
+        ([*PLACE, "--force"], "--force goes with -o alone"),
         ([*RANGE, "--prove"], "--prove does not go with --range"),
+        ([*RANGE, "-o", "a.toml"], "--output does not go with --range"),
         ([*RANGE, "--brackets"], "--brackets does not go with --range"),
         ([*RANGE, "--method", "traversal"], "--method does not go with --range"),
         ([*TRAVERSAL, "--prove"], "--prove does not go with --method traversal"),
@@ -489,7 +499,7 @@ def test_an_option_has_an_effect(outcome: Come, known: dict[str, Outcome], name:
         ([*SWEEP, "--on", "tcp://1.2.3.4:5", "-j", "2"], "--workers does not go with --on tcp"),
         ([*SWEEP, "--status", "rows"], "--status goes alone, without a plan"),
         (["sweep", "--status", "rows", "--ask", "width"], "--status goes alone, without a plan"),
-        ([*ROWS, "--sample", "3"], "--sample needs ranges: --vary KEY=LOW:HIGH"),
+        ([*ROWS, "--sample", "3"], "--sample needs ranges: --vary KEY=LOW..HIGH"),
         ([*SWEEP, "--points", "x.csv"], "expected --vary or --points, and not both"),
         (ROWS, "expected --vary or --points, and not both"),
         (SWEEP[:2], "expected a PLAN and -o DIR, or --status DIR"),

@@ -39,11 +39,12 @@ def certificate(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_what_check_writes_is_verified_by_another_process(tmp_path: Path) -> None:
     plan, folder = tmp_path / "bend.dragon.toml", tmp_path / "out"
     plan.write_text(TEXT.format(post=list(IN_THE_WAY), margin=0.0), "utf-8")
-    assert run(["check", str(plan), "--prove", "-o", str(folder), "--format", "svg"]) == 1
-    assert sorted(path.name for path in folder.iterdir()) == [
-        "certificate.json", "clearance.svg", "contact.svg"]  # fmt: skip
+    kept = tmp_path / "kept.json"
+    line = ["check", str(plan), "--prove", "-o", str(folder), "--format", "svg"]
+    assert run([*line, "--certificate", str(kept)]) == 1
+    assert sorted(path.name for path in folder.iterdir()) == ["clearance.svg", "contact.svg"]
     done = subprocess.run(
-        [sys.executable, "-m", "benchdragon", "verify", str(folder / "certificate.json"), "--json"],
+        [sys.executable, "-m", "benchdragon", "verify", str(kept), "--json"],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (0, "")
@@ -54,23 +55,23 @@ def test_what_check_writes_is_verified_by_another_process(tmp_path: Path) -> Non
         "from t = 10.0 s to t = 15.6598"
     )
     assert told["plan_sha256"] == bend(IN_THE_WAY).sha256
-    kept = json.loads((folder / "certificate.json").read_text("utf-8"))
-    assert told["cells"] == sum(len(claim["cells"]) - 1 for claim in kept["claims"]) > 20
+    claims = json.loads(kept.read_text("utf-8"))["claims"]
+    assert told["cells"] == sum(len(claim["cells"]) - 1 for claim in claims) > 20
 
 
 def test_speeds_are_in_the_certificate_of_all_and_what_is_not_proved_is_told(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    plan, folder = tmp_path / "bend.dragon.toml", tmp_path / "out"
+    plan, path = tmp_path / "bend.dragon.toml", tmp_path / "certificate.json"
     plan.write_text(TEXT.format(post=list(IN_THE_WAY), margin=0.0), "utf-8")
-    line = ["check", str(plan), "--prove-all", "-o", str(folder), "--format", "svg", "--quiet"]
+    line = ["check", str(plan), "--prove-all", "--certificate", str(path), "--quiet"]
     assert run([*line, "--lang", "en"]) == 1
     told = capsys.readouterr()
     assert told.err == ""
     assert "(proved)" in told.out.split("greatest speed of a handle")[1]
-    kept = json.loads((folder / "certificate.json").read_text("utf-8"))
+    kept = json.loads(path.read_text("utf-8"))
     assert len(kept["speeds"]) == 1
-    assert run(["verify", str(folder / "certificate.json"), "--quiet", "--lang", "en"]) == 0
+    assert run(["verify", str(path), "--quiet", "--lang", "en"]) == 0
     assert "no handle is ever more than" in capsys.readouterr().out
     again = [*line, "--force", "--set", "cues.acceleration=0.3", "--lang", "en"]
     assert run(again) == 1
@@ -114,11 +115,16 @@ def test_what_takes_too_much_to_prove_ends_with_what_was_found(
     assert unproved.startswith(f"not proved: {WHAT['en']}: ")
 
 
-def test_without_proof_no_certificate_is_written(tmp_path: Path) -> None:
-    plan = tmp_path / "bend.dragon.toml"
-    plan.write_text(TEXT.format(post=list(IN_THE_WAY), margin=0.0), "utf-8")
-    assert run(["check", str(plan), "-o", str(tmp_path / "out"), "--format", "svg"]) == 1
-    assert not (tmp_path / "out" / "certificate.json").exists()
+def test_where_nothing_was_proved_no_certificate_is_written_and_that_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(chain_cover, "BALLS", 1e7)
+    plan, path = tmp_path / "bend.dragon.toml", tmp_path / "certificate.json"
+    plan.write_text(TEXT.format(post=[16.2, 1.0], margin=0.0), "utf-8")
+    line = ["check", str(plan), "--prove", "--certificate", str(path), "--quiet", "--lang", "en"]
+    assert run(line) == 5
+    assert "No certificate was written: nothing was proved." in capsys.readouterr().err
+    assert not path.exists()
 
 
 def test_a_certificate_is_not_written_over(
@@ -126,7 +132,7 @@ def test_a_certificate_is_not_written_over(
 ) -> None:
     before = certificate.read_bytes()
     Path("bend.dragon.toml").write_text(TEXT.format(post=[16.2, 1.0], margin=0.0), "utf-8")
-    line = ["check", "bend.dragon.toml", "--prove", "-o", ".", "--format", "svg"]
+    line = ["check", "bend.dragon.toml", "--prove", "--certificate", "certificate.json"]
     assert run(line) == 2
     assert "certificate.json" in capsys.readouterr().err
     assert certificate.read_bytes() == before

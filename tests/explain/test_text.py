@@ -288,7 +288,7 @@ def test_a_pace_is_explained_after_its_file(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], spoken: str
 ) -> None:
     path = tmp_path / "paced.dragon.toml"
-    plain = ["solve", "speed", "turn", "--set", "walk.speed=1.5", *SHORT, "--pace", str(path)]
+    plain = ["solve", "speed", "turn", "--set", "walk.speed=1.5", *SHORT, "--pace", "-o", str(path)]
     found = json_of(capsys, *plain)
     lines = [str(line) for line in found["explanation"]]  # type: ignore[attr-defined]
     agree(lines, 4)

@@ -76,7 +76,7 @@ def test_each_chapter_has_its_plan_its_command_and_its_answers(
     page = written(sweeps, tmp_path)
     commands = [pre.get_text() for pre in page.find_all("pre")]
     assert commands[0] == (
-        "benchdragon sweep spiral-in --set dragon.benches=25 --vary route.pitch=0.5:0.54:0.02 "
+        "benchdragon sweep spiral-in --set dragon.benches=25 --vary route.pitch=0.5..0.54..0.02 "
         "--ask first_contact,clearance -o out/a"
     )
     assert "--sample 4 --seed 1 --method latin-hypercube" in commands[2]

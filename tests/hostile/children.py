@@ -23,7 +23,7 @@ GOOD = 'base = "turn"\nschema = 1\n[dragon]\nbenches = 20\n[limits]\nspeed = 2\n
 QUESTIONS = (
     "check PLAN --json", "solve pitch PLAN --json", "solve width PLAN --json",
     "solve length PLAN --json", "solve disc PLAN --json", "solve speed PLAN --json",
-    "solve speed PLAN --json --pace OUT/b.dragon.toml", "solve turn PLAN --json",
+    "solve speed PLAN --json --pace -o OUT/b.dragon.toml", "solve turn PLAN --json",
     "timetable PLAN --json", "check PLAN --explain", "plan PLAN",
     "sheets PLAN -o OUT/papers.html", "view PLAN -o OUT/a.html", "motion PLAN --json",
     "margins PLAN --json --aside 0.02 --stray 0.02 --draws 2 -j 1",

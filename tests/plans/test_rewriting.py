@@ -79,7 +79,7 @@ def test_a_plan_on_a_base_is_written_whole(source: Path) -> None:
 def test_the_best_place_is_written_beside_its_comments(source: Path) -> None:
     source.write_text(TEXT + "[venue]\nrectangle = [40, 30]  # m: measured\n", "utf-8")
     found = source.with_name("found.dragon.toml")
-    assert run(["solve", "place", str(source), "--plan-file", str(found), "--quiet"]) == 0
+    assert run(["solve", "place", str(source), "-o", str(found), "--quiet"]) == 0
     text = found.read_text("utf-8")
     assert text.startswith(TEXT[: TEXT.index("schema")])
     for comment in ("(assumed)", "# inwards", "# m (proposed)", "# ours", "# m: measured"):
@@ -96,7 +96,7 @@ def test_what_was_added_to_a_placed_plan_is_named_when_it_is_placed_anew(
         "solve",
         "place",
         str(source),
-        "--plan-file",
+        "-o",
         str(found),
         "--quiet",
         "--lang",

@@ -343,7 +343,7 @@ def test_a_place_at_which_check_refuses_the_dance_is_not_written(
     """The square has room, but what lacks is between benches: no place mends that."""
     found = tmp_path / "found.dragon.toml"
     words = ["solve", "place", str(VILLAGE), "--quiet", "--lang", "en"]
-    assert run([*words, "--plan-file", str(found)]) == 1
+    assert run([*words, "-o", str(found)]) == 1
     out = capsys.readouterr().out
     assert "room beyond the margins and what people take: 0.1" in out
     refused = (

@@ -300,7 +300,7 @@ def test_the_command_line_finds_writes_and_says_it(
     monkeypatch.setattr(turn, "best_turn", found_once)
     path = tmp_path / "best.dragon.toml"
     words = ["solve", "turn", "turn", "--quiet", "--set", "turn.family=arc-line-arc"]
-    words += ["--set", "walk.speed=1.3", "--set", "dragon.benches=30", "--plan-file", str(path)]
+    words += ["--set", "walk.speed=1.3", "--set", "dragon.benches=30", "-o", str(path)]
     assert run(words) == 0
     out = capsys.readouterr().out
     assert "shortest path inside the disc" in out

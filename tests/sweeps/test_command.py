@@ -45,9 +45,9 @@ def asked_again(line: str) -> Design:
 @pytest.mark.parametrize(
     "design",
     [
-        Design(COIL, grid_points(parse_vary(["route.pitch=0.45:0.6:0.01"])), ("first_contact",)),
+        Design(COIL, grid_points(parse_vary(["route.pitch=0.45..0.6..0.01"])), ("first_contact",)),
         Design(
-            TURN, grid_points(parse_vary(["turn.ratio=1,1.5,3", "dragon.benches=50:60:5"])),
+            TURN, grid_points(parse_vary(["turn.ratio=1,1.5,3", "dragon.benches=50..60..5"])),
             ("clearance",),
         ),
         Design(
@@ -75,7 +75,7 @@ def asked_again(line: str) -> Design:
             RandomDances(5, seed=9),
         ),
         Design(COIL, grid_points({"route.pitch": [0.5, 1 / 3, 0.6]}), ("first_contact",)),
-        Design(COIL, grid_points(parse_vary(["dragon.width=1e-1:3e-1:1e-2"])), ("first_contact",)),
+        Design(COIL, grid_points(parse_vary(["dragon.width=1e-1..3e-1..1e-2"])), ("first_contact",)),
     ],
 )  # fmt: skip
 def test_the_command_asks_the_same(design: Design) -> None:
@@ -133,7 +133,7 @@ SAMPLE = {"route.pitch": (0.4, 0.6)}
                 Design(COIL, grid_points({**SAMPLE, "meta.title": [text]}), ("first_contact",)),
                 "--vary cannot say the values of meta.title",
             )
-            for text in ("a,b", "1", " a", "a:b", "")
+            for text in ("a,b", "1", " a", "a..b", "")
         ),
     ],
 )
@@ -150,8 +150,8 @@ def test_a_seed_that_nothing_draws_with_does_not_matter() -> None:
 
 
 def test_even_steps_are_told_as_steps_and_others_one_by_one() -> None:
-    assert vary_text("a.b", [0.45, 0.46, 0.47]) == "a.b=0.45:0.47:0.01"
-    assert vary_text("a.b", [3, 2, 1]) == "a.b=3:1:-1"
+    assert vary_text("a.b", [0.45, 0.46, 0.47]) == "a.b=0.45..0.47..0.01"
+    assert vary_text("a.b", [3, 2, 1]) == "a.b=3..1..-1"
     assert vary_text("a.b", [0.1, 0.2, 0.4]) == "a.b=0.1,0.2,0.4"
     assert vary_text("a.b", [0.1, 0.2]) == "a.b=0.1,0.2"
     assert vary_text("a.b", [1, 1, 1]) == "a.b=1,1,1"

@@ -21,7 +21,7 @@ from benchdragon.sweeps.points import (
 )
 
 KEYS = "expected keys of a plan such as route.pitch, each once, not "
-UNREADABLE = "expected KEY=FIRST:LAST:STEP or KEY=VALUE,VALUE,... (route.pitch=0.45:0.6:0.01), not "
+UNREADABLE = "expected KEY=FIRST..LAST..STEP or KEY=VALUE,VALUE,... (route.pitch=0.45..0.6..0.01), not "
 
 
 def each(points: Points) -> list[Any]:
@@ -69,7 +69,9 @@ def test_a_list_goes_through_its_columns_side_by_side() -> None:
 def test_keys_that_cannot_be_are_refused(key: str) -> None:
     with pytest.raises(InputError) as refused:
         grid_points({key: [1]})
-    assert str(refused.value) == KEYS + key
+    said, hint, _end = str(refused.value).partition("; did you mean route.")
+    assert said == KEYS + key
+    assert bool(hint) is ("route" in key.casefold() or key == "pitch")
 
 
 def test_a_key_stands_once() -> None:
@@ -111,7 +113,7 @@ def test_what_is_no_list_of_values_is_refused(values: Any) -> None:
 
 
 def test_values_in_steps_may_be_said_as_on_the_command_line() -> None:
-    said = {"a.b": "0.45:0.5:0.01", "a.c": [1, 2]}
+    said = {"a.b": "0.45..0.5..0.01", "a.c": [1, 2]}
     assert grid_points(said) == grid_points({**parse_vary(["a.b=0.45:0.5:0.01"]), "a.c": [1, 2]})
     assert grid_points(said).columns[0] == (0.45, 0.46, 0.47, 0.48, 0.49, 0.5)
     with pytest.raises(InputError, match=r"expected KEY=FIRST:LAST:STEP .*, not 'a\.b=0\.45:0\.5'"):
@@ -155,10 +157,10 @@ def test_samples_between_whole_numbers_are_whole_and_as_frequent() -> None:
 @pytest.mark.parametrize(
     ("ranges", "said"),
     [
-        ({"a.b": (1.0, 1.0)}, "a.b: expected a range from a smaller value to a larger one, not 1:1"),
-        ({"a.b": (2, 1)}, "a.b: expected a range from a smaller value to a larger one, not 2:1"),
-        ({"a.b": (1, 2, 3)}, "a.b: a sample needs a range LOW:HIGH"),
-        ({"a.b": ("x", 2)}, "a.b: a sample needs a range LOW:HIGH"),
+        ({"a.b": (1.0, 1.0)}, "a.b: expected a range from a smaller value to a larger one, not 1..1"),
+        ({"a.b": (2, 1)}, "a.b: expected a range from a smaller value to a larger one, not 2..1"),
+        ({"a.b": (1, 2, 3)}, "a.b: a sample needs a range LOW..HIGH"),
+        ({"a.b": ("x", 2)}, "a.b: a sample needs a range LOW..HIGH"),
         ({"a.b": (1, float("nan"))}, "a.b: expected finite numbers or texts, not nan"),
         ({}, "expected 1 to 1000000 points of 1 to 20 keys, not 0 of 0"),
     ],
@@ -233,16 +235,16 @@ def test_tables_that_are_none_are_refused(
 @pytest.mark.parametrize(
     ("text", "values"),
     [
-        ("0.45:0.60:0.01", [n / 100 for n in range(45, 61)]),
-        ("0.45:0.609:0.01", [n / 100 for n in range(45, 61)]),
-        ("0:1:0.1", [n / 10 for n in range(11)]),
-        ("1:1:1", [1]),
-        ("8:20:4", [8, 12, 16, 20]),
-        ("8:21:4", [8, 12, 16, 20]),
-        ("3:1:-1", [3, 2, 1]),
-        ("1.0:3:1", [1.0, 2.0, 3.0]),
-        (" 1 : 2 : 1 ", [1, 2]),
-        ("1e-3:3e-3:1e-3", [0.001, 0.002, 0.003]),
+        ("0.45..0.60..0.01", [n / 100 for n in range(45, 61)]),
+        ("0.45..0.609..0.01", [n / 100 for n in range(45, 61)]),
+        ("0..1..0.1", [n / 10 for n in range(11)]),
+        ("1..1..1", [1]),
+        ("8..20..4", [8, 12, 16, 20]),
+        ("8..21..4", [8, 12, 16, 20]),
+        ("3..1..-1", [3, 2, 1]),
+        ("1.0..3..1", [1.0, 2.0, 3.0]),
+        (" 1 .. 2 .. 1 ", [1, 2]),
+        ("1e-3..3e-3..1e-3", [0.001, 0.002, 0.003]),
         ("0.5", [0.5]),
         ("1,2.5, left", [1, 2.5, "left"]),
     ],
@@ -256,8 +258,9 @@ def test_values_are_read_as_they_are_written(text: str, values: list[Any]) -> No
 @pytest.mark.parametrize(
     "text",
     [
-        "route.pitch", "route.pitch=", "=1", "a.b=1,,2", "a.b=1:2", "a.b=1:2:3:4", "a.b=1:2:0",
-        "a.b=x:2:1", "a.b=nan:2:1", "a.b=1:2:nan", "a.b=inf:inf:1", "a.b=1::2",
+        "route.pitch", "route.pitch=", "=1", "a.b=1,,2", "a.b=1..2", "a.b=1..2..3..4", "a.b=1..2..0",
+        "a.b=x..2..1", "a.b=nan..2..1", "a.b=1..2..nan", "a.b=inf..inf..1", "a.b=1....2",
+        "a.b=1:2:1..2",
     ],
 )  # fmt: skip
 def test_what_cannot_be_read_is_told(text: str) -> None:
@@ -272,9 +275,9 @@ def test_a_key_is_varied_once() -> None:
 
 
 def test_ranges_are_read_for_samples() -> None:
-    assert parse_vary(["a.b=1:2", "a.c=0.5:1"], ranges=True) == {"a.b": (1, 2), "a.c": (0.5, 1)}
-    for text in ("a.b=1", "a.b=1:2:3", "a.b=1,2"):
-        with pytest.raises(InputError, match=r"^a\.b: a sample needs a range LOW:HIGH$"):
+    assert parse_vary(["a.b=1..2", "a.c=0.5..1"], ranges=True) == {"a.b": (1, 2), "a.c": (0.5, 1)}
+    for text in ("a.b=1", "a.b=1..2..3", "a.b=1,2"):
+        with pytest.raises(InputError, match=r"^a\.b: a sample needs a range LOW\.\.HIGH$"):
             parse_vary([text], ranges=True)
 
 
@@ -288,8 +291,9 @@ def test_a_list_is_shorter_than_a_grid_may_be_and_ends() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "a.b=2:1:1", "a.b=1:2:-1", "a.b=1:inf:1", "a.b=1:2:inf", "a.b=1:2:-inf", "a.b=0:1:1e-9",
-        "a.b=1e5000:1e5000:1",
+        "a.b=2..1..1", "a.b=1..2..-1", "a.b=1..inf..1", "a.b=1..2..inf", "a.b=1..2..-inf",
+        "a.b=0..1..1e-9",
+        "a.b=1e5000..1e5000..1",
     ],
 )  # fmt: skip
 def test_steps_that_do_not_lead_there_are_told(text: str) -> None:
@@ -300,7 +304,7 @@ def test_steps_that_do_not_lead_there_are_told(text: str) -> None:
 
 def test_too_many_combinations_are_told_before_they_are_made() -> None:
     with pytest.raises(InputError, match=r"^these are more than 10000000 points$"):
-        parse_vary(["a.b=0:1:0.001", "a.c=0:1:0.001", "a.d=0:1:0.001"])
+        parse_vary(["a.b=0..1..0.001", "a.c=0..1..0.001", "a.d=0..1..0.001"])
 
 
 def test_a_value_of_a_grid_stands_once() -> None:

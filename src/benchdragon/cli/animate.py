@@ -1,16 +1,14 @@
 """The verb `animate`: the dance as a film, as stills, or as a contact sheet."""
 
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.console import print_files, shown_progress
+from benchdragon.cli.console import print_written, shown_progress
 from benchdragon.cli.options import not_with, only_with, output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import PICTURE_FORMATS, check_ending, parse_sides, parse_span, parse_times
 from benchdragon.i18n import N_
-from benchdragon.version import __version__
 
 FILM_FORMATS = ("mp4", "gif")
 
@@ -80,11 +78,7 @@ def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
     _refuse_strays(options, picture)
     read = plan_to_walk(plan, settings, quiet)
     files, about = (_write_pictures if picture else _write_film)(read, path, options, quiet)
-    if options["as_json"]:
-        about |= {"plan_sha256": read.sha256, "version": __version__}
-        click.echo(json.dumps({"files": [str(file) for file in files], **about}))
-        return 0
-    print_files(files)
+    print_written(files, options["as_json"], **about, plan_sha256=read.sha256)
     return 0
 
 

@@ -10,7 +10,6 @@ from benchdragon.i18n import _, language
 from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.numbering import handle_text
 from benchdragon.number_format import at_most, decimals, figures, seconds
-from benchdragon.version import __version__
 
 if TYPE_CHECKING:
     from benchdragon.analysis.obstacles import ObstacleAnswers
@@ -21,9 +20,9 @@ UNSAFE, NO_SOLUTION, UNDECIDED = 1, 4, 5
 
 
 def about(plan: "Plan", lines: list[str]) -> dict[str, Any]:
-    """What every JSON answer ends with: the lines of --explain, if any, plan and version."""
+    """What every JSON answer about a plan holds: the lines of --explain, if any, and the plan."""
     explained: dict[str, Any] = {"explanation": lines} if lines else {}
-    return {**explained, "plan_sha256": plan.sha256, "version": __version__}
+    return {**explained, "plan_sha256": plan.sha256}
 
 
 def warn_of_outside(plan: "Plan") -> None:

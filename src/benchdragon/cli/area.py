@@ -1,6 +1,5 @@
 """The verb `area`: the ground that a dance covers, as numbers and as files."""
 
-import json
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -8,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.answers import about, print_answer, print_title
-from benchdragon.cli.console import print_files, shown_progress
+from benchdragon.cli.console import print_files, print_json, shown_progress
 from benchdragon.cli.options import only_with, output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import (
     PAPERS,
@@ -84,13 +83,11 @@ def area(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
         for path in files:
             write_area(drawing, path, read.sha256, paper=options["paper"], scale=scale)
     if options["as_json"]:
-        names = {"files": [str(path) for path in files]}
-        click.echo(json.dumps({**area_record(found), **names, **about(read, [])}))
+        print_json({**area_record(found), **about(read, [])}, files)
         return 0
     print_title(read)
     _print_area(found, options["brackets"])
-    if files:
-        print_files(files)
+    print_files(files)
     return 0
 
 

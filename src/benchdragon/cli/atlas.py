@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from benchdragon.cli.console import print_files, shown_progress
+from benchdragon.cli.console import print_written, shown_progress
 from benchdragon.cli.options import output_option, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.errors import InputError
@@ -14,8 +14,8 @@ from benchdragon.i18n import N_, _
 @verb("atlas out/pitch out/width -o atlas.html")
 @click.argument("folders", metavar="FOLDERS", nargs=-1, required=True)
 @output_option(N_("The file to write, for example atlas.html."))
-@take("force", "shared")
-def atlas(folders: tuple[str, ...], output: Path, force: bool, quiet: bool) -> int:
+@take("force", "json", "shared")
+def atlas(folders: tuple[str, ...], output: Path, force: bool, as_json: bool, quiet: bool) -> int:
     """Write a page of what sweeps came to.
 
     It holds pictures, tables of the extreme answers, and the command that makes each sweep, and needs
@@ -35,5 +35,5 @@ def atlas(folders: tuple[str, ...], output: Path, force: bool, quiet: bool) -> i
     refuse_existing([output], force)
     with shown_progress(quiet) as progress:
         write_atlas(output, sweeps, progress)
-    print_files([output])
+    print_written([output], as_json)
     return 0

@@ -1,6 +1,5 @@
 """The verb `check`: whether a walk is safe."""
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -18,10 +17,12 @@ from benchdragon.cli.answers import (
     print_title,
     warn_of_outside,
 )
-from benchdragon.cli.console import print_explanation, print_files, shown_progress
+from benchdragon.cli.console import print_explanation, print_files, print_json, shown_progress
 from benchdragon.cli.options import files_option, only_with, plan_to_walk, take, tell_names, verb
 from benchdragon.cli.parsing import parse_formats
+from benchdragon.cli.solved import certificate_option, refuse_certificate, write_proved
 from benchdragon.errors import UnsureError
+from benchdragon.files import refuse_existing
 from benchdragon.i18n import N_, _
 
 if TYPE_CHECKING:
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
     help=N_("Prove the least clearance and the greatest speed as well; this takes longer."),
 )
 @files_option("xlsx,png", N_("What to write: xlsx, png, svg, pdf."))
+@certificate_option
 @click.option("--show-plan", is_flag=True, help=N_("Print the plan in effect too, as a plan file."))
 @take("json", "brackets", "explain", "shared")
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
@@ -50,16 +52,16 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     from benchdragon.analysis.check import check as checked
     from benchdragon.explain.contact import check_lines
 
-    only_with("-o", options["output"] is not None, "formats", "force")
+    prove, folder = options["prove"] or options["prove_all"], options["output"]
+    only_with("-o", folder is not None, "formats")
+    refuse_certificate(options, prove, folder)
     read = plan_to_walk(plan, settings, quiet)
-    folder: Path | None = options["output"]
     files: list[Path] = []
-    prove = options["prove"] or options["prove_all"]
     if folder is not None:
         from benchdragon.export.check_files import FORMATS, planned_files, write_files
 
-        formats = parse_formats(options["formats"], FORMATS)
-        files = planned_files(folder, formats, options["force"], prove)
+        files = planned_files(folder, parse_formats(options["formats"], FORMATS))
+        refuse_existing(files, options["force"])
     warn_of_outside(read)
     with shown_progress(quiet) as progress:
         report = _shown(read, progress) if prove else checked(read, progress)
@@ -70,7 +72,8 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
             report = prove_report(report, progress)
         if files:
             progress(1.0, _("writing"))
-            files = write_files(report, files)
+            write_files(report, files)
+    files += write_proved(read, options["certificate"], report.claims, report.speeds)
     lines = check_lines(report) if options["explain"] else []
     tell_names(_notes(read), quiet)
     if options["as_json"]:
@@ -78,7 +81,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
         shown = {"plan": read.data()} if options["show_plan"] else {}
         verdict = verdict_of(report).model_dump(mode="json")
-        click.echo(json.dumps({**verdict, **about(read, lines), **shown}))
+        print_json({**verdict, **about(read, lines), **shown}, files)
     else:
         _print(report, files, lines, options)
     if report.safe and open_still:
@@ -91,8 +94,7 @@ def _print(
 ) -> None:
     """All that is said for readers."""
     print_report(report, options["brackets"])
-    if files:
-        print_files(files)
+    print_files(files)
     print_explanation(lines)
     if options["show_plan"]:
         from benchdragon.plans.keys import commented

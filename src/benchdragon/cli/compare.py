@@ -1,6 +1,5 @@
 """The verbs of the contest: a starter to fill in, and a grader of workbooks and numbers."""
 
-import json
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -9,14 +8,13 @@ from typing import TYPE_CHECKING
 import click
 
 from benchdragon.cli.answers import UNSAFE
-from benchdragon.cli.console import print_files, print_rows
+from benchdragon.cli.console import print_json, print_rows, print_written
 from benchdragon.cli.options import output_option, take, verb
 from benchdragon.cli.parsing import NUMBER, check_ending
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.model.numbering import handle_names
 from benchdragon.number_format import decimals
-from benchdragon.version import __version__
 
 if TYPE_CHECKING:
     from benchdragon.paper.compare import Comparison, Departure, Deviation, Result
@@ -25,8 +23,8 @@ if TYPE_CHECKING:
 
 @verb("starter -o contest.py")
 @output_option(N_("The file to write: a script, contest.py, or a notebook, contest.ipynb."))
-@take("force", "shared")
-def starter(output: Path, force: bool, quiet: bool) -> int:
+@take("force", "json", "shared")
+def starter(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
     """Write a skeleton of the contest's five questions, to be filled in and graded.
 
     It runs as it is: what is yet to be computed is marked by TODO, and each part grades itself.
@@ -35,10 +33,10 @@ def starter(output: Path, force: bool, quiet: bool) -> int:
     from benchdragon.files import refuse_existing, write_whole
     from benchdragon.paper.starter import notebook, script
 
-    check_ending("--output", output, [".py", ".ipynb"])
+    check_ending("-o", output, [".py", ".ipynb"])
     refuse_existing([output], force)
     write_whole(output, script() if output.suffix == ".py" else notebook())
-    print_files([output])
+    print_written([output], as_json)
     return 0
 
 
@@ -78,8 +76,7 @@ def compare(
     score, agrees = sum(one.score for one in found) / len(found), all(one.agrees for one in found)
     if as_json:
         graded = [{**asdict(one), "agrees": one.agrees, "score": one.score} for one in found]
-        whole = {"graded": graded, "agrees": agrees, "score": score, "version": __version__}
-        click.echo(json.dumps(whole))
+        print_json({"graded": graded, "agrees": agrees, "score": score})
     else:
         _print_graded(found)
         click.echo(_("Points: {points} of 100").format(points=points(score)))

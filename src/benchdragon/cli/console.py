@@ -3,10 +3,11 @@
 rich is imported when something is shown, so that help need not wait for it.
 """
 
+import json
 import math
 import sys
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,7 @@ from benchdragon.i18n import N_, _
 from benchdragon.model.numbering import handle_names, handle_text, numbering_text
 from benchdragon.number_format import decimals
 from benchdragon.progress import Progress, silent
+from benchdragon.version import __version__
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -25,6 +27,8 @@ if TYPE_CHECKING:
     from benchdragon.solve.turn import BestTurn
 
 
+# Of what --json prints: it is raised where a key goes, or comes to mean something else.
+JSON_FORMAT = 1
 # Seconds between two lines of progress.
 LINE_EACH = 30.0
 
@@ -59,11 +63,26 @@ def print_rows(
     _console().print(table)
 
 
+def print_json(answer: Mapping[str, Any], files: Sequence[Path] = ()) -> None:
+    """One JSON object: the number of the format, an answer, files that were written, the version."""
+    written = {"files": [str(path) for path in files]} if files else {}
+    click.echo(json.dumps({"format": JSON_FORMAT, **answer, **written, "version": __version__}))
+
+
 def print_files(files: Sequence[Path]) -> None:
-    """The files that were written."""
-    click.echo(_("Written:"))
+    """The files that were written, if any."""
+    if files:
+        click.echo(_("Written:"))
     for path in files:
         click.echo(f"  {path}")
+
+
+def print_written(files: Sequence[Path], as_json: bool, **about: Any) -> None:
+    """The files that were written, and what --json says about them besides."""
+    if as_json:
+        print_json(about, files)
+    else:
+        print_files(files)
 
 
 def print_first(contact: "Answer", pitch: "Answer", report: Path) -> None:

@@ -1,14 +1,10 @@
 """The verb `formations`: the formations that plans can name, with their sizes and sources."""
 
-import json
 from typing import TYPE_CHECKING, Any
 
-import click
-
-from benchdragon.cli.console import print_rows
+from benchdragon.cli.console import print_json, print_rows
 from benchdragon.cli.options import take, verb
 from benchdragon.i18n import _, language
-from benchdragon.version import __version__
 
 if TYPE_CHECKING:
     from benchdragon.model.formations import Formation
@@ -26,8 +22,7 @@ def formations(as_json: bool, quiet: bool) -> int:
 
     kinds = list(FORMATIONS.values())
     if as_json:
-        about = [_about(kind) for kind in kinds]
-        click.echo(json.dumps({"formations": about, "version": __version__}))
+        print_json({"formations": [_about(kind) for kind in kinds]})
         return 0
     columns = (_("name"), _("called"), _("sizes by default"), _("source"))
     rows = [(kind.name, _called(kind), _sizes(kind), _(kind.source)) for kind in kinds]

@@ -3,7 +3,6 @@
 Help must come fast, so everything heavier than click is imported by the verb that uses it.
 """
 
-import json
 import signal
 import sys
 import warnings
@@ -24,8 +23,10 @@ from benchdragon.cli.console import (
     print_explanation,
     print_files,
     print_first,
+    print_json,
     print_reproduction,
     print_table,
+    print_written,
     shown_progress,
 )
 from benchdragon.cli.formations import formations
@@ -116,17 +117,17 @@ def reproduce(
 
     with shown_progress(quiet) as progress:
         found = reproduced(output, force, progress, docs, None if as_json else print_first)
-    answer: dict[str, Any] = {**found.answers, "files": [str(path) for path in found.files]}
+    lines: list[str] = []
     if explain:
         from benchdragon.paper.explanation import reproduce_lines
 
-        answer["explanation"] = reproduce_lines(found.answers)
+        lines = reproduce_lines(found.answers)
     if as_json:
-        click.echo(json.dumps(answer))
+        print_json({**found.answers, **({"explanation": lines} if lines else {})}, found.files)
         return 0
     print_reproduction(found.answers)
     print_files(found.files)
-    print_explanation(answer.get("explanation", []))
+    print_explanation(lines)
     return 0
 
 
@@ -200,7 +201,7 @@ def doctor(as_json: bool, quiet: bool) -> int:
 
     found = findings()
     if as_json:
-        click.echo(json.dumps({finding.name: finding.value for finding in found}))
+        print_json({finding.name: finding.value for finding in found})
     else:
         for finding in found:
             mark = "ok " if finding.good else " - "
@@ -282,10 +283,7 @@ def _motion_json(
     for name, values in tables.items():
         answer[name] = [[finite_or_none(value) for value in row] for row in values[:, chosen].tolist()]
     answer["status"] = [int(status) for status in found.status]
-    answer.update(plan_sha256=plan.sha256, version=__version__)
-    if options["explain"]:
-        answer["explanation"] = _explained(found, options)
-    click.echo(json.dumps(answer))
+    print_json({**answer, **about(plan, _explained(found, options))})
     return _failures([found])
 
 
@@ -352,11 +350,8 @@ def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quie
     files = [*tables, *(folder / name for name in names)]
     first = what.walk.motion(what.times[:1], throw=what.throw) if options["explain"] else None
     lines = [] if first is None else _explained(first, options)
-    if options["as_json"]:
-        click.echo(json.dumps({"files": [str(path) for path in files], **about(plan, lines)}))
-    else:
-        print_files(files)
-        print_explanation(lines)
+    print_written(files, options["as_json"], **about(plan, lines))
+    print_explanation([] if options["as_json"] else lines)
     return _failures(what.motions()) if not what.throw else 0
 
 

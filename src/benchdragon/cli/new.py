@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.answers import NO_SOLUTION
+from benchdragon.cli.answers import NO_SOLUTION, about
 from benchdragon.cli.by_hand import kept_by_hand, warn_of_lost
 from benchdragon.cli.check import print_report
-from benchdragon.cli.console import print_files, shown_progress
+from benchdragon.cli.console import print_files, print_json, shown_progress
 from benchdragon.cli.options import file_option, output_option, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.errors import InputError, NoSolutionError
@@ -68,8 +68,8 @@ if TYPE_CHECKING:
     metavar="PLAN",
     help=N_("A plan whose wells, stages and the like stand on the square, maybe the one written anew."),
 )
-@take("force", "shared")
-def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
+@take("force", "json", "shared")
+def new(output: Path, force: bool, as_json: bool, quiet: bool, **options: Any) -> int:
     """Propose a plan for your benches and your square.
 
     In a terminal it asks for what is not given. It finds pitch, disc, speed and place so that bearers
@@ -107,12 +107,19 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
             return NO_SOLUTION
         given |= _asked_again(said, under=found.under, benches=found.benches)
     write_whole(output, _text(found.plan, wishes, given))
+    lines = proposal_lines(found, wishes, again)
+    warn_of_lost(before, output)
+    if as_json:
+        from benchdragon.analysis.records import verdict_of
+
+        verdict = verdict_of(found.report).model_dump(mode="json")
+        print_json({**verdict, "proposed": lines, **about(found.plan, [])}, [output])
+        return 0
     click.echo(_("Proposed:"))
-    for line in proposal_lines(found, wishes, again):
+    for line in lines:
         click.echo(f"  {line}")
     print_report(found.report)
     print_files([output])
-    warn_of_lost(before, output)
     _print_next(output)
     return 0
 

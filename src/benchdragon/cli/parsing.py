@@ -11,15 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.plans.units import METRES, SECONDS, SPEEDS, quantity
+from benchdragon.plans.units import METRES, RANGE, SECONDS, SPEEDS, quantity
 
 if TYPE_CHECKING:
     import numpy as np
 
 # Times in one call: a day and more, each tenth of a second.
 MOST_TIMES = 1_000_000
-# The signs between the ends of a range and its step.
-RANGE = ".."
 # Hours may be left out; what follows a colon is less than 60, or it was not meant as a clock time.
 CLOCK = re.compile(r"([-+]?)(?:(\d{1,6}):(?=[0-5]?\d:))?(\d{1,6}):([0-5]?\d(?:\.\d*)?)", re.ASCII)
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.ASCII | re.IGNORECASE)
@@ -203,7 +201,7 @@ def check_ending(option: str, path: Path, endings: Sequence[str]) -> None:
 
 
 def parse_handles(text: str | None, benches: int) -> list[int] | None:
-    """Handle numbers in "1,51,101"; None where nothing was asked.
+    """Handle numbers in "1,51,101" or "0..5"; None where nothing was asked.
 
     Raises:
         InputError: for what is not the number of a handle.
@@ -211,13 +209,17 @@ def parse_handles(text: str | None, benches: int) -> list[int] | None:
     if text is None:
         return None
     try:
-        handles = [int(item) for item in text.split(",")]
+        spans = [[int(end) for end in item.split(RANGE)] for item in text.split(",")]
     except ValueError:
-        handles = [-1]
-    if any(not 0 <= handle <= benches for handle in handles):
-        wanted = _("--only: expected handle numbers from 0 to {most} with commas, not {text}")
-        raise unreadable(wanted, "--only", text, most=benches)
-    return handles
+        spans = [[-1]]
+    for ends in spans:
+        if len(ends) > 2 or not 0 <= ends[0] <= ends[-1] <= benches:
+            wanted = _(
+                "--only: expected handle numbers from 0 to {most} with commas, or a range (0..5), not "
+                "{text}"
+            )
+            raise unreadable(wanted, "--only", text, most=benches)
+    return [handle for ends in spans for handle in range(ends[0], ends[-1] + 1)]
 
 
 def parse_formats(text: str, known: Sequence[str]) -> list[str]:

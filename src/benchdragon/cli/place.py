@@ -1,8 +1,6 @@
 """`solve place` and `solve square`: where on its square a dance fits, and what square it takes."""
 
-import json
 import math
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -17,9 +15,9 @@ from benchdragon.cli.answers import (
     print_title,
     warn_of_outside,
 )
-from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import file_option, plan_to_walk, take, verb
-from benchdragon.cli.solved import read_to_write, write_plan
+from benchdragon.cli.console import print_files, print_json, shown_progress
+from benchdragon.cli.options import plan_to_walk, take, verb
+from benchdragon.cli.solved import plan_option, refuse_written, write_found
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import rounded_up
 
@@ -31,7 +29,7 @@ if TYPE_CHECKING:
 
 @verb("solve place village.dragon.toml")
 @take("plan")
-@file_option("--plan-file", N_("Write the plan with the place that was found."))
+@plan_option
 @take("force", "json", "brackets", "shared")
 def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """The place on the square where the dance fits best.
@@ -40,27 +38,23 @@ def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     where that finds the dance not safe there, no plan is written, and the exit code is that of
     `check`. The plan needs a [venue]. Exit code 4: no place was found.
     """
-    from benchdragon.files import refuse_existing
     from benchdragon.solve.place import best_place, enough_room
 
-    path: Path | None = options["plan_file"]
-    read = read_to_write(plan, settings, quiet, "--plan-file", path)
-    refuse_existing([] if path is None else [path], options["force"])
+    refuse_written(options)
+    read = plan_to_walk(plan, settings, quiet)
     warn_of_outside(read)
     with shown_progress(quiet) as progress:
         best = best_place(read, progress=progress)
         enough = None if best.report is not None else enough_room(read, progress=progress)
-    if path is not None and best.passes:
-        write_plan(best.plan, path, plan)
+    files = write_found(plan, options, best.plan if best.passes else None)
     if options["as_json"]:
         wanted = {} if enough is None else {"enough": enough.as_json()}
-        click.echo(json.dumps({**best.as_json(), **wanted, **about(read, [])}))
+        print_json({**best.as_json(), **wanted, **about(read, [])}, files)
     else:
         _print_place(read, best, options)
         if enough is not None:
             _print_enough(enough)
-        if path is not None and best.passes:
-            print_files([path])
+        print_files(files)
     if best.report is None:
         return NO_SOLUTION
     return 0 if best.passes else UNSAFE if best.report.decided else UNDECIDED
@@ -129,7 +123,7 @@ def square(plan: str, settings: tuple[str, ...], quiet: bool, error: float, as_j
     with shown_progress(quiet) as progress:
         found = enclosing(walk, *read.span(walk), error=error, progress=progress)
     if as_json:
-        click.echo(json.dumps({**_square_json(found), **about(read, [])}))
+        print_json({**_square_json(found), **about(read, [])})
     else:
         _print_square(read, found)
     return 0

@@ -7,7 +7,8 @@ from typing import Any
 
 import click
 
-from benchdragon.cli.console import print_files, print_rows
+from benchdragon.cli.answers import about
+from benchdragon.cli.console import print_json, print_rows, print_written
 from benchdragon.cli.options import only_with, output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import check_ending, parse_speed
 from benchdragon.cli.solved import write_plan
@@ -35,7 +36,7 @@ STATUSES = {
         "that all marks on the ground stay. With -o."
     ),
 )
-@take("shared")
+@take("json", "shared")
 def plan(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print a plan as a plan file, to begin one of your own.
 
@@ -46,44 +47,50 @@ def plan(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: An
     only_with("-o", output is not None, "force", "head_speed")
     only_with("PLAN", plan is not None, "settings", "output")
     if plan is None:
-        return _list()
-    if output is not None and options["head_speed"] is not None:
-        return _write_slower(plan, settings, quiet, output, options)
-    text, force = _text(plan, settings), options["force"]
-    if output is None:
-        click.echo(text, nl=False)
-        return 0
-    from benchdragon.files import refuse_existing, write_whole
-
-    refuse_existing([output], force)
-    write_whole(output, text)
-    print_files([output])
+        return _list(options["as_json"])
+    if output is not None:
+        _write(plan, settings, quiet, output, options)
+        print_written([output], options["as_json"])
+    elif options["as_json"]:
+        read = plan_to_walk(plan, settings, quiet)
+        print_json({"plan": read.data(), **about(read, [])})
+    else:
+        click.echo(_text(plan, settings), nl=False)
     return 0
 
 
-def _write_slower(
+def _write(
     source: str, settings: tuple[str, ...], quiet: bool, output: Path, options: dict[str, Any]
-) -> int:
-    """Write the same dance with its head at another speed."""
-    from benchdragon.files import refuse_existing
+) -> None:
+    """Write the plan as it is printed, or the same dance with its head at another speed."""
+    from benchdragon.files import refuse_existing, write_whole
     from benchdragon.solve.head_speed import with_head_speed
 
+    if options["head_speed"] is None:
+        text = _text(source, settings)
+        refuse_existing([output], options["force"])
+        write_whole(output, text)
+        return
     speed = parse_speed("--head-speed", options["head_speed"])
     check_ending("-o", output, [".toml"])
     refuse_existing([output], options["force"])
     write_plan(with_head_speed(plan_to_walk(source, settings, quiet), speed), output, source)
-    print_files([output])
-    return 0
 
 
-def _list() -> int:
+def _list(as_json: bool) -> int:
     from benchdragon.plans.presets import presets
 
-    listed = {preset.name: preset for preset in presets()}
-    for name in built_in_names():
-        title, source = (
-            getattr(words, language()) for words in (listed[name].title, listed[name].source)
-        )
+    spoken = language()
+    listed = {one.name: (getattr(one.title, spoken), getattr(one.source, spoken)) for one in presets()}
+    names = built_in_names()
+    if as_json:
+        rows = [
+            dict(zip(("name", "title", "source"), (name, *listed[name]), strict=True)) for name in names
+        ]
+        print_json({"plans": rows})
+        return 0
+    for name in names:
+        title, source = listed[name]
         click.echo(f"{name:<12}{title} ({source})")
     return 0
 

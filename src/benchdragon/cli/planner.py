@@ -4,7 +4,7 @@ import tempfile
 import webbrowser
 from pathlib import Path
 
-from benchdragon.cli.console import print_files
+from benchdragon.cli.console import print_written
 from benchdragon.cli.options import only_with, output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.i18n import N_
@@ -13,10 +13,11 @@ from benchdragon.i18n import N_
 @verb("planner turn -o planner.html")
 @take("maybe a plan")
 @output_option(N_("The file to write, for example planner.html."), required=False)
-@take("force", "shared")
+@take("force", "json", "shared")
 def planner(
-    plan: str | None, settings: tuple[str, ...], output: Path | None, force: bool, quiet: bool
-) -> int:
+    plan: str | None, settings: tuple[str, ...], output: Path | None, force: bool, as_json: bool,
+    quiet: bool,
+) -> int:  # fmt: skip
     """Write the planner: one page on which a dance is planned, judged and watched.
 
     The file needs no network, no server and no program; send it to a phone and open it there. Without
@@ -36,6 +37,6 @@ def planner(
     write_planner(path, read)
     if output is None:
         webbrowser.open(path.as_uri())
-    if output is not None or not quiet:
-        print_files([path])
+    if output is not None or as_json or not quiet:
+        print_written([path], as_json)
     return 0

@@ -7,9 +7,9 @@ from typing import Any
 
 import click
 
-from benchdragon.cli.answers import UNDECIDED, UNSAFE
+from benchdragon.cli.answers import UNDECIDED, UNSAFE, about
 from benchdragon.cli.check import print_report
-from benchdragon.cli.console import print_files, shown_progress
+from benchdragon.cli.console import print_files, print_json, shown_progress
 from benchdragon.cli.options import FILE, FOLDER, only_with, plan_to_walk, take, tell_names, verb
 from benchdragon.cli.parsing import check_ending
 from benchdragon.i18n import N_, _
@@ -62,7 +62,7 @@ SPEAK_OF = {
 @click.option(
     "--phones", is_flag=True, help=N_("Print phone numbers too, which else stay in the list.")
 )
-@take("shared")
+@take("json", "shared")
 def sheets(
     plan: str,
     settings: tuple[str, ...],
@@ -107,11 +107,15 @@ def sheets(
             for path in drums:
                 write_drum(path, read, (report.start, report.end), part(progress, 0.8, 1.0))
     tell_names(roster.notes, quiet)
-    if not report.safe:
+    if options["as_json"]:
+        print_json({"safe": report.safe, **about(read, [])}, files if report.safe else [])
+    elif report.safe:
+        print_files(files)
+    else:
         print_report(report)
+    if not report.safe:
         click.echo(_("No papers were written: only a plan that is safe has any."), err=True)
         return UNSAFE if report.decided else UNDECIDED
-    print_files(files)
     return 0
 
 

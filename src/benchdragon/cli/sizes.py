@@ -1,20 +1,21 @@
 """`solve pitch`, `disc`, `width` and `length`: the limit of a size, or all sizes that will do."""
 
-import json
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from benchdragon.cli.answers import NO_SOLUTION, UNDECIDED, about
-from benchdragon.cli.console import print_explanation, shown_progress
+from benchdragon.cli.console import print_explanation, print_json, shown_progress
 from benchdragon.cli.options import not_with, only_with, plan_to_walk, take, together, verb
 from benchdragon.cli.parsing import parse_lengths
 from benchdragon.cli.solved import (
-    certificate_option,
-    check_certificate,
     exit_code,
     print_solved,
-    write_kept_certificate,
+    refuse_written,
+    shown,
+    write_found,
+    write_proved,
+    written_options,
 )
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
@@ -41,7 +42,7 @@ size_options = together(
         "--count", type=click.IntRange(2, 10_000), default=50, help=N_("Sizes tried by --range.")
     ),
     take("prove"),
-    certificate_option,
+    written_options,
     take("json", "brackets", "explain", "shared"),
 )
 
@@ -120,15 +121,16 @@ def _solve_size(
 ) -> int:
     """The limit of a size, or with --range all sizes that will do."""
     ranged = options["span"] is not None
-    not_with("--range", ranged, "prove", "brackets")
+    not_with("--range", ranged, "prove", "brackets", "output")
     only_with("--range", ranged, "count")
-    only_with("--prove", options["prove"], "output")
-    check_certificate(options)
+    refuse_written(options)
     read = plan_to_walk(plan, settings, quiet)
-    return (_print_sizes if ranged else _print_limit)(name, read, options, quiet)
+    if ranged:
+        return _print_sizes(name, read, options, quiet)
+    return _print_limit(name, read, plan, options, quiet)
 
 
-def _print_limit(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
+def _print_limit(name: str, plan: "Plan", source: str, options: dict[str, Any], quiet: bool) -> int:
     from benchdragon.solve.size_family import question
 
     tried: list[str] = []
@@ -137,9 +139,13 @@ def _print_limit(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) 
         found = _limit(name, plan, options, _kept(progress, tried), claims)
     lines = _limit_lines(name, plan, options, found, tried) if options["explain"] else []
     asked = question(name)
-    print_solved(plan, _(asked.text), found, options, lines, up=asked.sense > 0.0)
-    if found.status == "proved":
-        write_kept_certificate(plan, options, claims, [])
+    up = asked.sense > 0.0
+    size = shown(found, up=up)
+    better = None if size is None else plan.with_values(dict.fromkeys(asked.keys, size))
+    proved = claims if found.status == "proved" else []
+    files = write_found(source, options, better)
+    files += write_proved(plan, options["certificate"], proved, [])
+    print_solved(plan, _(asked.text), found, options, lines, files, up=up)
     return exit_code(found)
 
 
@@ -199,7 +205,7 @@ def _print_sizes(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) 
 
         lines = spans_lines(found, low, high, count)
     if options["as_json"]:
-        click.echo(json.dumps({**_sizes_json(found), **about(plan, lines)}))
+        print_json({**_sizes_json(found), **about(plan, lines)})
     else:
         _echo_sizes(found)
         print_explanation(lines)

@@ -1,12 +1,12 @@
 """The verb `survey`: what the route makes of a drawing, and how near it keeps."""
 
-import json
 import math
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from benchdragon.cli.answers import about, print_title
+from benchdragon.cli.console import print_json
 from benchdragon.cli.options import take, verb
 from benchdragon.i18n import _
 from benchdragon.number_format import finite_or_none
@@ -37,7 +37,7 @@ def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> 
     walk = read.build()  # so that whatever is wrong is said with its line
     fit = read.route.fit(walk.dragon.longest_link)
     if as_json:
-        click.echo(json.dumps({**record_of(read, fit), **about(read, [])}))
+        print_json({**record_of(read, fit), **about(read, [])})
     else:
         print_title(read)
         for line in lines_of(read, fit):

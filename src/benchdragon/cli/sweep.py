@@ -1,6 +1,5 @@
 """The verb `sweep`: many questions about one plan."""
 
-import json
 from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -8,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.completed import keys
-from benchdragon.cli.console import print_rows, shown_progress
+from benchdragon.cli.console import print_json, print_rows, shown_progress
 from benchdragon.cli.options import (
     FOLDER,
     dances_options,
@@ -41,8 +40,8 @@ METHODS = ("latin-hypercube", "sobol")
     metavar="KEY=VALUES",
     shell_complete=keys,
     help=N_(
-        "A key of the plan and its values: route.pitch=0.45:0.6:0.01 (first, last, step) or "
-        "dragon.width=0.25,0.3; with --sample a range, route.pitch=0.45:0.6. May be repeated."
+        "A key of the plan and its values: route.pitch=0.45..0.6..0.01 (first, last, step) or "
+        "dragon.width=0.25,0.3; with --sample a range, route.pitch=0.45..0.6. May be repeated."
     ),
 )
 @click.option(
@@ -115,7 +114,7 @@ def _refuse_strays(plan: str | None, options: dict[str, Any]) -> None:
     if status and given_options().difference({"status", "as_json", "quiet", "lang"}):
         raise InputError(_("{option} goes alone, without a plan").format(option="--status"))
     if options["sample"] is not None and not options["vary"] and options["points"] is None:
-        raise InputError(_("--sample needs ranges: --vary KEY=LOW:HIGH"))
+        raise InputError(_("--sample needs ranges: --vary KEY=LOW..HIGH"))
     if not status and (plan is None or options["output"] is None):
         raise InputError(_("expected a PLAN and -o DIR, or --status DIR"))
     if not status and bool(options["vary"]) is (options["points"] is not None):
@@ -192,8 +191,8 @@ def print_sweep(found: "Sweep", folder: Path, *, as_json: bool) -> None:
             for name, (least, greatest) in ranges.items()
         }
         about = {"folder": str(folder), "points": len(found.table), "wanted": wanted}
-        plan = {"plan": {"sha256": found.about["plan_sha256"]}, "keys": list(found.keys)}
-        click.echo(json.dumps({**about, "complete": found.complete, **plan, "questions": asked}))
+        plan = {"plan_sha256": found.about["plan_sha256"], "keys": list(found.keys)}
+        print_json({**about, "complete": found.complete, **plan, "questions": asked})
         return
     rows = []
     for one in found.questions:

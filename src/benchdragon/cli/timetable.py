@@ -1,13 +1,12 @@
 """The verb `timetable`: when the head and the tail pass each place of a dance."""
 
-import json
 from dataclasses import asdict
 from typing import Any
 
 import click
 
 from benchdragon.cli.answers import about
-from benchdragon.cli.console import print_rows
+from benchdragon.cli.console import print_json, print_rows
 from benchdragon.cli.options import plan_to_walk, take, verb
 from benchdragon.i18n import language
 
@@ -33,7 +32,7 @@ def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) 
         answer: dict[str, Any] = {"start": start, "end": end, "clock": read.cues.clock}
         answer["places"] = [asdict(one) for one in passings]
         answer["stops"] = [one._asdict() for one in stops_of(walk, start, end)]
-        click.echo(json.dumps({**answer, **about(read, [])}))
+        print_json({**answer, **about(read, [])})
         return 0
     text = timetable_text(read, walk, (start, end), Ground.of(read, walk.route), passings)
     print_rows(read.title(language()), text.columns, text.rows, words=2)

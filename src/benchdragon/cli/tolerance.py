@@ -1,6 +1,5 @@
 """The verb `margins`: how much room imprecise people need."""
 
-import json
 import math
 from dataclasses import asdict
 from pathlib import Path
@@ -9,7 +8,13 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.answers import about
-from benchdragon.cli.console import print_explanation, print_files, print_rows, shown_progress
+from benchdragon.cli.console import (
+    print_explanation,
+    print_files,
+    print_json,
+    print_rows,
+    shown_progress,
+)
 from benchdragon.cli.options import (
     dances_options,
     folder_option,
@@ -80,13 +85,12 @@ def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
         cases = {name: as_json(one, pitch) for name, one in found.items()}
         counted = {"counts_obstacles": False} if read.obstacles() else {}
         told = {"cases": cases, **about(read, lines), "seed": options["seed"], **counted}
-        click.echo(json.dumps(told))
+        print_json(told, files)
         return 0
     print_margins(found, texts, pitch, read.limits.margin)
     if read.obstacles():
         click.echo(_("benches alone are asked about: the venue and obstacles do not count here"))
-    if files:
-        print_files(files)
+    print_files(files)
     print_explanation(lines)
     return 0
 

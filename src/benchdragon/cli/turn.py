@@ -1,16 +1,21 @@
 """`solve turn`: the best turn of a family, and how much better another may be at most."""
 
-import json
 import math
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from benchdragon.cli.answers import UNDECIDED, about, print_title
-from benchdragon.cli.console import print_explanation, print_files, shown_progress, turn_lines
-from benchdragon.cli.options import file_option, only_with, plan_to_walk, take, verb
-from benchdragon.cli.parsing import check_ending
-from benchdragon.cli.solved import write_plan
+from benchdragon.cli.console import (
+    print_explanation,
+    print_files,
+    print_json,
+    shown_progress,
+    turn_lines,
+)
+from benchdragon.cli.options import only_with, plan_to_walk, take, verb
+from benchdragon.cli.solved import refuse_written, write_found, written_options
 from benchdragon.i18n import N_, _
 from benchdragon.progress import part
 
@@ -67,9 +72,8 @@ if TYPE_CHECKING:
     default=20_000,
     help=N_("With --prove: the greatest number of boxes of turns to examine."),
 )
-@file_option("--certificate", N_("With --prove: write what shows it, for benchdragon verify."))
-@file_option("--plan-file", N_("Write the plan with the turn that was found."))
-@take("force", "json", "explain", "shared")
+@written_options
+@take("json", "explain", "shared")
 def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """A search for the best turn of the plan's family.
 
@@ -77,29 +81,20 @@ def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     may exist; --prove bounds how much better. Exit code 4: no turn was found that keeps the limits; 5:
     --prove did not get as near as --within says.
     """
-    from benchdragon.files import refuse_existing
     from benchdragon.solve.turn import best_turn
     from benchdragon.solve.turn_goal import TurnGoal
 
-    path, certificate = options["plan_file"], options["certificate"]
-    written = [file for file in (path, certificate) if file is not None]
-    only_with("--prove", options["prove"], "within", "boxes", "certificate")
-    only_with("--plan-file", bool(written), "force")
-    if path is not None:
-        check_ending("--plan-file", path, [".toml"])
-    if certificate is not None:
-        check_ending("--certificate", certificate, [".json"])
+    only_with("--prove", options["prove"], "within", "boxes")
+    refuse_written(options)
     read = plan_to_walk(plan, settings, quiet)
     longest, longest_way = (options[name] or math.inf for name in ("longest", "longest_way"))
     goal = TurnGoal(options["objective"], options["least_radius"], longest, longest_way)
-    refuse_existing(written, options["force"])
     if options["prove"]:
         return _prove_turn(read, plan, goal, options, quiet)
     with shown_progress(quiet) as progress:
         best = best_turn(read, goal, progress=progress)
-    if path is not None:
-        write_plan(best.plan, path, plan)
-    _print_turn(read, best, goal.objective, options)
+    files = write_found(plan, options, best.plan)
+    _print_turn(read, best, goal.objective, options, files)
     return 0
 
 
@@ -117,19 +112,20 @@ def _prove_turn(
         best = best_turn(plan, goal, progress=part(progress, 0.0, 0.5))
         value, ends = best.objective.value, {"gap": options["within"], "most": options["boxes"]}
         proof = turn_proof.proved_bound(plan, goal, value, **ends, progress=part(progress, 0.5, 1.0))
-    if options["plan_file"] is not None:
-        write_plan(best.plan, options["plan_file"], source)
-    if options["certificate"] is not None:
-        text = certificate_of(plan, goal, proof).model_dump_json()
-        write_whole(options["certificate"], text)
+    kept: Path | None = options["certificate"]
+    files = write_found(source, options, best.plan)
+    if kept is not None:
+        write_whole(kept, certificate_of(plan, goal, proof).model_dump_json())
+        files.append(kept)
     shown = turn_proof.with_proof(best, proof)
-    _print_turn(plan, shown, goal.objective, options, proof=turn_proof.proof_json(proof))
+    _print_turn(plan, shown, goal.objective, options, files, proof=turn_proof.proof_json(proof))
     return 0 if proof.complete else UNDECIDED
 
 
 def _print_turn(
-    plan: "Plan", best: "BestTurn", objective: str, options: dict[str, Any], **more: Any
-) -> None:
+    plan: "Plan", best: "BestTurn", objective: str, options: dict[str, Any], files: list[Path],
+    **more: Any,
+) -> None:  # fmt: skip
     """The best turn of a plan, as text or JSON."""
     lines: list[str] = []
     if options["explain"]:
@@ -137,11 +133,11 @@ def _print_turn(
 
         lines = explain_answers.turn_lines(best)
     if options["as_json"]:
-        click.echo(json.dumps({**best.as_json(), **more, **about(plan, lines)}))
+        print_json({**best.as_json(), **more, **about(plan, lines)}, files)
         return
     print_title(plan)
     _echo_turn(best, objective)
-    print_files([options[name] for name in ("plan_file", "certificate") if options[name] is not None])
+    print_files(files)
     print_explanation(lines)
 
 

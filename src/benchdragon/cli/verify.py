@@ -1,11 +1,10 @@
 """The verb `verify`: show again what a certificate says was proved."""
 
-import json
 from pathlib import Path
 
 import click
 
-from benchdragon.cli.console import shown_progress
+from benchdragon.cli.console import print_json, shown_progress
 from benchdragon.cli.options import take, verb
 
 
@@ -38,7 +37,7 @@ def verify(file: str, quiet: bool, as_json: bool) -> int:
         size, plan_sha256 = {"cells": sum(len(at) - 1 for at in ends)}, certificate.plan_sha256
     if as_json:
         about = {"verified": lines, "statements": statements, **size, "plan_sha256": plan_sha256}
-        click.echo(json.dumps(about))
+        print_json(about)
     else:
         for line in lines:
             click.echo(line)

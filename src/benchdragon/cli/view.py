@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from benchdragon.cli.console import print_files, shown_progress
+from benchdragon.cli.console import print_written, shown_progress
 from benchdragon.cli.options import output_option, plan_to_walk, take, verb
 from benchdragon.cli.parsing import check_ending, parse_span
 from benchdragon.i18n import N_
@@ -14,7 +14,7 @@ from benchdragon.progress import part
 @verb("view turn -o turn.html")
 @take("plan")
 @output_option(N_("The file to write, for example dance.html."))
-@take("force", "span", "shared")
+@take("force", "span", "json", "shared")
 def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Write the dance of a plan as one page for any browser.
 
@@ -38,5 +38,5 @@ def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
         judge = partial(check, progress=told)
         shown = scene.judged_dance(read, judge, span, part(progress, 0.5, 1.0))
         write_player(path, shown)
-    print_files([path])
+    print_written([path], options["as_json"], plan_sha256=read.sha256)
     return 0

@@ -30,6 +30,8 @@ SPEEDS = {
 ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "cm/s^2": 0.01, "cm/s²": 0.01, "米/秒²": 1.0}
 ANGULAR_SPEEDS = {"deg/s": 1.0, "°/s": 1.0, "rad/s": 180.0 / math.pi, "度/秒": 1.0}
 UNITS = METRES | SECONDS | DEGREES | SPEEDS | ACCELERATIONS | ANGULAR_SPEEDS
+# The signs between the ends of a range and its step, on command lines and in Python.
+RANGE = ".."
 # Beyond it no double holds a whole number.
 MOST_BITS = 1023
 # Of a number with its unit; to look for both in a very long text would take hours.

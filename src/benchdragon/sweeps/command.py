@@ -11,6 +11,7 @@ from benchdragon.i18n import _
 from benchdragon.plans.keys import written
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.plans.toml import PlanError, built_in_names
+from benchdragon.plans.units import RANGE
 from benchdragon.solve.tolerance import CASES
 from benchdragon.sweeps.points import Value, parse_vary
 from benchdragon.sweeps.sweep import Sweep
@@ -95,7 +96,7 @@ def _points(sweep: Sweep) -> list[str]:
         return ["--points", POINTS_FILE]
     words = []
     for key, (low, high) in zip(sweep.keys, drawn["ranges"], strict=True):
-        words += ["--vary", f"{key}={low!r}:{high!r}"]
+        words += ["--vary", f"{key}={low!r}{RANGE}{high!r}"]
     words += ["--sample", str(points["count"]), "--seed", str(drawn["seed"])]
     return [*words, "--method", drawn["method"]]
 
@@ -116,7 +117,7 @@ def vary_text(key: str, values: Sequence[Value]) -> str:
     if len(values) > 2 and not any(isinstance(value, str) for value in values):
         first, second, last = (Decimal(repr(values[n])) for n in (0, 1, -1))
         if first != second:
-            text = f"{key}={values[0]!r}:{values[-1]!r}:{second - first}"
+            text = RANGE.join((f"{key}={values[0]!r}", repr(values[-1]), str(second - first)))
             steps = (last - first) / (second - first)
             if steps == len(values) - 1 and _same(parse_vary([text])[key], values):
                 return text

@@ -12,9 +12,12 @@ from typing import Any, Literal
 
 import numpy as np
 
-from benchdragon.errors import InputError, brief, brought_by, whole
+from benchdragon.errors import InputError, brief, brought_by, did_you_mean, whole
 from benchdragon.i18n import _
 from benchdragon.kernels.route import IntArray
+from benchdragon.plans.faults import single_keys
+from benchdragon.plans.schema import Plan
+from benchdragon.plans.units import RANGE
 
 Value = float | int | str
 Method = Literal["latin-hypercube", "sobol"]
@@ -72,7 +75,7 @@ class Points:
         for key in self.keys:
             if not KEY.fullmatch(key) or self.keys.count(key) > 1:
                 text = _("expected keys of a plan such as route.pitch, each once, not {key}")
-                raise InputError(text.format(key=key))
+                raise InputError(text.format(key=key) + did_you_mean(key, single_keys(Plan)))
         if any(len(column) > MOST_LISTED for column in self.columns):
             raise InputError(_("a key takes at most {most} values").format(most=MOST_LISTED))
         count = math.prod(self.shape) if self.columns else 0
@@ -164,8 +167,8 @@ def _columns(
 
 
 def _stepped(values: object) -> bool:
-    """Whether values are given in steps, as on the command line: "0.45:0.6:0.01"."""
-    return isinstance(values, str) and ":" in values
+    """Whether values are given in steps, as on the command line: "0.45..0.6..0.01"."""
+    return isinstance(values, str) and RANGE in values
 
 
 def _check_mapping(columns: object) -> None:
@@ -214,11 +217,11 @@ def _ends(key: str, ends: Iterable[float]) -> tuple[float, float]:
     plain = [_value(key, end) for end in ends]
     numbers = [end for end in plain if not isinstance(end, str)]
     if len(plain) != 2 or len(numbers) != 2:
-        raise InputError(_("{key}: a sample needs a range LOW:HIGH").format(key=key))
+        raise InputError(_("{key}: a sample needs a range LOW..HIGH").format(key=key))
     low, high = numbers
     if not low < high:
         text = _("{key}: expected a range from a smaller value to a larger one, not {ends}")
-        raise InputError(text.format(key=key, ends=f"{low:g}:{high:g}"))
+        raise InputError(text.format(key=key, ends=f"{low:g}{RANGE}{high:g}"))
     return low, high
 
 
@@ -254,7 +257,7 @@ def read_points(path: Path) -> Points:
 
 
 def parse_vary(texts: Sequence[str], *, ranges: bool = False) -> dict[str, Any]:
-    """What "KEY=A:B:STEP" and "KEY=A,B,C" say: the values of each key; or with `ranges` LOW and HIGH.
+    """What "KEY=A..B..STEP" and "KEY=A,B,C" say: the values of each key; or with `ranges` the ends.
 
     Values in steps are those of decimal arithmetic: 0.46 and not 0.45999999999999996.
 
@@ -264,13 +267,13 @@ def parse_vary(texts: Sequence[str], *, ranges: bool = False) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for text in texts:
         key, equals, values = (word.strip() for word in text.partition("="))
-        parts = [word.strip() for word in values.split(":" if ":" in values else ",")]
-        stepped = ":" in values
+        stepped = RANGE in values
+        parts = [word.strip() for word in values.split(RANGE if stepped else ",")]
         if not equals or not key or not all(parts) or key in found:
             raise _unreadable(text)
         if ranges:
             if not stepped or len(parts) != 2:
-                raise InputError(_("{key}: a sample needs a range LOW:HIGH").format(key=key))
+                raise InputError(_("{key}: a sample needs a range LOW..HIGH").format(key=key))
             found[key] = tuple(map(_number, parts))
         elif stepped:
             if len(parts) != 3:
@@ -285,7 +288,8 @@ def parse_vary(texts: Sequence[str], *, ranges: bool = False) -> dict[str, Any]:
 
 def _unreadable(text: str) -> InputError:
     said = _(
-        "expected KEY=FIRST:LAST:STEP or KEY=VALUE,VALUE,... (route.pitch=0.45:0.6:0.01), not {text}"
+        "expected KEY=FIRST..LAST..STEP or KEY=VALUE,VALUE,... (route.pitch=0.45..0.6..0.01), not "
+        "{text}"
     )
     return InputError(said.format(text=repr(text)))
 

@@ -19,7 +19,7 @@ const QUESTIONS = {
   "job/speed": { text: () => _("greatest head speed"), command: `solve speed ${PLAN_FILE}` },
   "job/pace": {
     text: () => _("slow down only where it must"),
-    command: `solve speed ${PLAN_FILE} --pace ${NAME}-slow.dragon.toml`,
+    command: `solve speed ${PLAN_FILE} --pace -o ${NAME}-slow.dragon.toml`,
   },
   "job/margins": {
     text: () => _("tolerance for people who are not exact"),
