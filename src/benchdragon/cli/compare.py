@@ -41,7 +41,7 @@ def starter(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
 
 
 @verb("compare result1.xlsx pitch=0.45")
-@click.argument("given", metavar="FILE|TASK=NUMBER...", nargs=-1, required=True)
+@click.argument("given", metavar="FILE|TASK=NUMBER", nargs=-1, required=True)
 @click.option(
     "--as",
     "result",
