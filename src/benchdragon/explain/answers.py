@@ -114,11 +114,8 @@ def _pair_lines(family: PlanFamily, answer: Answer, near: Witness) -> list[str]:
 def spans_lines(sizes: FeasibleSizes, low: float, high: float, count: int) -> list[str]:
     """How all safe sizes of a range are found."""
     numbers = f"({number(high)} - {number(low)})/({count} - 1) = {number(sizes.step)}"
-    lines = [
-        _("{count} sizes were tried, {step} m apart, each on the whole walk.").format(
-            count=count, step=numbers
-        )
-    ]
+    text = _("{count} sizes were tried, {step} m apart, each on the whole walk.")
+    lines = [text.format(count=count, step=numbers)]
     text = _(
         "From {low} m to {high} m all {tried} that were tried pass: {width} m. Where a span ends at a "
         "size that does not pass, its end is exact."

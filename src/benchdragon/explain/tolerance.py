@@ -78,11 +78,8 @@ def _chance_lines(found: Tolerance, pitch: float) -> list[str]:
     share, low, high = found.touching()
     hits = round(share * count)
     tail = 0.5 * (1.0 - CONFIDENCE)
-    lines = [
-        _("Walked with {pitch} m, {hits} of {count} touch: {hits}/{count} = {share}.").format(
-            hits=hits, count=count, pitch=number(pitch), share=number(share)
-        )
-    ]
+    text = _("Walked with {pitch} m, {hits} of {count} touch: {hits}/{count} = {share}.")
+    lines = [text.format(hits=hits, count=count, pitch=number(pitch), share=number(share))]
     if hits:
         lines.append(
             _(

@@ -224,11 +224,9 @@ def _text(path: Path, source: str) -> str:
         files = [str(one) for one in sorted(path.parent.glob(f"*{SUFFIX}"))]
         bare = source.removesuffix(".toml").removesuffix(".dragon")
         hint = did_you_mean(bare, [*built_in_names(), *files])
+        text = _("there is no plan {source}: expected a {suffix} file or one of {names}")
         raise PlanError(
-            _("there is no plan {source}: expected a {suffix} file or one of {names}").format(
-                source=source, suffix=SUFFIX, names=", ".join(built_in_names())
-            )
-            + hint
+            text.format(source=source, suffix=SUFFIX, names=", ".join(built_in_names())) + hint
         ) from None
     except UnicodeDecodeError:
         text = _("{source} is not UTF-8 text: save it again with the encoding UTF-8")
