@@ -63,10 +63,10 @@ export function roundedPoint([x, y], free) {
   return [rounded(x, "place", free), rounded(y, "place", free)];
 }
 
-/** A copy of a plan that is changed. @param {Plan} plan @param {(copy: Plan) => void} change @returns {Plan} */
-function changed(plan, change) {
+/** The plan with other values in one of its tables or lists. @param {Plan} plan @param {(copy: Plan) => object} part @param {object} values @returns {Plan} */
+function changed(plan, part, values) {
   const copy = structuredClone(plan);
-  change(copy);
+  Object.assign(part(copy), values);
   return copy;
 }
 
@@ -142,10 +142,7 @@ function keyGrip(plan, key, id, name, quantity, at, read) {
   const [table, own] = key.split(".");
   const { unit, low, high } = fieldOf(key);
   const value = plan[table][own];
-  const put = (/** @type {number} */ to) =>
-    changed(plan, (copy) => {
-      copy[table][own] = to;
-    });
+  const put = (/** @type {number} */ to) => changed(plan, (copy) => copy[table], { [own]: to });
   const said = unit === "m" ? metresText(value) : decimals(value, 2);
   return sizeGrip({ id, name, quantity, value, text: said, at, low, high, read, put });
 }
@@ -218,21 +215,14 @@ function danceGrips(plan, arm) {
   const square = venue?.boundary || venue?.rectangle || obstacle?.length;
   if (!square && !route.at && !route.turned) return [];
   const frame = danceFrame(plan);
-  const move = (/** @type {Point} */ to) =>
-    changed(plan, (copy) => {
-      copy.route.at = to;
-    });
-  const turn = (/** @type {number} */ angle) =>
-    changed(plan, (copy) => {
-      copy.route.turned = angle;
-    });
+  const put = (/** @type {object} */ values) => changed(plan, (copy) => copy.route, values);
   const turned = route.turned ?? 0;
   const read = (/** @type {Point} */ [x, y]) => {
     const angle = (Math.atan2(y - frame.origin[1], x - frame.origin[0]) * 180) / Math.PI;
     return angle + 360 * Math.round((turned - angle) / 360);
   };
   return [
-    placeGrip("at", _("place of the dance"), frame.origin, move),
+    placeGrip("at", _("place of the dance"), frame.origin, (at) => put({ at })),
     sizeGrip({
       id: "turned",
       name: _("direction of the dance"),
@@ -244,7 +234,7 @@ function danceGrips(plan, arm) {
       low: -360,
       high: 360,
       read,
-      put: turn,
+      put: (turned) => put({ turned }),
     }),
   ];
 }
@@ -333,10 +323,7 @@ function venueGrips(plan, arm) {
   const { venue } = plan;
   if (!hasSquare(plan)) return [];
   const name = venue.name || _("the venue");
-  const set = (/** @type {object} */ values) =>
-    changed(plan, (copy) => {
-      Object.assign(copy.venue, values);
-    });
+  const set = (/** @type {object} */ values) => changed(plan, (copy) => copy.venue, values);
   if (venue.rectangle) {
     const told = { centre: venue.centre ?? [0, 0], size: venue.rectangle, angle: venue.angle ?? 0 };
     return rectangleGrips("venue", name, told, arm, (centre, rectangle) => set({ centre, rectangle }));
@@ -359,10 +346,7 @@ function obstacleGrips(plan, arm) {
   return obstaclesOf(plan).flatMap((one, n) => {
     const id = `obstacle.${n}`;
     const name = obstacleName(one, n);
-    const set = (/** @type {object} */ values) =>
-      changed(plan, (copy) => {
-        Object.assign(copy.obstacle[n], values);
-      });
+    const set = (/** @type {object} */ values) => changed(plan, (copy) => copy.obstacle[n], values);
     const placed = _("place of {name}", { name });
     if (one.points) {
       const middle = meanOf(one.points);
@@ -404,9 +388,7 @@ function circleGrip(id, name, { centre, radius }, set) {
 function entranceGrips(plan) {
   return entrancesOf(plan).map(([x, y, ...width], n) =>
     placeGrip(`entrance.${n}`, _("entrance {n}", { n: n + 1 }), [x, y], (to) =>
-      changed(plan, (copy) => {
-        copy.event.entrances[n] = [...to, ...width];
-      }),
+      changed(plan, (copy) => copy.event.entrances, { [n]: [...to, ...width] }),
     ),
   );
 }
@@ -415,39 +397,26 @@ function entranceGrips(plan) {
 function wayGrips(plan) {
   const { kind, points = [] } = plan.route;
   const frame = danceFrame(plan);
-  /** @param {string} id @param {string} name @param {Point} at @param {(copy: Plan, to: Point) => void} put */
-  const held = (id, name, at, put) =>
-    placeGrip(id, name, at, (to) => changed(plan, (copy) => put(copy, to)));
+  /** @param {string} id @param {string} name @param {Point} at @param {(copy: Plan) => object} part @param {string | number} key @param {(to: Point) => Point} [own] */
+  const held = (id, name, at, part, key, own = (to) => to) =>
+    placeGrip(id, name, at, (to) => changed(plan, part, { [key]: own(to) }));
   const few = (/** @type {Point[]} */ line) => (line.length > MOST_CORNERS ? [] : line);
-  const drawn = few(kind === "drawn" ? (points ?? []) : []).map((point, n) =>
-    held(
-      `drawn.${n}`,
-      _("point {n} of the route", { n: n + 1 }),
-      frame.ground(point),
-      (copy, to) => void (copy.route.points[n] = roundedPoint(frame.own(to), true)),
-    ),
-  );
-  const street = few(streetOf(plan)).map((point, n) =>
-    held(
-      `route.street.${n}`,
-      _("point {n} of the street", { n: n + 1 }),
-      point,
-      (copy, to) => void (copy.route.street.points[n] = to),
-    ),
-  );
-  const rests = restsOf(plan).filter(([, { place }]) => place);
-  return [
-    ...drawn,
-    ...street,
-    ...rests.map(([n, one]) =>
-      held(
-        `cues.cue.${n}`,
-        _("place of {name}", { name: restName(one) }),
-        one.place,
-        (copy, to) => void (copy.cues.cue[n].place = to),
-      ),
-    ),
-  ];
+  const inDance = (/** @type {Point} */ to) => roundedPoint(frame.own(to), true);
+  const drawn = few(kind === "drawn" ? (points ?? []) : []).map((point, n) => {
+    const name = _("point {n} of the route", { n: n + 1 });
+    return held(`drawn.${n}`, name, frame.ground(point), (copy) => copy.route.points, n, inDance);
+  });
+  const street = few(streetOf(plan)).map((point, n) => {
+    const name = _("point {n} of the street", { n: n + 1 });
+    return held(`route.street.${n}`, name, point, (copy) => copy.route.street.points, n);
+  });
+  const rests = restsOf(plan)
+    .filter(([, { place }]) => place)
+    .map(([n, one]) => {
+      const name = _("place of {name}", { name: restName(one) });
+      return held(`cues.cue.${n}`, name, one.place, (copy) => copy.cues.cue[n], "place");
+    });
+  return [...drawn, ...street, ...rests];
 }
 
 /**
