@@ -5,6 +5,7 @@ import { NumberControl } from "./number_control.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./messages").NamedFormation} NamedFormation */
+/** @typedef {import("./number_control.js").Put} Put */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 
 /** What a coil begins with where another dance had none: its pitch, m, and turns. */
@@ -77,11 +78,8 @@ export class DanceKind {
   #rebuild(name) {
     this.#shown = name;
     const sizes = this.formations.find((one) => one.name === name)?.sizes ?? [];
-    const put = (
-      /** @type {string} */ key,
-      /** @type {unknown} */ value,
-      /** @type {boolean} */ final,
-    ) => {
+    /** @type {Put} */
+    const put = (key, value, final) => {
       const route = { ...this.plan.route, [key.split(".")[1]]: value };
       this.changed({ ...this.plan, route }, final);
     };

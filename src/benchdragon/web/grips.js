@@ -24,12 +24,7 @@ const LINGER = 5000;
 /** The lever that turns the dance, CSS pixels. */
 const ARM = 90;
 /** @type {Record<string, [number, number]>} */
-const ARROWS = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** A grip that is being moved, held so far from its middle, m. @typedef {{ grip: Grip, began: Plan, from: [number, number] }} Drag */
 

@@ -22,6 +22,8 @@ import { _ } from "./words.js";
  * @property {(plan: Plan) => boolean} [when] whether it says anything
  */
 
+/** Puts a value under a key of a plan, for the time being or for good. @typedef {(key: string, value: unknown, final: boolean) => void} Put */
+
 /** What a key stands for in a plan; undefined where it does not say. @param {Plan} plan @param {string} key */
 export function valueOf(plan, key) {
   return key.split(".").reduce((/** @type {any} */ at, name) => at?.[name], plan);

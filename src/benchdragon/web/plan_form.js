@@ -13,6 +13,7 @@ import { _, language } from "./words.js";
  */
 
 /** @typedef {import("./number_control.js").Field} Field */
+/** @typedef {import("./number_control.js").Put} Put */
 
 /** @param {Plan} plan */
 const sized = (plan) => !plan.dragon.bench?.length;
@@ -200,11 +201,8 @@ export class PlanForm {
     this.changed = changed;
     /** @type {Plan} */
     this.plan = {};
-    const told = (
-      /** @type {string} */ key,
-      /** @type {unknown} */ value,
-      /** @type {boolean} */ final,
-    ) => changed(withValue(this.plan, key, value), final);
+    /** @type {Put} */
+    const told = (key, value, final) => changed(withValue(this.plan, key, value), final);
     this.controls = GROUPS.map((group) => group.fields.map((field) => new NumberControl(field, told)));
     this.preset = choice(
       _("begin with"),

@@ -55,30 +55,16 @@ import { N_, _ } from "./words.js";
  */
 
 /** What is printed of a dance. A new paper is a row. @type {Paper[]} */
+// prettier-ignore
 const PAPERS = [
   { name: "benches", label: N_("a sheet for each bench"), people: true, build: benchSheets },
-  {
-    name: "overview",
-    label: N_("the leader's overview"),
-    people: true,
-    build: overviewSheet,
-    saved: [{ label: N_("save as CSV"), name: N_("benches"), data: overviewTable }],
-  },
-  {
-    name: "timetable",
-    label: N_("timetable and drum"),
-    build: timetableSheet,
-    saved: [
-      { label: N_("save the timetable as CSV"), name: N_("timetable"), data: timetableTable },
-      { label: N_("save the drum"), name: N_("drum"), data: drumFile },
-    ],
-  },
-  {
-    name: "chalk",
-    label: N_("chalk plan"),
-    build: chalkSheet,
-    saved: [{ label: N_("save ticks as CSV"), name: N_("chalk plan"), data: chalkTable }],
-  },
+  { name: "overview", label: N_("the leader's overview"), people: true, build: overviewSheet,
+    saved: [{ label: N_("save as CSV"), name: N_("benches"), data: overviewTable }] },
+  { name: "timetable", label: N_("timetable and drum"), build: timetableSheet,
+    saved: [{ label: N_("save the timetable as CSV"), name: N_("timetable"), data: timetableTable },
+      { label: N_("save the drum"), name: N_("drum"), data: drumFile }] },
+  { name: "chalk", label: N_("chalk plan"), build: chalkSheet,
+    saved: [{ label: N_("save ticks as CSV"), name: N_("chalk plan"), data: chalkTable }] },
   { name: "annex", label: N_("the permit annex"), question: "annex", build: annexSheet },
 ];
 // Width of a page, in pixels of 96 to an inch, and of what is around it.
@@ -275,22 +261,14 @@ export class Sheets {
       ["quarter", _("a quarter, four on a page")],
       ["lanyard", _("to hang round the neck, two on a page")],
     ];
-    const paper = choice(_("size of the sheets"), papers, looks.paper, (value) => {
-      looks.paper = value;
-      this.show();
-    });
-    const households = tick(_("by household"), looks.households, (on) => {
-      looks.households = on;
-      this.show();
-    });
-    const night = tick(_("large type"), looks.night, (on) => {
-      looks.night = on;
-      this.show();
-    });
-    const phones = tick(_("print phone numbers"), looks.phones, (on) => {
-      looks.phones = on;
-      this.show();
-    });
+    const paper = choice(_("size of the sheets"), papers, looks.paper, (chosen) =>
+      this.#look({ paper: chosen }),
+    );
+    const households = tick(_("by household"), looks.households, (on) =>
+      this.#look({ households: on }),
+    );
+    const night = tick(_("large type"), looks.night, (on) => this.#look({ night: on }));
+    const phones = tick(_("print phone numbers"), looks.phones, (on) => this.#look({ phones: on }));
     const print = textButton(_("print"), () => globalThis.print());
     const saves = this.papers.flatMap(({ saved = [] }) => saved).map((one) => this.#saving(one));
     const grouped = this.names.households ? [households] : [];
@@ -321,10 +299,15 @@ export class Sheets {
     /** @type {[string, string][]} */
     const all = [["0", _("all benches")]];
     for (const { bench } of briefing.benches) all.push([String(bench), said.called(bench)]);
-    return choice(_("which benches"), all, String(this.looks.bench), (value) => {
-      this.looks.bench = Number(value);
-      this.show();
-    });
+    return choice(_("which benches"), all, String(this.looks.bench), (value) =>
+      this.#look({ bench: Number(value) }),
+    );
+  }
+
+  /** Have papers look otherwise. @param {Partial<Sheets["looks"]>} looks */
+  #look(looks) {
+    Object.assign(this.looks, looks);
+    this.show();
   }
 
   /** What these sheets lack. */

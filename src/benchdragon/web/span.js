@@ -6,6 +6,7 @@ import { withValue } from "./plan_form.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./number_control.js").Field} Field */
+/** @typedef {import("./number_control.js").Put} Put */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./scene.js").Scene} Scene */
 
@@ -37,11 +38,8 @@ export class Span {
     this.danced = [0, 0];
     /** End of the whole dance, as far as it was seen, s; and of which it is. */
     this.whole = { of: "", end: 0 };
-    const told = (
-      /** @type {string} */ key,
-      /** @type {unknown} */ value,
-      /** @type {boolean} */ final,
-    ) => changed(withValue(this.plan, key, value), final);
+    /** @type {Put} */
+    const told = (key, value, final) => changed(withValue(this.plan, key, value), final);
     this.start = new NumberControl(
       timeField("walk.start", () => _("the walk starts at"), () => this.danced[0]), told,
     ); // prettier-ignore

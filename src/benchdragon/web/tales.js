@@ -86,14 +86,7 @@ function timesOf(scene, time, after) {
  */
 function approach(texts, times, views, about) {
   return texts.map((text, n) =>
-    stepOf({
-      ...about,
-      text,
-      from: times[n],
-      to: times[n + 1],
-      seconds: LENGTHS[n],
-      view: views[n],
-    }),
+    stepOf({ ...about, text, from: times[n], to: times[n + 1], seconds: LENGTHS[n], view: views[n] }),
   );
 }
 

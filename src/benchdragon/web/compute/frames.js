@@ -62,13 +62,7 @@ export async function frames(walk, start, end, most, shares = SHARES) {
   throw new InputError(
     _(
       "frames of {benches} benches from {start} s to {end} s would be off by more than {error} m or fill more than {most} positions: choose a shorter time",
-      {
-        benches,
-        start: general(start),
-        end: general(until),
-        error: general(most),
-        most: MOST_PLACES,
-      },
+      { benches, start: general(start), end: general(until), error: general(most), most: MOST_PLACES },
     ),
   );
 }
