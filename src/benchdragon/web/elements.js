@@ -116,6 +116,17 @@ export function table(heads, rows, { kind = "", name = "", named = false } = {})
   return make("table", kind ? { class: kind } : {}, ...above, ...parts);
 }
 
+/** What takes a file, each time that one is chosen. @param {(file: File) => void} take @param {Record<string, string>} [attributes] */
+export function fileInput(take, attributes = {}) {
+  const input = make("input", { type: "file", hidden: true, ...attributes });
+  input.addEventListener("change", () => {
+    const file = input.files?.[0];
+    input.value = ""; // so that the same may be chosen again
+    if (file) take(file);
+  });
+  return input;
+}
+
 /** What an inert script element of the page holds. @param {string} id */
 export function held(id) {
   return JSON.parse(/** @type {HTMLElement} */ (document.getElementById(id)).textContent ?? "");

@@ -2,7 +2,7 @@
 
 import { keep, kept } from "./address.js";
 import { commandList } from "./commands.js";
-import { make, textButton } from "./elements.js";
+import { fileInput, make, textButton } from "./elements.js";
 import { readLink } from "./link.js";
 import { planIn } from "./pasted.js";
 import { planText, textPlan } from "./plan_form.js";
@@ -72,12 +72,7 @@ export class Files {
   /** A button that opens a plan file, and what it takes for that; and a box to paste a plan into. */
   opener() {
     // Whatever is chosen is told: phones grey out plans where files are to be of some kind.
-    const input = make("input", { type: "file", class: "plan-file", hidden: true });
-    input.addEventListener("change", () => {
-      const file = input.files?.[0];
-      input.value = "";
-      if (file) this.#open(file);
-    });
+    const input = fileInput((file) => this.#open(file), { class: "plan-file" });
     const open = textButton(_("open a plan file"), () => input.click());
     const text = _("or paste its link, its letters, or the text of its file");
     const asked = make("p", { class: "asked", role: "alert", hidden: true });

@@ -3,7 +3,7 @@
 import { keep, kept } from "./address.js";
 import { sheetsOf } from "./compute/roster_book.js";
 import { rowsOf } from "./compute/roster_grid.js";
-import { choice, make, textButton } from "./elements.js";
+import { choice, fileInput, make, textButton } from "./elements.js";
 import { keeper } from "./files.js";
 import { rosterOf } from "./made/roster.js";
 import { _ } from "./words.js";
@@ -121,12 +121,7 @@ export class NameList {
 
   /** The controls, in the language in use. */
   controls() {
-    const input = make("input", { type: "file", hidden: true });
-    input.addEventListener("change", () => {
-      const file = input.files?.[0];
-      input.value = "";
-      if (file) this.#file(file);
-    });
+    const input = fileInput((file) => this.#file(file));
     const area = make("textarea", { "aria-label": _("list of names"), spellcheck: "false" });
     area.placeholder = _(
       "bench, name, household, phone, remarks: paste the rows of a spreadsheet here",

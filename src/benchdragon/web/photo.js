@@ -1,7 +1,7 @@
 // A photograph of the square below the dance: it stays in this page, and two points and their distance give
 // its scale.
 
-import { make, textButton } from "./elements.js";
+import { fileInput, make, textButton } from "./elements.js";
 import { NumberControl } from "./number_control.js";
 import { _ } from "./words.js";
 
@@ -32,12 +32,7 @@ export class Photo {
 
   /** The controls, in the language in use. */
   controls() {
-    const input = make("input", { type: "file", accept: "image/*", hidden: true });
-    input.addEventListener("change", () => {
-      const file = input.files?.[0];
-      input.value = "";
-      if (file) this.#open(file);
-    });
+    const input = fileInput((file) => this.#open(file), { accept: "image/*" });
     this.trouble = make("p", { class: "odd", role: "alert", hidden: true });
     this.span = new NumberControl(
       {
