@@ -19,7 +19,7 @@ def test_the_table_names_every_formation_with_its_sizes_and_source(
         assert kind.pinyin in shown
         assert (kind.english in shown) == (spoken == "en")
     assert "inner_radius 2.5 m" in shown
-    assert "rounds 1 " in shown
+    assert "rounds 1" in shown
     assert {"en": "CUMCM", "zh": "本项目自定"}[spoken] in shown
 
 

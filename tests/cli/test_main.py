@@ -150,7 +150,7 @@ def test_motion_as_a_table_shows_the_papers_handles(capsys: pytest.CaptureFixtur
     assert code == 0
     assert "5.799209" in out
     assert "-8.797992" in out
-    assert [line.split()[3] for line in out.splitlines() if line.startswith("│")] == [
+    assert [line.split("\t")[1] for line in out.splitlines() if line.startswith("60\t")] == [
         "0", "1", "51", "101", "151", "201", "223",
     ]  # fmt: skip
 
@@ -230,8 +230,24 @@ def test_without_times_a_screen_shows_the_whole_walk_in_a_dozen(
 ) -> None:
     code, out, _err = answered(capsys, "motion", *plan, "--only", "0")
     assert code == 0
-    rows = [line.split("│")[1:3] for line in out.splitlines() if line.startswith("│")]
+    rows = [line.split("\t")[:2] for line in out.splitlines() if "\t" in line][1:]
     assert [(int(time), int(handle)) for time, handle in rows] == [(time, 0) for time in times]
+
+
+def test_a_table_has_lines_on_a_screen_and_tabs_elsewhere(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    question = ("motion", "spiral-in", "--at", "60", "--only", "0..1")
+    _code, piped, _err = answered(capsys, *question)
+    title, header, *rows, _numbering = piped.splitlines()
+    assert (title, header.split("\t")[:2]) == ("Coiling in", ["time (s)", "handle"])
+    assert [row.split("\t")[:4] for row in rows] == [
+        ["60", "0", "Head", "5.799209"], ["60", "1", "Body 1", "7.456758"],
+    ]  # fmt: skip
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    _code, shown, _err = answered(capsys, *question)
+    assert "\t" not in shown
+    assert all(name in shown for name in ("┃ time (s) ┃", "│ 5.799209"))
 
 
 def test_keep_going_gives_the_sound_part_and_says_what_failed(

@@ -12,8 +12,8 @@ from benchdragon.cli.options import only_with, output_option, plan_to_walk, take
 from benchdragon.cli.parsing import (
     PAPERS,
     check_ending,
-    parse_formats,
     parse_length,
+    parse_names,
     parse_scale,
     parse_span,
 )
@@ -98,7 +98,7 @@ def _files(path: Path | None, formats: str | None) -> list[Path]:
     check_ending("-o", path, [f".{name}" for name in DRAWINGS + DATA])
     if formats is None:
         return [path]
-    return [path.with_suffix(f".{name}") for name in parse_formats(formats, DRAWINGS + DATA)]
+    return [path.with_suffix(f".{name}") for name in parse_names("--format", formats, DRAWINGS + DATA)]
 
 
 def area_record(found: "SweptArea") -> dict[str, Any]:

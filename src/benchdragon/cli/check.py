@@ -19,7 +19,7 @@ from benchdragon.cli.answers import (
 )
 from benchdragon.cli.console import print_explanation, print_files, print_json, shown_progress
 from benchdragon.cli.options import files_option, only_with, plan_to_walk, take, tell_names, verb
-from benchdragon.cli.parsing import parse_formats
+from benchdragon.cli.parsing import parse_names
 from benchdragon.cli.solved import certificate_option, refuse_certificate, write_proved
 from benchdragon.errors import UnsureError
 from benchdragon.files import refuse_existing
@@ -60,7 +60,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     if folder is not None:
         from benchdragon.export.check_files import FORMATS, planned_files, write_files
 
-        files = planned_files(folder, parse_formats(options["formats"], FORMATS))
+        files = planned_files(folder, parse_names("--format", options["formats"], FORMATS))
         refuse_existing(files, options["force"])
     warn_of_outside(read)
     with shown_progress(quiet) as progress:

@@ -50,7 +50,14 @@ def print_table(title: str, benches: int, rows: Sequence[tuple[float, int, Seque
 def print_rows(
     title: str, columns: Sequence[str], rows: Sequence[tuple[str, ...]], *, words: int = 1
 ) -> None:
-    """A table: words of so many first columns may break, figures in the others stand to the right."""
+    """A table: words of so many first columns may break, figures in the others stand to the right.
+
+    Where it is piped or written into a file it has no lines: a row a line, its cells between tabs.
+    """
+    if not sys.stdout.isatty():
+        lines = ["\t".join(cell.replace("\n", "; ") for cell in row) for row in (columns, *rows)]
+        click.echo("\n".join([title, *lines] if title else lines))
+        return
     from rich.table import Table
     from rich.text import Text  # text in brackets is no markup
 

@@ -36,8 +36,8 @@ from benchdragon.cli.options import files_option, folder_option, only_with, plan
 from benchdragon.cli.parsing import (
     PICTURE_FORMATS,
     TABLE_FORMATS,
-    parse_formats,
     parse_handles,
+    parse_names,
     parse_times,
     spread,
 )
@@ -227,7 +227,9 @@ for verbs in program.titled.values():
 
 def _refuse_strays(options: dict[str, Any]) -> None:
     to_files = options["output"] is not None
-    formats = set(parse_formats(options["formats"], FORMATS)) if to_files else set(TABLE_FORMATS)
+    formats = (
+        set(parse_names("--format", options["formats"], FORMATS)) if to_files else set(TABLE_FORMATS)
+    )
     only_with("-o", to_files, "formats", "force")
     only_with(", ".join(TABLE_FORMATS), bool(formats & set(TABLE_FORMATS)), "only")
     only_with("--leader rk4", options["leader"] == "rk4", "step")
@@ -333,7 +335,7 @@ def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quie
     from benchdragon.export.tables import WRITERS
     from benchdragon.files import refuse_existing
 
-    formats = parse_formats(options["formats"], FORMATS)
+    formats = parse_names("--format", options["formats"], FORMATS)
     if options["leader"] != "closed-form":
         raise InputError(_("files hold the closed form; --leader goes with the screen or --json"))
     folder: Path = options["output"]

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, did_you_mean
 from benchdragon.i18n import _
 from benchdragon.plans.units import METRES, RANGE, SECONDS, SPEEDS, quantity
 
@@ -222,15 +222,17 @@ def parse_handles(text: str | None, benches: int) -> list[int] | None:
     return [handle for ends in spans for handle in range(ends[0], ends[-1] + 1)]
 
 
-def parse_formats(text: str, known: Sequence[str]) -> list[str]:
-    """Names of formats in "csv,png", each once.
+def parse_names(option: str, text: str, known: Sequence[str]) -> list[str]:
+    """Names in "csv,png", each once.
 
     Raises:
-        InputError: for one that is not known.
+        InputError: naming the option, for one that is not known.
     """
-    formats = list(dict.fromkeys(name.strip() for name in text.split(",")))
-    for name in formats:
+    names = list(dict.fromkeys(name.strip() for name in text.split(",")))
+    for name in names:
         if name not in known:
-            wanted = _("--format: expected some of {known}, not {text}")
-            raise unreadable(wanted, "--format", name, known=", ".join(known))
-    return formats
+            wanted = _("{option}: expected some of {known}, not {text}").format(
+                option=option, known=", ".join(known), text=repr(name)
+            )
+            raise InputError(wanted + did_you_mean(name, known))
+    return names

@@ -11,7 +11,7 @@ from benchdragon.cli.answers import UNDECIDED, UNSAFE, about
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, print_json, shown_progress
 from benchdragon.cli.options import FILE, FOLDER, only_with, plan_to_walk, take, tell_names, verb
-from benchdragon.cli.parsing import check_ending
+from benchdragon.cli.parsing import check_ending, parse_names
 from benchdragon.i18n import N_, _
 from benchdragon.progress import part
 
@@ -80,12 +80,13 @@ def sheets(
     from benchdragon.analysis.check import check
     from benchdragon.export.metronome import write_drum
     from benchdragon.files import refuse_existing
-    from benchdragon.planner.papers import PAPERS, chosen_papers, wanted_papers, write_papers
+    from benchdragon.planner.papers import PAPERS, wanted_papers, write_papers
     from benchdragon.planner.printing import found_browser, print_papers
     from benchdragon.plans.roster import roster_of
 
     check_ending("-o", output, [".html"])
-    names = chosen_papers(options["only"], (*PAPERS, DRUM))
+    papers = (*PAPERS, DRUM)
+    names = parse_names("--only", options["only"] or ",".join(papers), papers)
     for kinds, speaking in SPEAK_OF.items():
         only_with(" / ".join(kinds), any(kind in names for kind in kinds), *speaking)
     shown = [name for name in names if name != DRUM]

@@ -18,6 +18,7 @@ from benchdragon.cli.options import (
     take,
     verb,
 )
+from benchdragon.cli.parsing import parse_names
 from benchdragon.cli.tolerance import DEVIATIONS, deviation_options, given_deviations
 from benchdragon.errors import InputError, MachineError
 from benchdragon.i18n import N_, _
@@ -149,7 +150,9 @@ def _design(plan: "Plan", options: dict[str, Any]) -> "Design":
 
 
 def _asked(options: dict[str, Any]) -> list[str]:
-    return [name.strip() for name in options["ask"].split(",")]
+    from benchdragon.sweeps.questions import QUESTIONS
+
+    return parse_names("--ask", options["ask"], [*QUESTIONS])
 
 
 def _points(options: dict[str, Any]) -> "Points":

@@ -5,9 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from benchdragon.errors import InputError
 from benchdragon.files import write_whole
-from benchdragon.i18n import _
 from benchdragon.planner.messages import Bearer, NamesHeld, WantedPapers
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.schema import Plan
@@ -15,22 +13,6 @@ from benchdragon.rosters.roster import Person, Roster
 
 # Those of web/sheets.js.
 PAPERS = ("benches", "overview", "timetable", "chalk", "annex")
-
-
-def chosen_papers(names: str | None, known: Sequence[str] = PAPERS) -> list[str]:
-    """The papers in a list with commas, "benches,overview"; all if it is None.
-
-    Raises:
-        InputError: for one that is not known.
-    """
-    if names is None:
-        return list(known)
-    chosen = list(dict.fromkeys(name.strip() for name in names.split(",")))
-    unknown = [name for name in chosen if name not in known]
-    if unknown:
-        text = _("--only: expected some of {known}, not {text}")
-        raise InputError(text.format(known=", ".join(known), text=repr(unknown[0])))
-    return chosen
 
 
 def wanted_papers(names: Sequence[str], roster: Roster, options: Mapping[str, Any]) -> WantedPapers:
