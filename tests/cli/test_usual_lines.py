@@ -89,6 +89,8 @@ MISTYPED = [
     ("CHECK turn", 2, "did you mean check?"),
     ("motoin turn", 2, "did you mean motion?"),
     ("anim turn", 2, "did you mean animate?"),
+    ("re -o out", 2, "did you mean reproduce?"),
+    ("ch turn", 2, "did you mean check?"),
     ("solv pitch turn", 2, "did you mean solve?"),
     ("pitch turn", 2, "did you mean solve pitch?"),
     ("solve ptch turn", 2, "did you mean pitch?"),

@@ -269,6 +269,11 @@ def test_a_film_ends_where_the_dragon_can_no_longer_stand() -> None:
         assert Film(SPIRAL, 432.853, 433.0).times.size
 
 
+def test_a_film_is_of_the_plans_own_span_unless_another_is_asked_for() -> None:
+    assert Film(TURN, fps=1).asked_span == TURN.span()
+    assert Film(TURN, end=5.0, fps=1).asked_span == (TURN.span()[0], 5.0)
+
+
 def test_a_film_shows_its_start_and_its_end() -> None:
     shown = Film(TURN, -5.0, 5.0, fps=30, speed_up=2.0).times
     assert len(shown) == 151

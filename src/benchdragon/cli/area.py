@@ -56,7 +56,12 @@ DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
     metavar="1:NUMBER",
     help=N_("Scale of svg and pdf, 1:50 to 1:1000. Default: the largest usual one that fits."),
 )
-@click.option("--paper", type=click.Choice(PAPERS), default="A3", help=N_("Paper of svg and pdf."))
+@click.option(
+    "--paper",
+    type=click.Choice(PAPERS, case_sensitive=False),
+    default="A3",
+    help=N_("Paper of svg and pdf."),
+)
 @take("force", "json", "brackets", "shared")
 def area(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """The ground that a dance covers: its area, its widest place, the spectators' line, drawings to

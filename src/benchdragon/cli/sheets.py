@@ -48,8 +48,8 @@ SPEAK_OF = {
 @click.option("--only", metavar="LIST", help=N_("Make these papers alone, for example overview,chalk."))
 @click.option(
     "--paper",
-    type=click.Choice(["a4", "quarter", "lanyard"], case_sensitive=False),
-    default="a4",
+    type=click.Choice(["A4", "quarter", "lanyard"], case_sensitive=False),
+    default="A4",
     help=N_("Size of the benches' sheets: A4, four on an A4 page, cards to hang round the neck."),
 )
 @click.option(

@@ -24,7 +24,7 @@ def wanted_papers(names: Sequence[str], roster: Roster, options: Mapping[str, An
     ]
     held = NamesHeld(people=people, notes=list(roster.notes)) if people or roster.notes else None
     return WantedPapers(
-        only=[] if len(names) == len(PAPERS) else list(names), paper=options["paper"],
+        only=[] if len(names) == len(PAPERS) else list(names), paper=options["paper"].lower(),
         households=options["by"] == "household", night=options["night"], phones=phones, names=held,
     )  # fmt: skip
 
