@@ -7,23 +7,32 @@ fonts lie beside the pages. Cells run each time, so that every number is today's
 import json
 import os
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
+import numpy.typing as npt
 from docutils import nodes
 from docutils.utils.math.latex2mathml import tex2mathml
+from sphinx import addnodes
 from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
 from sphinx.search.zh import SearchChinese
 from sphinx.util.docutils import SphinxRole
+from sphinx.util.typing import stringify_annotation
 from sphinx.writers.html5 import HTML5Translator
 
+import benchdragon
 from benchdragon.analysis.check import check
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import read_plan
 from benchdragon.player.page import write_player
 from benchdragon.player.scene import judged_dance
 from benchdragon.version import __version__
+
+sys.path.insert(0, str(Path(__file__).parent))
+from reference import write_pages
 
 author = "The benchdragon developers"
 project = "benchdragon"
@@ -37,6 +46,7 @@ html_css_files = ["site.css"]
 html_math_renderer = "mathml"
 html_copy_source = False
 html_show_sphinx = False
+html_search_scorer = str(Path(__file__).with_name("scorer.js"))
 html_show_search_summary = False  # it would be fetched, which browsers forbid to pages on a disk
 
 myst_enable_extensions = ["attrs_block", "dollarmath"]
@@ -60,7 +70,10 @@ DOWNLOAD = re.compile(r"\s*^---\s+{nb-download}`.*`\s*", re.MULTILINE)
 default_role = "literal"
 autodoc_default_options = {"members": True, "exclude-members": "model_config"}
 autodoc_member_order = "bysource"
-autodoc_typehints = "none"
+autodoc_typehints = "signature"
+autodoc_typehints_format = "short"
+python_use_unqualified_type_names = True
+python_maximum_signature_line_length = 88
 autodoc_preserve_defaults = True
 napoleon_use_ivar = True
 # A method that is a public function has its listing where that is.
@@ -128,6 +141,43 @@ def join(_app: Sphinx, _page: str, source: list[str]) -> None:
     source[0] = SEAMLESS.sub("", source[0])
 
 
+def refer(_app: Sphinx, page: str, source: list[str]) -> None:
+    """Have each public name in the tables of the API lead to its page."""
+    if page == "api":
+        rows = re.compile(r"^\| `.*? \|", re.MULTILINE)
+        named = re.compile(r"`(\w+)`")
+        source[0] = rows.sub(lambda row: named.sub(r"[`\1`](reference/\1.md)", row[0]), source[0])
+
+
+def shorten(*event: Any) -> tuple[str | None, str | None]:
+    """Call arrays by their names in signatures, and not by all that they may be."""
+    said = [text or "" for text in event[-2:]]
+    for kind, name in ((npt.ArrayLike, "ArrayLike"), (FloatArray, "ndarray")):
+        said = [text.replace(stringify_annotation(kind, "smart"), name) for text in said]
+    return said[0] or None, said[1] or None
+
+
+def skip(_app: Sphinx, what: str, name: str, member: object, *_more: Any) -> bool | None:
+    """Leave public names out of the pages of modules: each has a page of its own."""
+    public = what == "module" and name in benchdragon.__all__
+    return True if public and getattr(benchdragon, name) is member else None
+
+
+def locate(app: Sphinx, doctree: nodes.document) -> None:
+    """Give what a public name's page describes the listing of its module, which leads back to it."""
+    page = app.env.docname
+    if page.startswith("reference/"):
+        room = getattr(benchdragon, page.removeprefix("reference/")).__module__
+        for signature in doctree.findall(addnodes.desc_signature):
+            signature["module"] = room
+            signature["ids"].append(f"{room}.{signature['fullname']}")
+
+
+def describe(app: Sphinx) -> None:
+    """Write the pages of public names."""
+    write_pages(Path(app.srcdir) / "reference", "zh" if app.config.language == "zh_CN" else "en")
+
+
 def offer(app: Sphinx, page: str, source: list[str]) -> None:
     """End a page whose cells run with a link to it as a notebook, with what the cells gave."""
     if source[0].startswith("---\nfile_format: mystnb"):
@@ -193,6 +243,11 @@ def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", escape)
     app.connect("source-read", join)
     app.connect("source-read", offer)
+    app.connect("source-read", refer)
+    app.connect("builder-inited", describe)
+    app.connect("autodoc-process-signature", shorten)
+    app.connect("autodoc-skip-member", skip)
+    app.connect("doctree-read", locate, priority=400)  # before viewcode's
     app.connect("env-updated", part)
     app.connect("build-finished", play)
     app.connect("config-inited", speak)

@@ -14,10 +14,12 @@ from pathlib import Path
 
 import pytest
 from bs4 import BeautifulSoup, Tag
+from playwright.sync_api import sync_playwright
 
 import benchdragon
 from benchdragon.inlining import chinese
 from benchdragon.planner.page import PAGE, WORKER
+from tests.browser.pages import FLAGS, browser_path
 from tests.test_examples import shell_lines
 
 ROOT = Path(__file__).parent.parent
@@ -121,7 +123,8 @@ def test_both_languages_run_the_same_code_and_lead_to_the_same_places(page: str)
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_each_listing_that_a_page_leads_to_is_made(language: str) -> None:
-    described = set(re.findall(r"automodule:: benchdragon\.(\S+)", source(language, "api.md")))
+    pages = "".join(source(language, page) for page in PAGES if page.startswith("module-"))
+    described = set(re.findall(r"automodule:: benchdragon\.(\S+)", pages))
     for name in benchdragon.__all__:
         assert getattr(benchdragon, name).__module__.removeprefix("benchdragon.") in described, name
     for page in PAGES:
@@ -242,6 +245,21 @@ def test_a_notebook_names_pages_and_listings_and_says_each_output_once() -> None
     assert conf["once"]([whole, shown, left, shown]) == [whole, shown, shown]
 
 
+def test_pictures_of_the_reference_are_of_public_names() -> None:
+    reference = runpy.run_path(str(ROOT / "docs" / "reference.py"))
+    pictures, same = reference["PICTURES"], reference["SAME"]
+    assert {*pictures, *same} <= {*benchdragon.__all__}
+    assert set(same.values()) <= set(pictures)
+    for code in pictures.values():
+        assert isinstance(ast.parse(code).body[-1], ast.Expr), code
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_each_public_name_stands_in_a_table_of_the_api(language: str) -> None:
+    rows = "".join(re.findall(r"^\| `.*? \|", source(language, "api.md"), re.MULTILINE))
+    assert set(re.findall(r"`(\w+)`", rows)) == {*benchdragon.__all__}
+
+
 def built(language: str, folder: Path) -> dict[str, str]:
     """Build a language without a warning; the text of its pages by their names."""
     done = subprocess.run(
@@ -273,6 +291,7 @@ def test_a_site_is_built_offline_and_whole(language: str, tmp_path: Path) -> Non
     assert_every_public_name_is_described(site)
     assert_every_figure_says_what_it_shows(site)
     assert_words_are_found(language, tmp_path / "html")
+    assert_a_search_explains_first(language, tmp_path / "html")
     assert_notebooks_stand_alone(tmp_path / "html")
 
 
@@ -373,9 +392,14 @@ def assert_the_smallest_pitch_leads_to_its_test(site: dict[str, str]) -> None:
 
 
 def assert_every_public_name_is_described(site: dict[str, str]) -> None:
-    described = identifiers(site["api.html"])
+    """Each on a page of its own, with its example; kernels apart from them."""
+    tables = {target("api.html", link)[0] for link in links(site["api.html"])}
     for name in benchdragon.__all__:
-        assert f"{getattr(benchdragon, name).__module__}.{name}" in described, name
+        page = f"reference/{name}.html"
+        assert f"benchdragon.{name}" in identifiers(site[page]), name
+        assert page in tables, name
+        assert "&gt;&gt;&gt;" in site[page] or name == "Status", name
+    assert not any("kernels." in name for name in identifiers(site["api.html"]))
 
 
 def assert_words_are_found(language: str, folder: Path) -> None:
@@ -389,6 +413,22 @@ def assert_words_are_found(language: str, folder: Path) -> None:
     stemmer = re.search(r"window\.Stemmer = (\w+);", script)
     assert stemmer is not None
     assert f"{stemmer[1]}=function" in script
+
+
+def assert_a_search_explains_first(language: str, folder: Path) -> None:
+    """The question about pitches comes before the attributes and arguments that are called so."""
+    word = {"en": "pitch", "zh": "螺距"}[language]
+    path = browser_path()
+    assert path is not None, "the manual's tests need a Chromium: apt-get install chromium"
+    with (
+        sync_playwright() as playwright,
+        playwright.chromium.launch(executable_path=path, args=FLAGS) as browser,
+    ):
+        page = browser.new_page()
+        page.goto(f"{(folder / 'search.html').as_uri()}?q={word}")
+        page.wait_for_selector("#search-results li a")
+        first = page.locator("#search-results li a").first.get_attribute("href")
+    assert str(first).startswith("question-3.html"), first
 
 
 def assert_notebooks_stand_alone(folder: Path) -> None:

@@ -258,8 +258,9 @@ def sweep(
 
     Args:
         plan: in which keys are varied.
-        vary: values of each key, of which every combination is a point; or points made by
-            `points.grid_points`, `listed_points`, `sampled_points`, `read_points`.
+        vary: values of each key, of which every combination is a point, in steps as on the command
+            line ("0.45:0.6:0.01") or one by one; or points made by `points.grid_points`,
+            `listed_points`, `sampled_points`, `read_points`.
         ask: names of QUESTIONS.
         output: a folder for the rows, which need not fit into memory until they are read; else they
             are kept in memory.
