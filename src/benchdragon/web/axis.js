@@ -176,11 +176,8 @@ export class Axis {
     const name = _("clearance over time, from 0 below to {most} above", {
       most: shortLength(nearest.reach),
     });
-    const svg = draw(
-      "svg",
-      { viewBox: "0 0 1000 100", preserveAspectRatio: "none", role: "img", "aria-label": name },
-      area,
-    );
+    const about = { preserveAspectRatio: "none", role: "img", "aria-label": name };
+    const svg = draw("svg", { viewBox: "0 0 1000 100", ...about }, area);
     if (margin > 0)
       svg.append(draw("line", { x1: "0", x2: "1000", y1: height(margin), y2: height(margin) }));
     return svg;

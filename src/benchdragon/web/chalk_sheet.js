@@ -150,13 +150,8 @@ function signs({ ticks }) {
     );
   if (ticks.some(({ out }) => out))
     found.push(_("{out}: on the way out again; join crosses to crosses alone.", { out: OUT }));
-  const { tail, head, end } = LETTERS;
   found.push(
-    _("{tail}: here the tail stands at first, {head}: the head. {end}: the head's end.", {
-      tail,
-      head,
-      end,
-    }),
+    _("{tail}: here the tail stands at first, {head}: the head. {end}: the head's end.", LETTERS),
   );
   return found.join(" ");
 }

@@ -35,9 +35,6 @@ export function drawnCode(text, least, maxVersion, name) {
   const found = codePath(text, least, maxVersion);
   if (!found) return null;
   const { size, path } = found;
-  return draw(
-    "svg",
-    { viewBox: `0 0 ${size} ${size}`, class: "code", role: "img", "aria-label": name },
-    draw("path", { d: path }),
-  );
+  const about = { viewBox: `0 0 ${size} ${size}`, class: "code", role: "img", "aria-label": name };
+  return draw("svg", about, draw("path", { d: path }));
 }

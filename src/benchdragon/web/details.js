@@ -85,19 +85,13 @@ function afterText(found) {
 async function offer(ask, { plan, found: before }, smallest, items, take) {
   for (const { finding, slot } of items.filter((one) => mendable(one.finding))) {
     const looking = /** @type {HTMLElement} */ (slot.lastElementChild);
+    const wrong = { ask, plan, before, finding, smallest };
     let count = 0;
-    for await (const { plan: mended, found, text } of remedies({
-      ask,
-      plan,
-      before,
-      finding,
-      smallest,
-    })) {
+    for await (const { plan: mended, found, text } of remedies(wrong)) {
       count++;
-      const then = make("small", {}, afterText(found));
-      looking.before(
-        make("button", { type: "button", class: "remedy", onclick: () => take(mended) }, text, then),
-      );
+      const remedy = textButton(text, () => take(mended), { class: "remedy" });
+      remedy.append(make("small", {}, afterText(found)));
+      looking.before(remedy);
     }
     looking.textContent = count ? "" : _("no single change was found that mends it");
   }

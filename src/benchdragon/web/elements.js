@@ -68,11 +68,8 @@ export function draw(tag, attributes, ...children) {
  * @param {string} path
  */
 export function drawnSign(path) {
-  return draw(
-    "svg",
-    { viewBox: "0 0 24 24", class: "sign", "aria-hidden": "true" },
-    draw("path", { d: path }),
-  );
+  const about = { viewBox: "0 0 24 24", class: "sign", "aria-hidden": "true" };
+  return draw("svg", about, draw("path", { d: path }));
 }
 
 /**

@@ -181,17 +181,8 @@ function spiralGrips(plan, began) {
   const far = (/** @type {Point} */ to) => Math.hypot(...frame.own(to));
   const coil = coilOf(began);
   const outer = frame.ground(spiralPoint(plan, coil));
-  const found = [
-    keyGrip(
-      plan,
-      "route.pitch",
-      "pitch",
-      _("distance between the coils"),
-      "pitch",
-      outer,
-      (to) => far(to) / coil,
-    ),
-  ];
+  const wide = _("distance between the coils");
+  const found = [keyGrip(plan, "route.pitch", "pitch", wide, "pitch", outer, (to) => far(to) / coil)];
   if (route.kind === "spiral-in") {
     const head = frame.ground(spiralPoint(plan, route.start_turn));
     const read = (/** @type {Point} */ to) => turnsAt(plan, frame.own(to));

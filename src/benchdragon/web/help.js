@@ -144,10 +144,6 @@ function sample(name) {
   const shape =
     shapes[/** @type {keyof typeof shapes} */ (name)] ?? (() => [draw("path", { d: "M2 6H42V18H2Z" })]);
   const lines = () => [draw("path", { class: "hatch", d: "M8 18L20 6M18 18L30 6M28 18L40 6" })];
-  return draw(
-    "svg",
-    { viewBox: "0 0 44 24", class: `sample ${name}`, "aria-hidden": "true" },
-    ...shape(),
-    ...(name === "touch" ? lines() : []),
-  );
+  const about = { viewBox: "0 0 44 24", class: `sample ${name}`, "aria-hidden": "true" };
+  return draw("svg", about, ...shape(), ...(name === "touch" ? lines() : []));
 }

@@ -231,12 +231,8 @@ export class PlanForm {
       { class: "source" },
       _("The route of this plan is a list of parts: change it in the plan file."),
     );
-    const kind = make(
-      "label",
-      { class: "field" },
-      make("span", { class: "name" }, _("kind of turn")),
-      this.family,
-    );
+    const name = make("span", { class: "name" }, _("kind of turn"));
+    const kind = make("label", { class: "field" }, name, this.family);
     this.kind = new DanceKind((plan, final) => changed(fitting(plan), final));
     const first = { parts: [this.kind.element, this.parts], family: [kind] };
     this.groups = GROUPS.map((group, n) =>

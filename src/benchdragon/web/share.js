@@ -59,17 +59,14 @@ export function showShare(root, text, makers) {
     sends: _("send the plan file ..."),
     saves: _("save the plan file"),
   });
+  const close = textButton(_("close"), () => dialog.close());
   dialog.append(
     make("h2", {}, _("Share this plan")),
     ...(web ? linkWords(link, shown) : fileWords(shown)),
     make("div", { class: "row" }, ...buttons),
     make("div", { class: "row" }, picture, plan),
     told,
-    make(
-      "p",
-      {},
-      textButton(_("close"), () => dialog.close()),
-    ),
+    make("p", {}, close),
   );
   root.append(dialog);
   dialog.showModal();

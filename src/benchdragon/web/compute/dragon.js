@@ -60,13 +60,9 @@ export class Dragon {
     const length = all(sizes.body_length);
     length[benches - 1] = sizes.tail_length;
     length[0] = sizes.head_length;
-    const { width, front_inset, rear_inset } = sizes;
-    return new Dragon(arena, {
-      length,
-      width: all(width),
-      front_inset: all(front_inset),
-      rear_inset: all(rear_inset),
-    });
+    const others = [sizes.width, sizes.front_inset, sizes.rear_inset];
+    const [width, front_inset, rear_inset] = others.map(all);
+    return new Dragon(arena, { length, width, front_inset, rear_inset });
   }
 
   /** The most that any point of a bench moves when both its handles move by at most 1. */

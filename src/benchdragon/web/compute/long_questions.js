@@ -75,13 +75,8 @@ export async function tolerance(plan, by, draws, seed, progress) {
     hits += Number(await touches(plan, draw));
   }
   progress(1, "");
-  return new Tolerance(
-    deviations,
-    seed,
-    exact,
-    needed.sort((a, b) => a - b),
-    hits,
-  );
+  needed.sort((a, b) => a - b);
+  return new Tolerance(deviations, seed, exact, needed, hits);
 }
 
 /** How fast the head may walk. @param {Asked} asked @returns {Promise<Answer>} */

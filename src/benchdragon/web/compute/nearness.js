@@ -39,16 +39,8 @@ export async function nearness(walk, shot, most, heard = () => {}) {
       const table = arena.table([near], NEAR_COLUMNS * benches);
       table.shape = [benches, NEAR_COLUMNS];
       const least = arena.array("d", at.length);
-      walk.engine.call(
-        "bd_bench_nearness_see_near",
-        sizes,
-        x,
-        y,
-        arena.vector(at),
-        REACH,
-        table,
-        least,
-      );
+      const looked = arena.vector(at);
+      walk.engine.call("bd_bench_nearness_see_near", sizes, x, y, looked, REACH, table, least);
       near = [...copied(table)];
       distance.push(...copied(least));
     });

@@ -206,17 +206,8 @@ export class Walk {
   head_where_tail(s) {
     return withArena(this.engine, (arena) => {
       const places = arena.placements(this.dragon.benches + 1, 1);
-      const { rows } = this.route;
-      const at = arena.array("d", 1);
-      const { links } = this.dragon;
-      return this.engine.call(
-        "bd_local_minima_head_where_tail",
-        rows,
-        links,
-        finite("s", s, "m"),
-        at,
-        places,
-      )[0];
+      const [{ rows }, { links }, at] = [this.route, this.dragon, arena.array("d", 1)];
+      return this.engine.call("bd_local_minima_head_where_tail", rows, links, finite("s", s, "m"), at, places)[0]; // prettier-ignore
     });
   }
 
