@@ -17,7 +17,7 @@ FIND = {"en": "Find our dance", "zh": "给我们排一场"}
 WISHES = {
     "benches": 60, "length": 1.5, "width": 0.2, "head_length": 2, "inset": 0.15, "rectangle": [30, 20],
     "radius": None, "bearers": 2, "carry": "beside", "speed": 0.8, "most_speed": 1.5, "sway": 0.05,
-    "imprecision": 0.1, "measured": [], "obstacles": [], "boundary": None, "kind": None,
+    "imprecision": 0.1, "measured": [], "obstacles": [], "boundary": None, "kind": None, "rounds": 1,
 }  # fmt: skip
 # In place of who searches for a dance: it keeps what it is asked, and answers when it is told to.
 SEARCHER = """(able) => {
@@ -311,6 +311,32 @@ def test_another_dance_keeps_the_event_and_the_names_of_the_page(
     assert there["meta"]["title"] == ("Our dance" if own else "Another")
     assert there["event"]["entrances"] == [[3, 4]]
     assert (there["people"]["unit"], there["people"]["sway"]) == ("qiao", 0.05)
+
+
+@pytest.mark.parametrize("kept", [3, 2, 1])
+def test_another_dance_keeps_the_rounds_their_rests_and_the_hour(
+    pages: Pages, bare_file: Path, kept: int
+) -> None:
+    page = begin(pages, bare_file)
+    rests = [{"kind": "hold", "round": n, "hold": 60} for n in (2, 3)]
+    bow = {"kind": "hold", "at": 5, "hold": 20, "text": "bow"}
+    rounds = ["dragon.benches=12", "route.rounds=3"]
+    plan = read_plan("turn", rounds).data() | {
+        "cues": {"clock": "18:30", "tempo": 100, "cue": [*rests, bow]}
+    }
+    page.evaluate("(plan) => void benchdragon.change(plan, true)", plan)
+    page.get_by_role("button", name="my benches").click()
+    answer(page, **SIXTY)
+    press(page)
+    assert asked(page)["rounds"] == 3
+    proposed = read_plan("turn", ["dragon.benches=60", f"route.rounds={kept}", "walk.end=900"]).data()
+    found(page, proposed, "All 60 benches fit.")
+    until(page, "benchdragon.plan.dragon.benches === 60")
+    there = json.loads(page.evaluate("JSON.stringify(benchdragon.plan)"))
+    assert there["route"].get("rounds", 1) == kept
+    assert (there["cues"]["clock"], there["cues"]["tempo"]) == ("18:30", 100)
+    assert there["cues"].get("cue", []) == rests[: kept - 1]
+    assert there["walk"]["end"] == (900 if kept == 1 else None)
 
 
 def test_a_page_that_cannot_search_asks_nothing(pages: Pages, bare_file: Path) -> None:

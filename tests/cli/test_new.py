@@ -260,3 +260,29 @@ def test_a_dance_is_proposed_beside_what_stands_on_the_square_of_a_plan(
     assert [one.name for one in again.obstacles()] == ["venue", "well"]
     assert check(again).safe
     assert run([*words, "--force", "--beside", "none.dragon.toml"]) == 3
+
+
+def test_rounds_are_kept_where_they_fit(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    line = "new -o v.dragon.toml --benches 6 --bench-length 1.5m --bench-width 15cm --carry under"
+    words = [*line.split(), "--quiet", "--lang", "en", "--force"]
+    assert run([*words, "--square", "20x20", "--rounds", "三"]) == 0
+    assert "It coils in and out 3 times." in capsys.readouterr().out
+    plan = read_plan("v.dragon.toml")
+    assert plan.value("route.rounds") == 3
+    # What is proposed beside it has its rounds, unless others are wished, or none fit.
+    beside = [*words, "--beside", "v.dragon.toml"]
+    assert run([*beside, "--square", "21x20"]) == 0
+    assert read_plan("v.dragon.toml").value("route.rounds") == 3
+    assert run([*beside, "--square", "11x10"]) == 0
+    assert "No dance of 3 rounds was found that fits: it coils once." in capsys.readouterr().out
+    assert "rounds" not in read_plan("v.dragon.toml").own()["route"]
+    for said, told in (
+        ("0", "expected 1 to 20, not '0'"),
+        ("two", "expected a whole number such as 3"),
+    ):
+        assert run([*words, "--square", "20x20", "--rounds", said]) == 2
+        assert f"--rounds: {told}" in capsys.readouterr().err
+    assert run([*words, "--square", "20x20", "--rounds", "2", "--kind", "spiral-in"]) == 2

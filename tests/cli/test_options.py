@@ -160,6 +160,7 @@ CASES: dict[str, Case] = {
     "new --sway": Case(PROPOSED, ["--sway", "2cm"]),
     "new --imprecision": Case(PROPOSED, ["--imprecision", "20cm"]),
     "new --kind": Case(PROPOSED, ["--kind", "spiral-in"]),
+    "new --rounds": Case([*PROPOSED, "--carry", "under"], ["--rounds", "2"]),
     "new --beside": Case(PROPOSED, ["--beside", "well.dragon.toml"], WELL),
     "new --roster": Case(PROPOSED, ["--roster", "names.csv"]),
     "new --force": Case(PROPOSED, ["--force"], PROPOSED),

@@ -44,7 +44,7 @@ SQUARE = ("venue.rectangle=[40, 30]", 'obstacle=[{kind="circle", centre=[12, 9],
 PLANS = {
     "said": (
         "spiral-in", *SMALL, *SQUARE, "event.spectators=2500",
-        "event.entrances=[[3, 0, 2.5], [20, 5, 4], [0, 15]]", "event.distance=3.25",
+        "event.entrances=[[8, 6, 9], [20, 5, 4], [0, 15]]", "event.distance=3.25",
         "cues.clock=18:30", "limits.speed=1.73", "people.sway=0.013",
     ),
     "edge": (str(ROOT / "examples/12_village.dragon.toml"), "event.spectators=800"),

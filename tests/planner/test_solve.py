@@ -224,11 +224,15 @@ WISHED: dict[str, dict[str, Any]] = {
     "out again, beside a well": {"obstacles": [WELL], "carry": "under"},
     "coiling in": {"kind": "spiral-in", "sway": 0.02, "measured": ["sway"]},
     "within corners": {"rectangle": None, "boundary": HOUSE, "head_length": 2.4, "most_speed": 0.9},
+    "in rounds": {"benches": 6, "carry": "under", "rounds": 3},
+    "in more rounds than fit": {"rounds": 2, "rectangle": [14, 12]},
     "round, and too small": {"rectangle": None, "radius": 4.5, "bearers": 1},
 }
 
 
-@pytest.mark.parametrize(("name", "language"), [*zip(WISHED, ["en", "zh", "zh", "en"], strict=True)])
+@pytest.mark.parametrize(
+    ("name", "language"), [*zip(WISHED, ["en", "zh", "zh", "zh", "en", "en"], strict=True)]
+)
 def test_the_page_proposes_what_python_does(name: str, language: str) -> None:
     wishes = YARD | WISHED[name]
     said = told("propose", wishes, language)

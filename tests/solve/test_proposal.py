@@ -4,13 +4,14 @@ import random
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from benchdragon.analysis.check import check
 from benchdragon.errors import InputError, NoSolutionError, UnsureError
 from benchdragon.solve import proposal
 from benchdragon.solve.course import course_of
-from benchdragon.solve.proposal import Proposal, TooSmall, propose
+from benchdragon.solve.proposal import Proposal, TooSmall, benches_out_again, propose
 from benchdragon.solve.wishes import Wishes
 
 SMALL = Wishes(12, 1.5, 0.15, rectangle=(20.0, 18.0), carry="under")
@@ -137,6 +138,43 @@ def test_a_longer_dance_is_proposed_where_it_fits() -> None:
         assert isinstance(found, Proposal)
         ways.append(course_of(found.plan).way)
     assert ways[0] < ways[1]
+
+
+@pytest.mark.parametrize("rounds", [2, 3])
+def test_rounds_that_are_wished_are_danced_where_they_fit(rounds: int) -> None:
+    once, often = propose(SMALL), propose(replace(SMALL, rounds=rounds))
+    assert isinstance(once, Proposal)
+    assert isinstance(often, Proposal)
+    assert "rounds" not in once.plan.own()["route"]
+    assert often.plan.value("route.rounds") == rounds
+    assert check(often.plan).safe
+    assert often.report.unfinished is None
+    assert often.plan.walk.end is not None
+    assert often.plan.dragon.benches == SMALL.benches
+    # The head comes past the middle once in each round.
+    walk = often.plan.build()
+    start, end = often.plan.span(walk)
+    times = np.linspace(start, end, 2001)
+    points = walk.route.point(walk.head_position(times))
+    inside = np.hypot(*(points - often.plan.route.at).T) < 0.9 * often.plan.value("disc.radius")
+    assert np.count_nonzero(np.diff(inside.astype(int)) == 1) == rounds - inside[0]
+
+
+def test_a_dance_coils_once_where_there_is_no_room_to_go_back_in() -> None:
+    wishes = replace(SMALL, benches=6, rectangle=(11.0, 10.0), rounds=3)
+    found, once = propose(wishes), propose(replace(wishes, rounds=1))
+    assert isinstance(found, Proposal)
+    assert isinstance(once, Proposal)
+    assert found.plan.data() == once.plan.data()
+    assert benches_out_again(wishes) == benches_out_again(replace(wishes, rounds=1))
+
+
+def test_rounds_that_cannot_be_are_refused() -> None:
+    for rounds in (0, 21):
+        with pytest.raises(InputError, match=f"coils in and out 1 to 20 times, not {rounds}"):
+            propose(replace(SMALL, rounds=rounds))
+    with pytest.raises(InputError, match="coils in alone has no rounds"):
+        propose(replace(SMALL, rounds=2, kind="spiral-in"))
 
 
 YARD = Wishes(48, 1.8, 0.15, head_length=2.3, rectangle=(35.0, 25.0), obstacles=(

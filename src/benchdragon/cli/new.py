@@ -62,6 +62,11 @@ if TYPE_CHECKING:
     type=click.Choice(["turn", "spiral-in"]),
     help=N_("The dance: in, round and out again, or in alone. Default: the first of them that fits."),
 )
+@click.option(
+    "--rounds",
+    metavar="COUNT",
+    help=N_("How many times the dance coils in and out, if it fits. Default: as in --beside, or 1."),
+)
 @file_option("--roster", N_("A list of names in the folder of the plan."))
 @click.option(
     "--beside",
@@ -81,13 +86,16 @@ def new(output: Path, force: bool, as_json: bool, quiet: bool, **options: Any) -
     refuse_existing([output], force)
     before = kept_by_hand(output)
     roster = _roster(output, options["roster"])
-    standing = _standing(options["beside"])
+    rounds, standing = _standing(options["beside"])
+    rounds = rounds if options["rounds"] is None else _rounds(options["rounds"])
     said, given = _answers(options)
     from benchdragon.explain.proposal import proposal_lines, refusal_lines
     from benchdragon.solve.proposal import TooSmall, benches_out_again, propose
 
     while True:
-        wishes = replace(_wishes(said, options["kind"], roster, given), obstacles=standing)
+        wishes = replace(
+            _wishes(said, options["kind"], roster, given), obstacles=standing, rounds=rounds
+        )
         try:
             with shown_progress(quiet) as progress:
                 found = propose(wishes, progress=progress)
@@ -155,11 +163,22 @@ def _wishes(said: Mapping[str, Any], kind: Any, roster: str, given: set[str]) ->
     return Wishes(**wishes, measured=measured, kind=kind, roster=roster)
 
 
-def _standing(plan: str | None) -> tuple[dict[str, Any], ...]:
-    """The obstacles on the square of a plan: their tables."""
+def _rounds(text: str) -> int:
+    """How many times the dance is to coil in and out."""
+    from benchdragon.plans.tables import MOST_ROUNDS
+
+    return count_in("--rounds", text, "3", 1, MOST_ROUNDS)
+
+
+def _standing(plan: str | None) -> tuple[int, tuple[dict[str, Any], ...]]:
+    """The rounds of a plan, and the obstacles on its square: their tables."""
     from benchdragon.plans.schema import read_plan
 
-    return () if plan is None else tuple(read_plan(plan).data().get("obstacle", ()))
+    if plan is None:
+        return 1, ()
+    data = read_plan(plan).data()
+    turns = data["route"]["kind"] == "turn"
+    return data["route"].get("rounds", 1) if turns else 1, tuple(data.get("obstacle", ()))
 
 
 def _asked_again(said: dict[str, Any], *, under: bool, benches: int) -> set[str]:

@@ -25,6 +25,7 @@ def proposal_lines(found: Proposal, wishes: Wishes, again: int) -> list[str]:
             "dance ends when the tail has turned; then all walk on out."
         )
     lines.append(text.format(way=f"{course.way:.0f}", time=lasting(course.seconds)))
+    lines += _rounds_lines(found, wishes)
     if found.less_ahead:
         text = _("Before the head there is {room} m of room, less than usual, so that all of them fit.")
         lines.append(text.format(room=f"{found.plan.people.ahead:g}"))
@@ -41,6 +42,17 @@ def proposal_lines(found: Proposal, wishes: Wishes, again: int) -> list[str]:
         text = _("With {count} benches it comes out again: no more of them have the room.")
         lines.append(text.format(count=again))
     return lines
+
+
+def _rounds_lines(found: Proposal, wishes: Wishes) -> list[str]:
+    """How many times it coils in and out, where more than once was wished."""
+    if wishes.rounds == 1:
+        return []
+    kept = found.plan.value("route.rounds") if found.plan.route.kind == "turn" else 1
+    text = _("No dance of {rounds} rounds was found that fits: it coils once.")
+    if kept > 1:
+        text = _("It coils in and out {rounds} times.")
+    return [text.format(rounds=wishes.rounds)]
 
 
 def refusal_lines(wishes: Wishes, found: TooSmall) -> list[str]:

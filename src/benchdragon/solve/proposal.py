@@ -17,12 +17,14 @@ from benchdragon.errors import InputError, NoSolutionError, UnsureError, WalkErr
 from benchdragon.i18n import _
 from benchdragon.plans.answers import MOST_BEARERS, MOST_BENCHES
 from benchdragon.plans.schema import Plan, checked
+from benchdragon.plans.tables import MOST_ROUNDS
 from benchdragon.plans.toml import PlanError
-from benchdragon.progress import Progress, silent
+from benchdragon.progress import Progress, part, silent
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import found_limit
 from benchdragon.solve.square import Square
 from benchdragon.solve.wishes import (
+    AGAIN,
     CORNERS,
     NAME,
     VENUE_MARGIN,
@@ -128,7 +130,8 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     """A dance of the benches on the square that passes `check`, or how much too small the square is.
 
     All benches are kept: the kind of the dance, its pitch and disc, the room before the head, how far
-    it is walked, its place and direction are tried, beside all obstacles on the square.
+    it is walked, its place and direction are tried, beside all obstacles on the square. Rounds are
+    kept where a dance with them fits.
 
     Raises:
         InputError: if `wishes` is not a Wishes, for a square that is missing or given twice, and for
@@ -145,6 +148,11 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     of_kind("wishes", wishes, Wishes)
     _refuse(wishes)
     _refuse_ground(wishes)
+    if wishes.rounds > 1:
+        often = _tried(replace(wishes, kind="turn"), ROUNDS, part(progress, 0.0, 0.5))
+        if often.found is not None:
+            return often.found
+        wishes, progress = replace(wishes, rounds=1), part(progress, 0.5, 1.0)
     tried = _tried(wishes, ROUNDS, progress)
     if tried.found is not None:
         return tried.found
@@ -176,7 +184,7 @@ def benches_out_again(wishes: Wishes, *, progress: Progress = silent) -> int:
     of_kind("wishes", wishes, Wishes)
     _refuse(wishes)
     progress(0.0, _("how many benches come out again"))
-    return _fitting(wishes, "turn")
+    return _fitting(replace(wishes, rounds=1), "turn")
 
 
 @dataclass(frozen=True)
@@ -273,6 +281,11 @@ def _refuse(wishes: Wishes) -> None:
     if not 1 <= wishes.bearers <= MOST_BEARERS:
         text = _("a bench is carried by 1 to {most} people, not {count}")
         raise InputError(text.format(most=MOST_BEARERS, count=wishes.bearers))
+    if wishes.rounds > 1 and wishes.kind == "spiral-in":
+        raise InputError(_("a dance that coils in alone has no rounds: ask for either"))
+    if not 1 <= wishes.rounds <= MOST_ROUNDS:
+        text = _("a dance coils in and out 1 to {most} times, not {count}")
+        raise InputError(text.format(most=MOST_ROUNDS, count=wishes.rounds))
     behind = math.ceil(wishes.bearers / 2) if wishes.carry == "beside" else wishes.bearers
     if behind * ELBOWS > wishes.length:
         text = _("a bench of {length} m has no room for {count} bearers behind one another")
@@ -321,7 +334,7 @@ def _sized(wishes: Wishes, kind: Kind, ahead: float, rounds: float | None = None
 
     With `rounds` those are left out that cannot fit a rectangle, begun so many rounds out.
     """
-    few = replace(wishes, benches=min(wishes.benches, ENOUGH), roster="")
+    few = replace(wishes, benches=min(wishes.benches, ENOUGH), roster="", rounds=1)
     link = max(wishes.length, wishes.head_length) - 2.0 * wishes.inset
     wide = wishes.width + 2.0 * wishes.beside
     dragon = wishes.benches * (wishes.length - 2.0 * wishes.inset) / math.pi
@@ -418,6 +431,10 @@ def _steady(wishes: Wishes, sized: Plan, rounds: float) -> Plan:
 
 def _walked(wishes: Wishes, plan: Plan) -> Proposal | None:
     """The proposal, if the plan passes the check, room for people included; None if not."""
+    if wishes.rounds > AGAIN:
+        plan = plan.with_values({"route.rounds": wishes.rounds, "walk.end": None})
+        _start, end = plan.span(plan.build())
+        plan = plan.with_value("walk.end", rounded_up(end, 1.0))
     walk = plan.build()
     report = judged(plan, walk, plan.span(walk))
     return Proposal(plan, report, plan.walk.speed < wishes.speed) if report.safe else None

@@ -19,6 +19,8 @@ NAME = "benchdragon new"
 SHOULDERS, SWAY, IMPRECISION = 0.5, 0.05, 0.1
 # Asked for beyond that, m: between benches, and from the edge of the square.
 MARGIN, VENUE_MARGIN = 0.05, 0.5
+# Rounds after which a dance covers no more ground.
+AGAIN = 2
 # Corners of a round square.
 CORNERS = 90
 TITLE = N_("A bench dragon on our square")
@@ -37,6 +39,7 @@ class Wishes:
         rectangle: length and width of the square; or
         radius: of a round one; or
         boundary: the corners of its edge, in order.
+        rounds: how many times the dance coils in and out, where that fits; else it coils once.
         bearers: people who carry one bench.
         carry: whether they walk beside it or under it.
         speed: of the head, at most.
@@ -71,10 +74,11 @@ class Wishes:
     measured: frozenset[str] = frozenset()
     obstacles: tuple[Mapping[str, Any], ...] = ()
     boundary: tuple[Point, ...] | None = None
+    rounds: int = 1
 
     def __post_init__(self) -> None:
         """Refuse what is no number."""
-        names = ("benches", "length", "width", "head_length", "inset", "bearers", "speed")
+        names = ("benches", "length", "width", "head_length", "inset", "bearers", "speed", "rounds")
         for name in (*names, "sway", "imprecision"):
             as_number(name, getattr(self, name))
 
@@ -111,7 +115,11 @@ class Wishes:
         return _round(self.radius or 0.0) if self.boundary is None else self.boundary
 
     def plan(self, kind: Kind, pitch: float, disc: float, ahead: float) -> Plan:
-        """The plan of a dance about the middle of its square, with so much room before the head, m."""
+        """The plan of a dance about the middle of its square, with so much room before the head, m.
+
+        It coils in and out AGAIN times at most.
+        """
+        rounds = min(self.rounds, AGAIN) if kind == "turn" else 1
         title = both(lambda: _(TITLE))
         people: dict[str, Any] = {
             "beside": self.beside, "ahead": ahead, "sway": self.sway,
@@ -127,7 +135,7 @@ class Wishes:
                 "body_length": self.length, "tail_length": self.length,
                 "front_inset": self.inset, "rear_inset": self.inset,
             },
-            "route": {"kind": kind, "pitch": pitch},
+            "route": {"kind": kind, "pitch": pitch} | ({"rounds": rounds} if rounds > 1 else {}),
             "disc": {"radius": disc},
             "walk": {"speed": self.speed},
             "limits": {"speed": self.most_speed, "margin": MARGIN, "venue_margin": VENUE_MARGIN},

@@ -8,6 +8,7 @@ import { QUESTIONS, wished } from "./made/answers.js";
 import { valueOf } from "./number_control.js";
 import { openings } from "./openings.js";
 import { samePlan } from "./standing.js";
+import { restsOf } from "./things.js";
 import { _, language, speak } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
@@ -23,7 +24,21 @@ const FIRST = ["benches", "bench_length", "square", "carry"];
 /** What plans say of people that no proposal does. */
 const NAMES = ["roster", "sheet", "unit", "count_head", "step", "address"];
 
-/** A proposed plan with what another says of the event and of names. @param {Plan} plan @param {Plan | null} before @param {boolean} titled whether its title is its own */
+/** How many times a plan coils in and out. @param {Plan | null} plan */
+function roundsOf(plan) {
+  const { kind, rounds } = plan?.route ?? {};
+  return kind === "turn" && Number.isInteger(rounds) ? rounds : 1;
+}
+
+/** What a plan says of drum and clock, and its rests before rounds that another has, too. @param {Plan} before @param {number} rounds of the other @returns {Record<string, any>} */
+function hoursOf({ cues, ...before }, rounds) {
+  const { cue: _cue, ...hours } = cues ?? {};
+  const rests = restsOf({ cues, ...before }).map(([, one]) => one);
+  const kept = rests.filter(({ round }) => round && round <= rounds);
+  return kept.length ? { ...hours, cue: kept } : hours;
+}
+
+/** A proposed plan with what another says of the event, its hours and names. @param {Plan} plan @param {Plan | null} before @param {boolean} titled whether its title is its own */
 function withNames(plan, before, titled) {
   if (!before) return plan;
   /** @type {Plan} */
@@ -31,6 +46,9 @@ function withNames(plan, before, titled) {
   const { meta, event, people = {} } = before;
   if (titled && meta) copy.meta = meta;
   if (event) copy.event = event;
+  const cues = hoursOf(before, roundsOf(plan));
+  if (Object.keys(cues).length) copy.cues = cues;
+  if (cues.cue) copy.walk = { ...plan.walk, end: null }; // the dance takes longer
   for (const name of NAMES) if (name in people) copy.people[name] = people[name];
   return copy;
 }
@@ -248,7 +266,13 @@ export class Asking {
     const plan = this.#before;
     const wishes = Object.fromEntries(wished(said, given));
     const square = { boundary: null, ...placed(wishes.rectangle, plan?.venue) };
-    return { ...wishes, ...square, obstacles: plan?.obstacle ?? [], kind: null };
+    return {
+      ...wishes,
+      ...square,
+      obstacles: plan?.obstacle ?? [],
+      kind: null,
+      rounds: roundsOf(plan),
+    };
   }
 
   /** @param {Event} event */

@@ -11,12 +11,14 @@ import { WalkError } from "./errors.js";
 import { greatestHeadSpeed } from "./head_speed.js";
 import { foundLimit } from "./size.js";
 import { Square } from "./square_room.js";
-import { silent } from "./stages.js";
+import { part, silent } from "./stages.js";
 import { roundedDown, roundedUp } from "./wishes.js";
 
 const MOST_BENCHES = 500;
 const MOST_BEARERS = 8;
+const MOST_ROUNDS = 20;
 const NAME = "benchdragon new";
+const AGAIN = 2;
 const VENUE_MARGIN = 0.5;
 const CORNERS = 90;
 const KINDS = ["turn", "spiral-in"];
@@ -63,9 +65,16 @@ class _Dance {
 }
 export async function propose(wishes, progress = silent) {
   return py.scoped(async () => {
-    let least, smallest, tried;
+    let least, often, smallest, tried;
     _refuse(wishes);
     _refuseGround(wishes);
+    if ((wishes.rounds > 1)) {
+      often = (await _tried(py.replaced(wishes, { kind: "turn" }), ROUNDS, part(progress, 0.0, 0.5)));
+      if ((often.found != null)) {
+        return often.found;
+      }
+      [wishes, progress] = py.list([py.replaced(wishes, { rounds: 1 }), part(progress, 0.5, 1.0)]);
+    }
     tried = (await _tried(wishes, ROUNDS, progress));
     if ((tried.found != null)) {
       return tried.found;
@@ -85,7 +94,7 @@ export async function propose(wishes, progress = silent) {
 export async function benchesOutAgain(wishes, progress = silent) {
   _refuse(wishes);
   progress(0.0, _("how many benches come out again"));
-  return (await _fitting(wishes, "turn"));
+  return (await _fitting(py.replaced(wishes, { rounds: 1 }), "turn"));
 }
 class _Tried {
   constructor(found, fits) {
@@ -187,6 +196,13 @@ function _refuse(wishes) {
     text = _("a bench is carried by 1 to {most} people, not {count}");
     throw new InputError(py.filled(text, { most: MOST_BEARERS, count: wishes.bearers }));
   }
+  if (((wishes.rounds > 1) && (wishes.kind === "spiral-in"))) {
+    throw new InputError(_("a dance that coils in alone has no rounds: ask for either"));
+  }
+  if (!((1 <= wishes.rounds) && (wishes.rounds <= MOST_ROUNDS))) {
+    text = _("a dance coils in and out 1 to {most} times, not {count}");
+    throw new InputError(py.filled(text, { most: MOST_ROUNDS, count: wishes.rounds }));
+  }
   behind = ((wishes.carry === "beside") ? py.ceil((wishes.bearers / 2)) : wishes.bearers);
   if (((behind * ELBOWS) > wishes.length)) {
     text = _("a bench of {length} m has no room for {count} bearers behind one another");
@@ -226,7 +242,7 @@ function _begun(plan, rounds) {
 }
 async function _sized(wishes, kind, ahead, rounds = /** @type {any} */ (null)) {
   let best, disc, dragon, few, first, found, least, link, pitch, share, wide;
-  few = py.replaced(wishes, { benches: py.min(wishes.benches, ENOUGH), roster: "" });
+  few = py.replaced(wishes, { benches: py.min(wishes.benches, ENOUGH), roster: "", rounds: 1 });
   link = py.sub(py.max(wishes.length, wishes.head_length), (2.0 * wishes.inset));
   wide = py.add(wishes.width, (2.0 * wishes.beside));
   dragon = ((wishes.benches * py.sub(wishes.length, (2.0 * wishes.inset))) / Math.PI);
@@ -326,7 +342,12 @@ async function _steady(wishes, sized, rounds) {
   return sized.with_value("walk.speed", ((steps > 0.0) ? steps : roundedDown(most, 0.001)));
 }
 async function _walked(wishes, plan) {
-  let report, walk;
+  let _start, end, report, walk;
+  if ((wishes.rounds > AGAIN)) {
+    plan = plan.with_values(py.dict([["route.rounds", wishes.rounds], ["walk.end", null]]));
+    [_start, end] = py.list(plan.span(plan.build()));
+    plan = plan.with_value("walk.end", roundedUp(end, 1.0));
+  }
   walk = plan.build();
   report = (await judged(plan, walk, plan.span(walk)));
   return (py.truth(report.safe) ? new Proposal(plan, report, (plan.walk.speed < wishes.speed)) : null);

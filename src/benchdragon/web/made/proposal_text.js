@@ -25,6 +25,7 @@ export function proposalLines(found, wishes, again) {
     text = _("The head walks {way} m in {time}: it stands inside at first, turns, and comes out. The dance ends when the tail has turned; then all walk on out.");
   }
   py.append(lines, py.filled(text, { way: `${py.format(course.way, `.0f`)}`, time: lasting(course.seconds) }));
+  lines = py.extend(lines, _roundsLines(found, wishes));
   if (py.truth(found.less_ahead)) {
     text = _("Before the head there is {room} m of room, less than usual, so that all of them fit.");
     py.append(lines, py.filled(text, { room: `${py.format(found.plan.people.ahead, `g`)}` }));
@@ -48,6 +49,18 @@ export function proposalLines(found, wishes, again) {
     py.append(lines, py.filled(text, { count: again }));
   }
   return lines;
+}
+function _roundsLines(found, wishes) {
+  let kept, text;
+  if ((wishes.rounds === 1)) {
+    return [];
+  }
+  kept = ((found.plan.route.kind === "turn") ? found.plan.value("route.rounds") : 1);
+  text = _("No dance of {rounds} rounds was found that fits: it coils once.");
+  if ((kept > 1)) {
+    text = _("It coils in and out {rounds} times.");
+  }
+  return [py.filled(text, { rounds: wishes.rounds })];
 }
 export function refusalLines(wishes, found) {
   let length, lines, text, values, width;

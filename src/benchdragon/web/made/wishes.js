@@ -12,10 +12,11 @@ const SWAY = 0.05;
 const IMPRECISION = 0.1;
 const MARGIN = 0.05;
 const VENUE_MARGIN = 0.5;
+const AGAIN = 2;
 const CORNERS = 90;
 const TITLE = N_("A bench dragon on our square");
 export class Wishes {
-  constructor(benches, length, width, headLength = 2.0, inset = 0.15, rectangle = /** @type {any} */ (null), radius = /** @type {any} */ (null), bearers = 2, carry = "beside", speed = 0.8, mostSpeed = 1.5, kind = /** @type {any} */ (null), roster = "", sway = SWAY, imprecision = IMPRECISION, measured = py.frozenset(), obstacles = [], boundary = /** @type {any} */ (null)) {
+  constructor(benches, length, width, headLength = 2.0, inset = 0.15, rectangle = /** @type {any} */ (null), radius = /** @type {any} */ (null), bearers = 2, carry = "beside", speed = 0.8, mostSpeed = 1.5, kind = /** @type {any} */ (null), roster = "", sway = SWAY, imprecision = IMPRECISION, measured = py.frozenset(), obstacles = [], boundary = /** @type {any} */ (null), rounds = 1) {
     this.benches = benches;
     this.length = length;
     this.width = width;
@@ -34,11 +35,12 @@ export class Wishes {
     this.measured = measured;
     this.obstacles = obstacles;
     this.boundary = boundary;
+    this.rounds = rounds;
     this.__post_init__();
   }
   __post_init__() {
     let name, names;
-    names = ["benches", "length", "width", "head_length", "inset", "bearers", "speed"];
+    names = ["benches", "length", "width", "head_length", "inset", "bearers", "speed", "rounds"];
     for (name of py.iter([...py.iter(names), "sway", "imprecision"])) {
       asNumber(name, this[name]);
     }
@@ -70,12 +72,13 @@ export class Wishes {
     return ((this.boundary == null) ? _round(py.or(this.radius, () => 0.0)) : this.boundary);
   }
   plan(kind, pitch, disc, ahead) {
-    let data, people, said, sources, title;
+    let data, people, rounds, said, sources, title;
+    rounds = ((kind === "turn") ? py.min(this.rounds, AGAIN) : 1);
     title = both(() => _(TITLE));
     people = py.dict([["beside", this.beside], ["ahead", ahead], ["sway", this.sway], ["imprecision", this.imprecision], ["most_speed", this.most_speed]]);
     sources = py.dict(py.list(py.sorted(this.measured)).map((name) => [name, _("measured by the troupe")]));
     people = py.merge(people, (py.truth(sources) ? py.dict([["source", sources]]) : py.dict([])));
-    data = py.dict([["schema", 1], ["meta", py.dict([["title", title.en], ["title_zh", title.zh]])], ["dragon", py.dict([["benches", this.benches], ["width", this.width], ["head_length", this.head_length], ["body_length", this.length], ["tail_length", this.length], ["front_inset", this.inset], ["rear_inset", this.inset]])], ["route", py.dict([["kind", kind], ["pitch", pitch]])], ["disc", py.dict([["radius", disc]])], ["walk", py.dict([["speed", this.speed]])], ["limits", py.dict([["speed", this.most_speed], ["margin", MARGIN], ["venue_margin", VENUE_MARGIN]])], ["venue", this.venue], ["people", py.union(people, (py.truth(this.roster) ? py.dict([["roster", this.roster]]) : py.dict([])))]]);
+    data = py.dict([["schema", 1], ["meta", py.dict([["title", title.en], ["title_zh", title.zh]])], ["dragon", py.dict([["benches", this.benches], ["width", this.width], ["head_length", this.head_length], ["body_length", this.length], ["tail_length", this.length], ["front_inset", this.inset], ["rear_inset", this.inset]])], ["route", py.union(py.dict([["kind", kind], ["pitch", pitch]]), ((rounds > 1) ? py.dict([["rounds", rounds]]) : py.dict([])))], ["disc", py.dict([["radius", disc]])], ["walk", py.dict([["speed", this.speed]])], ["limits", py.dict([["speed", this.most_speed], ["margin", MARGIN], ["venue_margin", VENUE_MARGIN]])], ["venue", this.venue], ["people", py.union(people, (py.truth(this.roster) ? py.dict([["roster", this.roster]]) : py.dict([])))]]);
     said = py.union(data, (py.truth(this.obstacles) ? py.dict([["obstacle", py.list(this.obstacles).map((one) => py.dict(one))]]) : py.dict([])));
     return checked(said, NAME);
   }
