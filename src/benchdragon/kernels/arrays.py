@@ -1,7 +1,4 @@
-"""What arrays entries take: their numbers and dimensions, which their signatures in C are made from.
-
-All are C-contiguous. Type checkers read past `Annotated`; within the kernels any array will do.
-"""
+"""Types of the arrays that entries take, which their signatures in C are made from."""
 
 from typing import Annotated
 

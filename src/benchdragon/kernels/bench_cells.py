@@ -1,9 +1,9 @@
-"""What benches do in cells of the route, whatever the time, and what it says of steps of the head.
+"""What benches do in cells of the route, whatever the time, and bounds from it for steps of the head.
 
 What a bench does, per metre of its front handle's way, depends on its link and on where that handle
 stands, and on nothing else. Bounds on it are found once for each cell of the route and each link. Going
 from cell to cell down a chain, they then bound all of its handles over a long step of the head, and no
-chain is placed. That is looser than a chain's own bounds, but far cheaper, and sees where a greatest
+chain is placed. That is looser than a chain's own bounds, but far cheaper, and shows where a greatest
 value cannot be (design/coarse_bound.py).
 """
 
@@ -43,20 +43,20 @@ class Cell(Numbered):
 
 
 CELL_COLUMNS = len(Cell)
-# Of these, ratios are as they were computed: exactly they may be more by the share `off` of the cells.
+# Of these, ratios are as they were computed; exact ones may be more by the share `off` of the cells.
 
-# After so many cells of one length the next are tried at twice that.
+# After so many cells of one length cells of twice that are tried next.
 STEADY = 8
 
 
 class CutMeasure(Numbered):
-    """How cutting is resumed: where it is, and the length of cells there, m."""
+    """Where cutting is resumed: the route position, and the length of cells there, m."""
 
     AT, WIDTH = 0, 1
 
 
 class CutCount(Numbered):
-    """How cutting is resumed: cells so far, and how many of that length."""
+    """Where cutting is resumed: the number of cells so far, and of those of that length."""
 
     CELLS, RUN = 0, 1
 
@@ -67,7 +67,7 @@ class Cells(NamedTuple):
     borders: Vector  # route positions, m, ascending, (cells + 1,)
     bends: Vector  # greatest size of the route's curvature, 1/m, (cells + 1,): the last has none
     fastest: Vector  # greatest ratio of benches that come there, in this cell or any before
-    off: Vector  # what such a ratio may be off by, as a share, in this cell or any before
+    off: Vector  # error bound of such a ratio, as a share, in this cell or any before
     benches: Stack  # what benches of each kind do there, (cells + 1, kinds, CELL_COLUMNS)
 
 
@@ -75,11 +75,11 @@ class CellKinds(NamedTuple):
     """The links of a dragon, each once."""
 
     links: Table  # m, (kinds, 1)
-    spans: Table  # where front handles of its benches ever stand, m, from and to, (kinds, 2)
+    spans: Table  # range of positions of its benches' front handles, m, (kinds, 2)
 
 
 class Workshop(NamedTuple):
-    """What cells are made in: slot g holds a bench of kind g at a cell's start.
+    """The scratch of making cells: slot g holds a bench of kind g at a cell's start.
 
     The slot behind the last kind holds the front handle alone; as many slots follow for its end.
     """
@@ -131,7 +131,7 @@ def place_bench(rows: FloatArray, link: FloatArray, front: int, t: int, shop: Wo
 
 @kernel
 def weigh_bench(rows: FloatArray, link: FloatArray, t: int, shop: Workshop) -> None:
-    """Bound what rounding may have moved in slot t, where a bench stands."""
+    """Bound the rounding errors in slot t, where a bench stands."""
     places, errors = shop.places, shop.errors
     ratio_errors(rows, link, errors.seams, places, errors.lanes, t, errors.along, errors.ratio)
     rates_in_slot(
@@ -170,14 +170,14 @@ def move_on(shop: Workshop, kinds: int) -> None:
 
 @kernel
 def leave_open(benches: FloatArray, c: int, g: int) -> None:
-    """Say that nothing bounds benches of kind g in cell c."""
+    """Record that nothing bounds benches of kind g in cell c."""
     benches[c, g, Cell.SLOW], benches[c, g, Cell.FADE] = 0.0, -math.inf
     benches[c, g, Cell.FAST] = benches[c, g, Cell.GROW] = benches[c, g, Cell.SWAY] = math.inf
 
 
 @kernel
 def growth_error(shop: Workshop, t: int) -> float:
-    """What d log(ratio) of the bench in slot t may be off by, 1/m."""
+    """The error bound of d log(ratio) of the bench in slot t, 1/m."""
     change, errors = abs(shop.change[1, t]), shop.errors
     return (errors.change[1, t] + change * errors.ratio[1, t]) / shop.places.ratio[1, t]
 
@@ -186,7 +186,7 @@ def growth_error(shop: Workshop, t: int) -> float:
 def bound_kind(
     rows: FloatArray, links: FloatArray, shop: Workshop, loss: float, cells: Cells, c: int, g: int
 ) -> bool:
-    """Fill cell c with what benches of kind g do in it; whether a shorter one says more."""
+    """Fill cell c with what benches of kind g do in it; whether a shorter cell gives tighter bounds."""
     places, bounds, rears, benches = shop.places, shop.bounds, shop.rears, cells.benches
     errors = shop.errors
     a, b = g, g + links.shape[0] + 1
@@ -209,7 +209,7 @@ def bound_kind(
 def bound_cell(
     rows: FloatArray, links: FloatArray, shop: Workshop, loss: float, cells: Cells, c: int
 ) -> bool:
-    """Fill cell c, between the borders that benches are placed at; whether shorter ones say more."""
+    """Fill cell c, between the borders that benches are placed at; whether shorter ones are tighter."""
     places, kinds, finer = shop.places, links.shape[0], False
     a, b = kinds, 2 * kinds + 1
     low, high = curvature_range(
@@ -245,9 +245,9 @@ def cut_cells(
 ) -> Ended:  # fmt: skip
     """Cut the route from reached[AT], m, into cells.
 
-    `reached` and `done` tell how far that is; before the first call done is 0 and the cells begin at
-    reached[AT]. To be called again, after MORE (so many cells as `budget` were made) as it is, after
-    ROOM with larger cells.
+    `reached` and `done` record the progress; before the first call done is 0 and the cells begin at
+    reached[AT]. Call it again, after MORE (so many cells as `budget` were made) as it is, after ROOM
+    with larger cells.
     """
     first, links = done[CutCount.CELLS], kinds.links
     if first == 0:
@@ -283,10 +283,10 @@ def cut_cells(
 def rear_range(
     benches: FloatArray, borders: FloatArray, g: int, ca: int, cb: int, low: float, high: float
 ) -> tuple[float, float]:
-    """Between which positions, m, rear handles stand while the front ones stand in low..high.
+    """The positions, m, between which rear handles stand while the front ones stand in low..high.
 
     Those lie in cells ca and cb. Between two borders a rear handle is no faster and no slower than the
-    cell says.
+    bounds of the cell.
     """
     ahead, left = low - borders[ca], borders[ca + 1] - low
     back = max(
@@ -358,7 +358,7 @@ def greatest_bend(bends: FloatArray, ca: int, cb: int) -> float:
 def rates_in_cells(
     benches: FloatArray, k: int, ca: int, cb: int, quantity: int
 ) -> tuple[float, float, float, float, float]:
-    """As `bench_in_cells`; the second number alone where a quantity needs no other."""
+    """As `bench_in_cells`; only the second number is filled where a quantity needs no other."""
     if quantity in (DriveRate.SPEEDS, DriveRate.ACROSS):
         return 0.0, greatest_fast(benches, k, ca, cb), 0.0, 0.0, 0.0
     return bench_in_cells(benches, k, ca, cb)
@@ -369,10 +369,10 @@ def bound_by_cells(
     cells: Cells, group: IntArray, links: int, low: float, high: float, drive: FloatArray,
     quantity: int, enough: float,
 ) -> tuple[float, float, int]:  # fmt: skip
-    """At most a quantity of the first `links` + 1 handles while the head walks from low to high, m.
+    """Bound a quantity of the first `links` + 1 handles while the head walks from low to high, m.
 
-    Benches are of the kinds `group`. Then at most what it is on handles that cannot exceed `enough`,
-    and the last handle that may, -1 if there is none. Of a bench it stands at its rear handle.
+    Benches are of the kinds `group`. Returns the bound, that on handles that cannot exceed `enough`,
+    and the last handle that may, -1 if there is none. A bench's quantity counts at its rear handle.
     """
     borders, benches = cells.borders, cells.benches
     ca, cb = cell_of(borders, low), cell_of(borders, high)

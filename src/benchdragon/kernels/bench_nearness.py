@@ -1,4 +1,4 @@
-"""When another bench is nearest to each over a walk, and who stands beside it."""
+"""The tightest moment of each bench over a walk, and the benches beside it."""
 
 import math
 
@@ -15,22 +15,22 @@ from benchdragon.kernels.local_minima import local_minimum
 from benchdragon.kernels.nearness import foot
 from benchdragon.kernels.numbered import Numbered
 
-# How far other benches are looked for, m, at all times; and at the end for those beside.
+# How far away other benches are searched for, m: over the walk, and at its end for those beside.
 REACH, BESIDE_REACH = 1.5, 1.5
-# Benches farther apart than this, m, in a straight line are of another coil once they come within
-# REACH: nearer than half of that, which takes a bend of more than half a turn. The others are next in
-# line and near at all times, which tells a bearer nothing.
+# Benches that are farther apart than this, m, along the straightened dragon belong to another coil once
+# they come within REACH: they are then nearer than half of that, which takes a bend of more than half a
+# turn. Closer ones are next in line and near at all times, of no use to a bearer.
 OTHER_COIL = 2.0 * REACH
-# How often the time about a least distance is narrowed.
+# How often the range of times around a least distance is narrowed.
 TIME_SHRINKS = 6
 
 
 class TightMoment(Numbered):
     """Columns of tightest moments.
 
-    Number of the other bench, 0 for none; its side, of those below; bounds of how near it comes, m;
-    where the head then is, m; numbers of the times before and after; and where the bench's front
-    handle is, m.
+    The number of the other bench, 0 for none; its side, a `NearSide`; bounds of its distance, m; the
+    head's position then, m; numbers of the times before and after; the place of the bench's front
+    handle, m.
     """
 
     OTHER, WHERE, LOWER, UPPER, HEAD, EARLY, LATE, PLACE_X, PLACE_Y = range(9)
@@ -40,7 +40,7 @@ TIGHTEST_COLUMNS = len(TightMoment)
 
 
 class Neighbour(Numbered):
-    """Columns of what is nearest to a bench: how near, m, when, s, and its number."""
+    """Columns of the nearest bench: its distance, m, the time, s, and its number."""
 
     NEAR, WHEN, NUMBER = range(3)
 
@@ -49,14 +49,14 @@ NEAR_COLUMNS = len(Neighbour)
 
 
 class NearSide(Numbered):
-    """Where the bench is that comes nearest."""
+    """The side on which the nearest bench is."""
 
     ON_LEFT, ON_RIGHT, AT_FRONT, AT_REAR = range(4)
 
 
 @kernel
 def side_of(boxes: FloatArray, k: int, x: float, y: float) -> int:
-    """On which side of box k a point lies that is outside of it."""
+    """The side of box k on which a point outside it lies."""
     along, across = offset(boxes, k, x, y)
     if abs(along) - boxes[k, Box.HALF_LENGTH] > abs(across) - boxes[k, Box.HALF_WIDTH]:
         return NearSide.AT_FRONT if along > 0.0 else NearSide.AT_REAR
@@ -65,7 +65,7 @@ def side_of(boxes: FloatArray, k: int, x: float, y: float) -> int:
 
 @kernel
 def nearest_side(boxes: FloatArray) -> int:
-    """On which side of box 0 that point of box 1 lies which is nearest to it, or deepest in it."""
+    """The side of box 0 on which the point of box 1 lies that is nearest to it, or deepest in it."""
     mine, which = nearest_corner(boxes, 0, 1)
     x, y = corner(boxes, 0 if mine else 1, which)
     if mine and apart(boxes, 0, 1) > 0.0:
@@ -80,8 +80,8 @@ def find_tightest(
 ) -> None:  # fmt: skip
     """Fill the rows of `out` of benches first <= k < stop with their tightest moments.
 
-    `heads` are all head positions that were looked at, m. No two benches that are not neighbours come
-    nearer than `least`, m, as far as that is known.
+    `heads` are all sampled head positions, m. `least` is the lower bound known for the distance of any
+    two non-adjacent benches, m.
     """
     at, places, benches = known.at, known.places, known.benches
     for k in range(first, stop):
@@ -116,9 +116,9 @@ def find_tightest(
 def find_beside(sizes: Table, x: Table, y: Table, boxes: Table, beside: IntTable) -> None:
     """Fill `beside`, (benches, 2), with the number of the bench next to each on its left and right.
 
-    At the first placement of x and y, (handles, times). Of each line of benches that passes, no
-    neighbours and no more than BESIDE metres away, that is the one most abreast, and of these the one
-    of the nearest line; 0 where there is none. `boxes` become those of all benches.
+    The dragon stands as in the first column of x and y, (handles, times). Of each run of consecutive
+    non-adjacent benches that passes at most BESIDE_REACH metres away, the one most abreast counts, and
+    of these the one of the nearest run; 0 if there is none. `boxes` receives those of all benches.
     """
     boxes_at(sizes, x, y, 0, boxes)
     for k in range(boxes.shape[0]):
@@ -155,10 +155,10 @@ def most_abreast(boxes: FloatArray, k: int, hand: float) -> int:
 def see_near(
     sizes: Table, x: Table, y: Table, times: Vector, reach: float, near: Table, least: Vector
 ) -> None:
-    """Note in `near`, (benches, NEAR_COLUMNS), who comes nearest to each at these times, s, and when.
+    """Update `near`, (benches, NEAR_COLUMNS), with the nearest bench to each at these times, s.
 
-    Only what is nearer than what stands there counts, and no neighbour. least[t] becomes the distance
-    of the tightest pair, at most `reach`, m; NaN where the dragon does not stand. x and y are (handles,
+    A row changes only if a non-adjacent bench is nearer than its NEAR. least[t] becomes the distance of
+    the nearest pair, at most `reach`, m; NaN if the dragon cannot be placed. x and y are (handles,
     times).
     """
     count, last = sizes.shape[1], times.shape[0]

@@ -1,8 +1,8 @@
-"""What each bench of a dance does: how it turns and how fast, and who comes nearest to it.
+"""What each bench of a dance does: how it turns and how fast, and which bench comes nearest to it.
 
-A walk is looked at slice by slice of its times. Each bench keeps a line of pieces, one for each time at
-which its front handle passes a place where the route changes its side, or a speed at which another
-pace begins. In the end pieces become stretches that people can follow.
+A walk is processed in slices of its times. Each bench keeps a list of pieces, one for each time at
+which its front handle passes a place where the route changes its side, or a speed at which another pace
+begins. At the end pieces are joined into stretches that people can follow.
 """
 
 import math
@@ -18,26 +18,26 @@ from benchdragon.kernels.curve import FloatArray, RouteRow, length_at
 from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.numbered import Numbered
 
-# How exactly it is timed when something is passed, s, and how often it is looked for at most: some ten
-# looks do, and where more would be needed the nearest so far is told.
+# Tolerance of the time at which something is passed, s, and the most evaluations to find it: some ten
+# suffice, and after the last one the best time so far is returned.
 TIME_TOLERANCE, MOST_TIME_LOOKS = 1e-6, 100
-# A time in units of its last place, and the smallest normal number: nearer to a root is not told.
+# Rounding of a time, as a share, and the smallest normal number: a root is not resolved further.
 TIME_ROUNDING, LEAST = 4.0 * 2.0**-52, 2.0**-1022
-# Handles placed for a place or a speed that is passed, for each before it in line: some looks.
+# Work to time one passing, for each handle up to the one that passes: so many evaluations.
 LOOKS = 8
-# Stretches shorter than this, s, nobody can follow: each is joined to the longer of its neighbours.
+# People cannot follow stretches shorter than this, s: each is joined to the longer of its neighbours.
 SHORTEST = 1.0
-# Distances that differ by less than this, m, count as equal, and the sooner is told: in a steady coil
-# they stay the same for long, and rounding must not choose the moment.
+# Distances that differ by less than this, m, count as equal, and the earlier one is reported: in a
+# steady coil they stay the same for long, and rounding must not choose the moment.
 LEVEL_DISTANCES = 1e-6
 
 
 class PacePiece(Numbered):
-    """Columns of pieces, of which the first are those that benches begin with.
+    """Columns of pieces; the first rows are the pieces that benches begin with.
 
-    When it begins, s, where the handle then is, m, how fast, m/s, to which side the route bends, which
-    pace it is, the least and the greatest speed seen, and the row of the next; then what joining adds:
-    the piece before.
+    The time at which it begins, s, the handle's position then, m, and speed, m/s, the side to which the
+    route bends, the pace, the least and the greatest speed seen, and the row of the next piece; joining
+    adds the row of the piece before.
     """
 
     TIME, WAY, SPEED, SIDE, PACE, SLOW, FAST, NEXT, BEFORE = range(9)
@@ -49,8 +49,8 @@ PACE_PIECE_COLUMNS = len(PacePiece)
 class BenchRow(Numbered):
     """Columns of benches.
 
-    Row of the last piece; where the handle was last, m, and how fast, m/s; the least distance of
-    another coil, m, whose, from 0, or -1, and at which time; and what none comes nearer than.
+    The row of the last piece; the handle's last position, m, and speed, m/s; the least distance to
+    another coil, m, its bench (from 0, or -1) and number of that time; a lower bound of it, m.
     """
 
     LAST, END_WAY, END_SPEED, NEAREST, PARTNER, AT, FLOOR = range(7)
@@ -60,7 +60,7 @@ BENCH_ROW_COLUMNS = len(BenchRow)
 
 
 class PaceStretch(Numbered):
-    """Columns of stretches: of a bench, from 0, from start to end, s, so far, m, by so much, rad."""
+    """Columns of stretches: bench, from 0; start, end, s; side; pace; way, m; angle, rad; speeds."""
 
     BENCH, START, END, TURN, STEPS, FAR, ANGLE, LOW, HIGH = range(9)
 
@@ -70,7 +70,7 @@ NOBODY = -1
 
 
 class Line(NamedTuple):
-    """A dragon on a route, and what its front handles may pass."""
+    """A dragon on a route, and the places and speeds that its front handles may pass."""
 
     rows: Table
     links: Vector
@@ -93,7 +93,7 @@ class Seen(NamedTuple):
 
 
 class Known(NamedTuple):
-    """What is known so far, and places to work in: slots of all handles."""
+    """What is known so far, and scratch: slots of all handles."""
 
     pieces: Table
     benches: Table
@@ -104,7 +104,7 @@ class Known(NamedTuple):
 
 @kernel
 def count_up_to(gates: FloatArray, value: float) -> int:
-    """How many of increasing numbers are at most a value."""
+    """How many numbers of an increasing row are at most a value."""
     low, high = 0, gates.shape[0]
     while low < high:
         middle = (low + high) // 2
@@ -117,13 +117,13 @@ def count_up_to(gates: FloatArray, value: float) -> int:
 
 @kernel
 def value_at(seen: Seen, k: int, t: int, fast: bool) -> float:
-    """How fast handle k is at time number t, m/s; or where it is, m."""
+    """The speed of handle k at time number t, m/s; or its position, m."""
     return seen.ratio[k, t] * seen.paces[t] if fast else seen.s[k, t]
 
 
 @entry
 def count_passed(line: Line, seen: Seen) -> tuple[int, float]:
-    """How many places and speeds front handles pass in a slice; and that work, in handles placed."""
+    """Count what front handles pass in a slice; return that, and the work to time it, in handles."""
     passed, work = 0, 0.0
     for k in range(line.links.shape[0]):
         was, pace = 0, 0
@@ -151,9 +151,9 @@ def state_at(line: Line, seen: Seen, known: Known, k: int, t: int, time: float) 
 
 @kernel
 def moment(line: Line, seen: Seen, known: Known, k: int, t: int, fast: bool, aim: float) -> float:
-    """When, after time number t and before the next, handle k passes a place, or a speed: s.
+    """The time, s, between times number t and t + 1 at which handle k passes a place, or a speed.
 
-    By Chandrupatla's method (Advances in Engineering Software 28, 1997). NaN where it does not stand.
+    By Chandrupatla's method (Advances in Engineering Software 28, 1997). NaN if a chain has no place.
     """
     x1, x2 = seen.times[t], seen.times[t + 1]
     f1, f2 = value_at(seen, k, t, fast) - aim, value_at(seen, k, t + 1, fast) - aim
@@ -185,7 +185,7 @@ def moment(line: Line, seen: Seen, known: Known, k: int, t: int, fast: bool, aim
 
 @kernel
 def add_piece(known: Known, time: float, s: float, speed: float) -> int:
-    """A new piece of no side and no pace yet; its row."""
+    """Add a piece without side and pace; returns its row."""
     pieces, row = known.pieces, known.tally[0]
     known.tally[0] = row + 1
     pieces[row, PacePiece.TIME] = time
@@ -200,7 +200,7 @@ def add_piece(known: Known, time: float, s: float, speed: float) -> int:
 
 @kernel
 def link_pieces(known: Known, k: int, first: int) -> None:
-    """Put the pieces from row `first` on, all of bench k, in order, and behind those it has."""
+    """Sort the pieces from row `first` on, all of bench k, by time, and append them to its list."""
     pieces, benches = known.pieces, known.benches
     for n in range(first, known.tally[0]):
         m = n
@@ -220,7 +220,7 @@ def link_pieces(known: Known, k: int, first: int) -> None:
 
 @kernel
 def pass_gates(line: Line, seen: Seen, known: Known, k: int, t: int) -> bool:
-    """Begin a piece for all that handle k passes from time number t to the next; False if it falls."""
+    """Begin a piece at each passing of handle k between times t and t + 1; False if it has no place."""
     first, pieces = known.tally[0], known.pieces
     for fast in (False, True):
         gates = line.gates if fast else line.bends
@@ -244,7 +244,7 @@ def pass_gates(line: Line, seen: Seen, known: Known, k: int, t: int) -> bool:
 
 @kernel
 def see_speed(known: Known, k: int, s: float, speed: float) -> None:
-    """Note where handle k is, m, and how fast it is, m/s, in its last piece."""
+    """Record the position, m, and speed, m/s, of handle k in its last piece."""
     pieces, row = known.pieces, int(known.benches[k, BenchRow.LAST])
     pieces[row, PacePiece.SLOW], pieces[row, PacePiece.FAST] = (
         min(pieces[row, PacePiece.SLOW], speed),
@@ -257,12 +257,12 @@ def see_speed(known: Known, k: int, s: float, speed: float) -> None:
 def look_at_benches(
     line: Line, seen: Seen, first: int, reach: float, straight: float, lever: float, known: Known
 ) -> bool:
-    """Look at a slice, of which time number 0 is number `first` of all, and the last of that before.
+    """Process a slice whose time 0 is number `first` of the walk and the last time of the slice before.
 
-    There must be room for as many pieces more as `count_passed` says, and one a bench at first. Other
-    benches are looked for within `reach`, m, but for those nearer than `straight`, m, in a line. A
-    point of a bench goes at most `lever` times as far as its handles. False where the dragon cannot
-    stand with its head at known.at[0], m.
+    `known` must have room for as many further pieces as `count_passed` says, and at first for one a
+    bench. Other benches are searched for within `reach`, m, except those closer than `straight`, m,
+    along the straightened dragon. A point of a bench moves at most `lever` times as far as its handles.
+    Returns False if the dragon cannot be placed with its head at known.at[0], m.
     """
     count = line.links.shape[0]
     for k in range(count if first == 0 else 0):
@@ -287,10 +287,10 @@ def look_at_benches(
 def see_nearest(
     line: Line, seen: Seen, first: int, reach: float, straight: float, lever: float, benches: FloatArray
 ) -> None:
-    """Note who is nearest to each bench in a slice, and what none comes nearer than between its times.
+    """Update the nearest bench to each in a slice, and lower bounds of distances between its times.
 
-    Of benches that are a and b apart at two times, and whose points go no farther than p and q in
-    between, none comes nearer to the other than (a + b - p - q)/2.
+    Two benches that are a and b apart at two times, and whose points move by at most p and q in
+    between, come no nearer to one another than (a + b - p - q)/2.
     """
     count, times, s = line.links.shape[0], seen.times.shape[0], seen.s
     distance, partner = np.empty((times, count)), np.empty((times, count), dtype=np.int64)
@@ -315,7 +315,7 @@ def see_nearest(
 
 @kernel
 def set_least(tree: FloatArray, n: int, value: float) -> None:
-    """Put a value in place n of a tree of least values: its leaves are the second half."""
+    """Set leaf n of a segment tree of minima, whose leaves are the second half of the array."""
     n += tree.shape[0] // 2
     tree[n] = value
     while n > 1:
@@ -325,7 +325,7 @@ def set_least(tree: FloatArray, n: int, value: float) -> None:
 
 @kernel
 def place_of_least(tree: FloatArray) -> int:
-    """The first place that holds the least value of a tree."""
+    """The number of the first leaf that holds the least value of a tree."""
     n = 1
     while n < tree.shape[0] // 2:
         n = 2 * n if tree[2 * n] <= tree[2 * n + 1] else 2 * n + 1
@@ -355,10 +355,10 @@ def absorb(line: FloatArray, tree: FloatArray, n: int) -> None:
 
 @kernel
 def join_short(line: FloatArray, tree: FloatArray, count: int) -> int:
-    """Join pieces that nobody can follow to others; how many are left, linked from the first on.
+    """Join pieces too short for people to follow; returns how many are left, linked from the first on.
 
-    The shortest, of several the first, goes to the longer of its neighbours, again and again. No two
-    neighbours are alike before and after. line[count] is the end of all.
+    The shortest piece, of several the first, is joined to the longer of its neighbours, again and
+    again. No two neighbours are alike before and after. line[count] is the end of all.
     """
     for n in range(tree.shape[0]):
         tree[n] = math.inf
@@ -378,7 +378,7 @@ def join_short(line: FloatArray, tree: FloatArray, count: int) -> int:
             n = low
         absorb(line, tree, n)
         left -= 1
-        # It may be like the neighbour on the side that it did not go to.
+        # The joined piece may now be like its neighbour on the other side.
         low, high = int(line[n, PacePiece.BEFORE]), int(line[n, PacePiece.NEXT])
         if low >= 0 and alike(line, low, n):
             n, high = low, n
@@ -390,7 +390,7 @@ def join_short(line: FloatArray, tree: FloatArray, count: int) -> int:
 
 @kernel
 def line_of(known: Known, k: int, end: float, line: FloatArray) -> int:
-    """Fill a line with the pieces of bench k, those that are alike joined, and its end; how many."""
+    """Fill a line with the pieces of bench k, like ones joined, and its end; returns their number."""
     pieces, count, row = known.pieces, 0, k
     while row >= 0:
         for column in range(PACE_PIECE_COLUMNS):
@@ -413,9 +413,9 @@ def line_of(known: Known, k: int, end: float, line: FloatArray) -> int:
 @entry
 @allocates
 def tell_stretches(rows: Table, turned: Vector, end: float, known: Known, out: Table) -> int:
-    """Fill rows of `out` with the stretches of all benches, the head's first; how many.
+    """Fill rows of `out` with the stretches of all benches, the head's first; returns their number.
 
-    There are no more than pieces. `turned` is that of `find_bends`, `end` that of the dance, s.
+    They are no more than pieces. `turned` is that of `find_bends`; the dance ends at `end`, s.
     """
     most, told = known.tally[0] - known.benches.shape[0] + 1, 0
     line = np.empty((most + 2, PACE_PIECE_COLUMNS))

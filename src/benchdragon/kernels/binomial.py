@@ -1,8 +1,4 @@
-"""The binomial distribution: tails, and what hits among trials say of a probability.
-
-Terms are multiplied up and down from the likeliest one, which counts as 1, and divided by their sum: no
-logarithm and no gamma function, and no digit lost in either tail.
-"""
+"""The binomial distribution: tails, and bounds of a probability from hits among trials."""
 
 from benchdragon.kernels.entries import entry, kernel
 

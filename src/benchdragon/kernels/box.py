@@ -131,7 +131,7 @@ def box_distance(boxes: Table, i: int, j: int) -> float:
 def nearest_corner(boxes: Table, i: int, j: int) -> tuple[bool, int]:
     """Where two boxes are nearest: whether at a corner of i (else of j), and at which corner.
 
-    Of overlapping boxes the corner that lies deepest inside the other; if none lies inside, the one
+    If they overlap, it is the corner that lies deepest inside the other; if none lies inside, the one
     that lies nearest to it.
     """
     best, mine, which = math.inf, True, 0
@@ -201,7 +201,7 @@ def radii(sizes: FloatArray, out: FloatArray) -> float:
 
 @kernel
 def in_a_line(sizes: FloatArray, front: FloatArray, rear: FloatArray) -> None:
-    """Fill in how far behind the head's front hole the ends of each bench lie in a straight line, m."""
+    """Fill `front` and `rear` with how far behind the head's front hole bench ends lie in a line, m."""
     hole = 0.0
     for i in range(front.shape[0]):
         front[i] = hole - sizes[2, i]
@@ -220,9 +220,9 @@ def centres(boxes: FloatArray, cx: FloatArray, cy: FloatArray) -> None:
 def nearest_of(
     boxes: FloatArray, radius: FloatArray, cx: FloatArray, cy: FloatArray, least: float
 ) -> tuple[float, int, int]:
-    """The least distance of any two boxes but neighbours, m, where it is below `least`; and which two.
+    """The least distance of any two non-adjacent boxes, m, if it is below `least`; and which two.
 
-    Of most pairs no more is looked at than the circles around them. `cx` and `cy` are scratch.
+    Most pairs are culled by the circles around them. `cx` and `cy` are scratch.
     """
     widest, first, second = 0.0, 0, 0
     centres(boxes, cx, cy)
@@ -245,10 +245,10 @@ def nearest_of(
 @entry
 @allocates
 def nearest_pair(sizes: Table, x: Table, y: Table) -> tuple[float, int, int, int]:
-    """The least distance of any two benches but neighbours at any time, m; which time and benches.
+    """The least distance of two non-adjacent benches at any time, m; the time's number, both benches.
 
-    Minus the depth inside. x and y are (handles, times). All pairs are looked at, but only those
-    whose circles come nearer than the least so far in full.
+    It is minus the depth of an overlap. x and y are (handles, times). All pairs are covered; the
+    distance is computed only for those whose circles come nearer than the least so far.
     """
     count = sizes.shape[1]
     boxes = np.empty((count, BOX_COLUMNS))
@@ -275,10 +275,10 @@ def nearest_each(
     sizes: Table, x: Table, y: Table, t: int, reach: float, straight: float, distance: Table,
     partner: IntTable,
 ) -> None:  # fmt: skip
-    """Fill row t with each bench's least distance to any but itself and its neighbours, and to which.
+    """Fill row t with each bench's least distance to a non-adjacent one, m, and with that one's number.
 
-    Beyond `reach`, m, that is infinite and -1; minus the depth inside. x and y are (handles, times).
-    Only pairs count that are farther apart than `straight`, m, where the chain is straight.
+    Beyond `reach`, m, they are infinite and -1; overlaps count minus their depth. x and y are (handles,
+    times). Only pairs count that are farther apart than `straight`, m, in the straightened chain.
     """
     count = sizes.shape[1]
     boxes = np.empty((count, BOX_COLUMNS))
@@ -306,7 +306,7 @@ def nearest_each(
 def meet(
     apart: float, i: int, j: int, t: int, reach: float, distance: FloatArray, partner: IntArray
 ) -> None:
-    """Take down in row t that benches i and j are `apart` metres apart, where that is the least."""
+    """Record in row t that benches i and j are `apart` metres apart, if that is less than before."""
     if apart <= reach and apart < distance[t, i]:
         distance[t, i], partner[t, i] = apart, j
     if apart <= reach and apart < distance[t, j]:

@@ -15,7 +15,7 @@ from benchdragon.kernels.grid import Grid
 from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.route import IntArray
 
-# A box that is near another is cut into so many parts.
+# A box that is near another is split into so many parts.
 PARTS = 4
 
 
@@ -34,7 +34,7 @@ class Node(Numbered):
     Rows below groups * cells are whole cells, group by group.
     """
 
-    STATE = 0  # UNKNOWN, WANTED or BOXED
+    STATE = 0  # a NodeState
     CHILD = 1  # row of the first of its parts, 0 if it was not cut
     PARTNER = 2  # 1 + the number of the latest entry of its partners, 0 without one
     GROUP = 3
@@ -46,7 +46,7 @@ TREE_COLUMNS = len(Node)
 
 
 class NodeState(Numbered):
-    """What is known of a box of the tree."""
+    """The state of a box of the tree."""
 
     UNKNOWN, WANTED, BOXED = range(3)
 
@@ -59,7 +59,7 @@ class Partner(Numbered):
 
 
 class BoxCount(Numbered):
-    """What is counted, a row of whole numbers."""
+    """Counts, a row of whole numbers."""
 
     GROUPS = 0
     CELLS = 1  # known so far
@@ -68,7 +68,7 @@ class BoxCount(Numbered):
     LOW = 4  # number of the first cell, counted from the route's start
     TODO = 5  # boxes to be made
     NEAR = 6  # pairs that are near
-    DOUBTS = 7  # kinds and cells through which it is not sure that such benches can walk
+    DOUBTS = 7  # kinds and cells through which such benches are not certain to walk
     MIXED = 8  # 1 once cells lie in different clear spans
     REAR = 9  # least number of a partner, in cells times PARTS
     BORDERS = 10  # benches placed at borders of cells
@@ -78,7 +78,7 @@ BOX_COUNTS = len(BoxCount)
 
 
 class BoxMeasure(Numbered):
-    """What is measured, a row of floats, m."""
+    """Measures, a row of floats, m."""
 
     REACH = 0  # nearer than this is near
     CELL = 1  # length of a cell
@@ -139,7 +139,7 @@ class Grids(NamedTuple):
 
 @kernel
 def has_room(ground: Hierarchy) -> bool:
-    """Whether all that was counted found room."""
+    """Whether all rows, entries, pairs and doubts that were counted fit into their arrays."""
     counts = ground.counts
     return (
         counts[BoxCount.ROWS] <= ground.tree.shape[0]
@@ -168,7 +168,7 @@ def mark(counts: IntArray, tree: IntArray, todo: IntArray, row: int) -> None:
 
 @kernel
 def split(counts: IntArray, tree: IntArray, hulls: FloatArray, todo: IntArray, row: int) -> None:
-    """Give a box its parts, once, and want them boxed; beyond the room they are only counted."""
+    """Split a box into its parts, once, and mark these for boxing; beyond the room they are counted."""
     if tree[row, Node.CHILD]:
         return
     base = counts[BoxCount.ROWS]

@@ -37,12 +37,12 @@ from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.swept_boxes import sweep_cells
 
-# Where at most so many pairs of parts a cell are near, they are cut once more: it may be none.
+# If at most so many pairs of parts a cell are near, the parts are split once more: perhaps none is.
 SPARSE = 40
 
 
 class BoxScratch(NamedTuple):
-    """What boxing works in: benches at up to LANES borders."""
+    """Scratch for boxing: benches at up to LANES borders of cells."""
 
     at: Vector  # route positions of the front handle, m
     places: Placements
@@ -54,7 +54,7 @@ class BoxScratch(NamedTuple):
 
 @kernel
 def count_borders(ground: Hierarchy, places: Placements, count: int) -> None:
-    """Count the benches at the first borders that stand."""
+    """Count the benches that can be placed at the first `count` borders."""
     for t in range(count):
         if not places.failed[0, t]:
             ground.counts[BoxCount.BORDERS] += 1
@@ -89,7 +89,7 @@ def sweep_batch(
 
 @kernel
 def box_group(rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, k: int) -> None:
-    """Widen what is wanted of the group of kind k by benches of that kind, some borders at a time."""
+    """Widen the marked boxes of kind k's group by benches of that kind, batch by batch."""
     tree, at, low = ground.tree, sweeper.at, ground.counts[BoxCount.LOW]
     hind, end = ground.groups[kinds.group[k], BenchGroup.HIND], ground.measures[BoxMeasure.END]
     slots, boxes, last = 0, 0, -2
@@ -121,7 +121,7 @@ def box_group(rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScr
 def box_marked(
     rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, grid: Grid
 ) -> None:
-    """Box all that is wanted; whole cells go into the grid of boxes by the centre of theirs."""
+    """Box all marked rows; boxes of whole cells are put into the grid by their centres."""
     for k in range(kinds.group.shape[0]):
         box_group(rows, kinds, ground, sweeper, k)
     hulls, tree = ground.hulls, ground.tree
@@ -140,7 +140,7 @@ def box_marked(
 
 @kernel
 def boxes_near(hulls: FloatArray, i: int, j: int, reach: float) -> bool:
-    """Whether two boxes are within reach, m; no box is near anything."""
+    """Whether two boxes are within reach, m; an empty box is near nothing."""
     dx, dy = hulls[i, Box.CX] - hulls[j, Box.CX], hulls[i, Box.CY] - hulls[j, Box.CY]
     most = hulls[i, Hull.RADIUS] + hulls[j, Hull.RADIUS] + reach
     if not dx * dx + dy * dy <= most * most:
@@ -156,7 +156,7 @@ def far_enough(tree: IntArray, i: int, j: int, cell: float, way: float) -> bool:
 
 @kernel
 def add_overlap(counts: IntArray, near: IntArray, i: int, j: int) -> None:
-    """Note a pair of rows that are near; beyond the room it is only counted."""
+    """Record a pair of rows that are near; without room it is only counted."""
     n = counts[BoxCount.NEAR]
     if n < near.shape[0]:
         near[n, 0], near[n, 1] = i, j
@@ -165,7 +165,7 @@ def add_overlap(counts: IntArray, near: IntArray, i: int, j: int) -> None:
 
 @kernel
 def find_overlaps(ground: Hierarchy, grid: Grid, found: IntArray, i: int) -> None:
-    """Note all boxes of cells not beyond that of row i that are near it."""
+    """Record all boxes near that of row i whose cells are not ahead of its own."""
     tree, hulls, groups = ground.tree, ground.hulls, ground.counts[BoxCount.GROUPS]
     a = tree[i, Node.GROUP]
     c = tree[i, Node.NUMBER]
@@ -193,7 +193,7 @@ def find_overlaps(ground: Hierarchy, grid: Grid, found: IntArray, i: int) -> Non
 
 @kernel
 def split_overlapping(ground: Hierarchy) -> None:
-    """Cut all boxes that are in pairs."""
+    """Split all boxes that are in pairs."""
     for n in range(ground.counts[BoxCount.NEAR]):
         for side in range(2):
             split(ground.counts, ground.tree, ground.hulls, ground.todo, ground.near[n, side])
@@ -201,7 +201,7 @@ def split_overlapping(ground: Hierarchy) -> None:
 
 @kernel
 def overlapping_parts(ground: Hierarchy, i: int, j: int, every: bool) -> bool:
-    """Whether any parts of boxes i and j are near; if `every`, all such pairs are noted."""
+    """Whether any parts of boxes i and j are near; with `every`, all such pairs are recorded."""
     tree, reach = ground.tree, ground.measures[BoxMeasure.REACH]
     way, found = ground.groups[tree[i, Node.GROUP], BenchGroup.WAYS + tree[j, Node.GROUP]], False
     for p in range(tree[i, Node.CHILD], tree[i, Node.CHILD] + of.PARTS):
@@ -236,7 +236,7 @@ def add_candidates(ground: Hierarchy, i: int, j: int) -> None:
 def extend_hierarchy(
     rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, grids: Grids, upto: float
 ) -> bool:
-    """Know the route up to position `upto`, m, and all partners there; False for want of room."""
+    """Extend the hierarchy, with all partners, to route position `upto`, m; False if room runs out."""
     counts, old = ground.counts, ground.counts[BoxCount.CELLS]
     wanted = math.floor(upto / ground.measures[BoxMeasure.CELL]) + 1 - counts[BoxCount.LOW]
     hind = math.inf
@@ -269,7 +269,7 @@ def extend_hierarchy(
 def refine_hierarchy(
     rows: FloatArray, kinds: Kinds, ground: Hierarchy, sweeper: BoxScratch, centres: Grid, fresh: int
 ) -> bool:
-    """From pairs of cells that are near to partners; False for want of room. So many cells are new."""
+    """Refine near pairs of cells to partners; False if room runs out. `fresh` cells are new."""
     counts, near = ground.counts, ground.near
     cells = counts[BoxCount.NEAR]
     split_overlapping(ground)

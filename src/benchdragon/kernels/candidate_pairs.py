@@ -1,9 +1,9 @@
 """The candidate pairs of the broad phase: which benches may meet in which steps of the head.
 
 The head's walk is prepared stride by stride: cells of the route ahead (kernels/broad_phase.py), whether
-all benches surely follow through them (kernels/continuation.py), then step by step the benches that
-stand in overlapping boxes. What is left before a bench that may not follow is searched for all pairs
-that come near by their travel.
+all benches are certain to follow through them (kernels/continuation.py), then step by step the benches
+that stand in overlapping boxes. The rest of the way, up to a bench that may not follow, is searched for
+all pairs that may meet by their travel.
 """
 
 import math
@@ -34,21 +34,21 @@ from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.swept_boxes import EDGE, add_pair, first_behind
 from benchdragon.kernels.workspace import Benches, Course, Walk, WalkTally, Workspace, place_samples
 
-# Head's walk, m, that is prepared at a time: at least this share of the route known, or so much. What
-# may end soon wastes less of a short stride, what goes on to the end fills more lanes in a long one.
+# Head's walk, m, that is prepared at a time: at least this share of the route known, or so much. A
+# search that ends soon wastes less of a short stride, others fill more lanes in a long one.
 SHARE, SHORT_STRIDE, LONG_STRIDE = 0.01, 4.0, 12.0
-# Looked at between two calls: so many steps without a pair.
+# The most steps without a pair that are passed in one call.
 STEPS_A_CALL = 4096
 
 
 class NextStep(Numbered):
-    """How looking for the next step ended."""
+    """Exit status of the search for the next step."""
 
     STEP = 0
     DONE = 1  # no pair comes near up to the end
     WAIT = 2  # nothing yet: call again
-    STOPPED = 3  # it cannot be shown that all benches follow past SOUND
-    NARROW = 4  # more room is wanted, see the counts
+    STOPPED = 3  # past SOUND not all benches are certified to follow
+    NARROW = 4  # arrays are too small: see the counts
 
 
 @kernel
@@ -65,7 +65,7 @@ def group_span_end(ground: Hierarchy, a: int, b: int, s: float) -> float:
 
 @kernel
 def clear_end(ground: Hierarchy, head: int, s: float) -> float:
-    """Up to where the head, of group `head`, surely meets no other, standing at s, m; s if nowhere."""
+    """The position up to which the head, of group `head`, at s, m, is certain to meet none; or s."""
     end = math.inf
     for b in range(ground.counts[BoxCount.GROUPS]):
         if ground.groups[head, BenchGroup.WAYS + b] < math.inf:
@@ -75,7 +75,7 @@ def clear_end(ground: Hierarchy, head: int, s: float) -> float:
 
 @kernel
 def prepare(walk: Walk, room: Workspace, upto: float, whole: IntArray, numbers: FloatArray) -> int:
-    """Prepare the walk up to head position `upto`, m, with scratch of `near_cells`; as next_stride."""
+    """Prepare the walk up to head position `upto`, m, with scratch arrays; returns a `NextStep`."""
     way, tally = room.course.way, room.course.tally
     places = Placements(
         whole[0], numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], whole[1]
@@ -96,7 +96,7 @@ def prepare(walk: Walk, room: Workspace, upto: float, whole: IntArray, numbers: 
 @kernel
 @allocates
 def next_stride(walk: Walk, room: Workspace, least: float) -> int:
-    """Prepare the walk past SOUND, `least` metres or more; STEP, or DONE, STOPPED or NARROW."""
+    """Prepare the walk past SOUND, `least` metres or more; returns STEP, DONE, STOPPED or NARROW."""
     ground, kinds, way = room.ground, walk.kinds, room.course.way
     if way[Course.SOUND] < way[Course.UPTO]:
         return NextStep.STOPPED
@@ -114,7 +114,7 @@ def next_stride(walk: Walk, room: Workspace, least: float) -> int:
 def benches_reaching(benches: Benches, head: float, back: float) -> int:
     """How many benches may stand ahead of route position `back` with the head at `head`, m.
 
-    The way along the route from handle to handle is never shorter than the link between them.
+    The route from handle to handle is never shorter than the link between them.
     """
     low, high = 0, benches.ahead.shape[0]
     while low < high:
@@ -128,7 +128,7 @@ def benches_reaching(benches: Benches, head: float, back: float) -> int:
 
 @kernel
 def next_block(walk: Walk, room: Workspace) -> int:
-    """Place dragons at the borders of the next steps; STEP, or STOPPED if they do not stand."""
+    """Place chains at the borders of the next steps; STEP, or STOPPED if they cannot be placed."""
     way, tally, counts = room.course.way, room.course.tally, room.ground.counts
     block, benches = room.block, walk.benches
     cells = way[Course.AT] < way[Course.KNOWN]
@@ -137,7 +137,7 @@ def next_block(walk: Walk, room: Workspace) -> int:
     block.at[0] = way[Course.AT]
     while slots < count and block.at[slots - 1] < end:
         at = way[Course.AT] + slots * size
-        # What rounding leaves of the last step is joined to it.
+        # A remainder due to rounding is joined to the last step.
         block.at[slots] = end if at > end - 1e-3 * size else at
         slots += 1
     back = (
@@ -156,9 +156,9 @@ def candidates_of_step(
     benches: Benches, kinds: Kinds, ground: Hierarchy, s: FloatArray, t: int, count: int,
     first: IntArray, second: IntArray,
 ) -> int:  # fmt: skip
-    """Pairs of the first benches that may meet between slots t and t + 1; how many.
+    """Find pairs of the first benches that may meet between slots t and t + 1; returns how many.
 
-    s[i, t] are their front handles' route positions, m. Counts on where first, second are full.
+    s[i, t] are their front handles' route positions, m. Beyond the room, pairs are only counted.
     """  # fmt: skip
     counts, tree, partners = ground.counts, ground.tree, ground.partners
     size = ground.measures[BoxMeasure.CELL] / of.PARTS
@@ -184,9 +184,9 @@ def candidates_of_step(
 
 @kernel
 def candidates_by_grid(benches: Benches, room: Workspace, t: int) -> int:
-    """Pairs of all benches that may come within reach between slots t and t + 1; how many.
+    """Find pairs of all benches that may come within reach between slots t and t + 1; returns how many.
 
-    No point moves farther than the lever times the farthest way of any handle.
+    No point moves farther than the lever times the longest way of any handle.
     """
     block, crowd, first, second = room.block, room.crowd, room.meeting.first, room.meeting.second
     hulls, count, travel, found = crowd.hulls, benches.kind.shape[0], 0.0, 0
@@ -213,7 +213,7 @@ def candidates_by_grid(benches: Benches, room: Workspace, t: int) -> int:
 
 @kernel
 def step_pairs(walk: Walk, room: Workspace) -> int:
-    """Pairs of the next step of the block; how many."""
+    """Find the candidate pairs of the next step of the block; returns how many."""
     way, tally, s, meeting = room.course.way, room.course.tally, room.block.s, room.meeting
     t, count = tally[WalkTally.SLOT], tally[WalkTally.BENCHES]
     if count < 3:
@@ -227,9 +227,9 @@ def step_pairs(walk: Walk, room: Workspace) -> int:
 
 @kernel
 def next_step(walk: Walk, room: Workspace, stride: float) -> int:
-    """Find the next step in which pairs may come within reach; how that ended, as above.
+    """Find the next step in which pairs may come within reach; returns a `NextStep`.
 
-    Of the walk ahead `stride` metres or more are prepared at a time.
+    The walk ahead is prepared in strides of `stride` metres or more.
     """
     way, tally, at = room.course.way, room.course.tally, room.block.at
     for _ in range(STEPS_A_CALL):
@@ -257,7 +257,7 @@ def next_step(walk: Walk, room: Workspace, stride: float) -> int:
 
 @kernel
 def partners_ahead(ground: Hierarchy, g: int, s: float) -> float:
-    """Where the first part of group g that has partners begins, m, that ends past s; infinite: none."""
+    """The start of group g's first part with partners that ends past s, m; infinite without one."""
     tree, cells, low = ground.tree, ground.middles.shape[0], ground.counts[BoxCount.LOW] * of.PARTS
     size, most = ground.measures[BoxMeasure.CELL] / of.PARTS, ground.counts[BoxCount.CELLS] * of.PARTS
     c = max(math.floor(s / size) - low, 0)
@@ -271,10 +271,10 @@ def partners_ahead(ground: Hierarchy, g: int, s: float) -> float:
 
 @kernel
 def skip_to_partners(ground: Hierarchy, way: FloatArray) -> bool:
-    """Pass over what no bench can meet another in, up to KNOWN; whether that is all.
+    """Move AT past the way on which no bench can meet another, up to KNOWN; whether it gets there.
 
-    Where the head is was said. Other benches are no farther on than the links before them let them be,
-    and where the last of them is is not known here.
+    Only the head's position, AT, is known here: other benches are at most as far on as the links before
+    them allow, and the last of them may be anywhere behind.
     """
     begin, groups, edge = math.inf, ground.groups, 2.0 * EDGE
     for g in range(ground.counts[BoxCount.GROUPS]):

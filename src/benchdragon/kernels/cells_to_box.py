@@ -35,7 +35,7 @@ def find_spans(spans: FloatArray, pairs: int, low: int, cell: float, c: int, spa
 
 @kernel
 def add_cell(rows: FloatArray, ground: Hierarchy, hind: float) -> int:
-    """Know one cell more, and where the route is in its middle; its number."""
+    """Add a cell, with the place of the route in its middle; returns its number."""
     counts, cell = ground.counts, ground.measures[BoxMeasure.CELL]
     c, groups = counts[BoxCount.CELLS], counts[BoxCount.GROUPS]
     counts[BoxCount.CELLS] = c + 1
@@ -51,7 +51,7 @@ def add_cell(rows: FloatArray, ground: Hierarchy, hind: float) -> int:
 
 @kernel
 def mark_for_boxing(ground: Hierarchy, c: int, g: int) -> None:
-    """Want cell c boxed for group g, but behind where the group's last bench began."""
+    """Mark cell c for boxing for group g, unless it is behind where the group's last bench began."""
     if (
         ground.groups[g, BenchGroup.HIND]
         < (ground.counts[BoxCount.LOW] + c + 1) * ground.measures[BoxMeasure.CELL]
@@ -68,9 +68,9 @@ def may_meet(span_of: IntArray, c: int, d: int, pair: int) -> bool:
 
 @kernel
 def mark_meeting(ground: Hierarchy, grid: Grid, found: IntArray, c: int, a: int, b: int) -> None:
-    """Want cell c boxed for group a if one of group b may stand in a cell near it, in `grid`.
+    """Mark cell c for boxing for group a if a bench of group b may stand in a near cell of `grid`.
 
-    And not in one clear span with it.
+    Cells that share a clear span with it do not count.
     """
     middles, span_of, pair = ground.middles, ground.span_of, a * ground.counts[BoxCount.GROUPS] + b
     x, y = middles[c, 0], middles[c, 1]
@@ -89,9 +89,9 @@ def mark_meeting(ground: Hierarchy, grid: Grid, found: IntArray, c: int, a: int,
 
 @kernel
 def mark_new(ground: Hierarchy, grid: Grid, found: IntArray, c: int) -> None:
-    """Want the latest cell, c, boxed where its benches may meet others of the cells before, in `grid`.
+    """Mark the latest cell, c, for boxing where its benches may meet others in earlier cells of `grid`.
 
-    And where they are in no clear span, that it is known whether they walk through.
+    It is also marked for pairs in no clear span, so that it gets known whether benches walk through.
     """
     groups, tree, cells = ground.counts[BoxCount.GROUPS], ground.tree, ground.middles.shape[0]
     for pair in range(groups * groups):
@@ -115,7 +115,7 @@ def mark_new(ground: Hierarchy, grid: Grid, found: IntArray, c: int) -> None:
 
 @kernel
 def mark_behind(ground: Hierarchy, grid: Grid, found: IntArray, row: int) -> None:
-    """Want all cells behind boxed in which benches may come near those in a box of a cell.
+    """Mark for boxing all cells behind in which benches may come near those in the box of cell `row`.
 
     `grid` holds the middles of all cells.
     """

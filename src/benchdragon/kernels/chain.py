@@ -1,7 +1,7 @@
 """March the handles from head to tail: places and speed ratios, then their rates of change.
 
-Everything here is a function of the head's route position alone; time enters above, through the
-head's speed. A speed ratio is ds_i / ds_0.
+Everything here is a function of the head's route position alone; time enters in the rooms above,
+through the head's speed. A speed ratio is ds_i / ds_0.
 """
 
 import math
@@ -52,7 +52,7 @@ def cosines(
 
 @kernel
 def place_head(rows: FloatArray, s: float, t: int, places: Placements) -> Status:
-    """Place handle 0 at time t, at route position s, and give how that ended."""
+    """Place handle 0 at time t, at route position s; returns the status."""
     j, v, status = locate(rows, s)
     places.row[0, t] = j
     places.u[0, t] = v
@@ -63,7 +63,7 @@ def place_head(rows: FloatArray, s: float, t: int, places: Placements) -> Status
 
 @kernel
 def place_next(rows: FloatArray, link: float, i: int, t: int, places: Placements) -> Status:
-    """Place handle i + 1 at time t, anywhere on the route, and give how that ended."""
+    """Place handle i + 1 at time t, anywhere on the route; returns the status."""
     row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
     front = row[i, t]
     j, v, status = next_handle(rows, front, u[i, t], x[i, t], y[i, t], link)
@@ -81,7 +81,7 @@ def place_next(rows: FloatArray, link: float, i: int, t: int, places: Placements
 
 @kernel
 def shared_angles(i: int, start: int, end: int, places: Placements) -> tuple[float, float]:
-    """Least and greatest u of handle i if all times stand soundly on one row; else an empty (1, 0)."""
+    """Least and greatest u of handle i if all times have it on one row, none failed; else (1, 0)."""
     row, u, failed = places.row, places.u, places.failed
     least = u[i, start]
     most = u[i, start]
@@ -121,7 +121,7 @@ def run_end(rows: FloatArray, link: float, i: int, t: int, end: int, places: Pla
 def march_run(
     rows: FloatArray, link: float, i: int, t: int, end: int, state: FloatArray, places: Placements
 ) -> int:
-    """Place handle i + 1 at time t and at those after it that share a spiral; the next time."""
+    """Place handle i + 1 at time t and at those after it that share a spiral; returns the next time."""
     row, u, failed = places.row, places.u, places.failed
     if failed[0, t] != Status.OK:
         return t + 1
@@ -143,7 +143,7 @@ def march_block(
 ) -> None:
     """Place the followers at times start..end: abreast on a spiral that all share, else in runs."""
     row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
-    abreast = False  # whether `state` belongs to the handle at hand
+    abreast = False  # whether `state` belongs to handle i
     least, most = 1.0, 0.0  # bounds of the angles abreast; empty when they share no spiral
     for i in range(links.shape[0]):
         j, link = row[i, start], links[i]
@@ -169,7 +169,7 @@ def march_block(
 
 @kernel
 def blank(t: int, places: Placements) -> None:
-    """NaN at time t from the rear handle of the bench that failed on, or from the head on."""
+    """Set NaN at time t from the rear handle of the bench that failed on, or from the head on."""
     row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
     failed = places.failed
     status = failed[0, t]
@@ -187,7 +187,7 @@ def march(rows: Table, links: Vector, s: Vector, first: int, last: int, out: Pla
     """Place every handle for each head position s[t], first <= t < last.
 
     Fills of `out` row, u (parameter on that row), x, y (m) and ratio (ds_i / ds_0), each of shape
-    (handles, times), and failed, (2, times): a `Status`, and the bench that it befell; not tx, ty.
+    (handles, times), and failed, (2, times): a `Status`, and the bench that failed; not tx, ty.
     """
     state = np.empty(LANE_NUMBERS)
     for t in range(first, last):

@@ -55,9 +55,9 @@ class ProgrammeStep(Numbered):
 
 STEP_COLUMNS = len(ProgrammeStep)
 
-# Sweeps, rad, that are so near to a full turn are none: rounding made them. Lines, m, so short neither.
+# Sweeps, rad, this near to a full turn are 0 up to rounding; so are lines as short as this, m.
 SWEEP_ROUNDING = 1e-13
-# What crosses what is seen on polylines of chords about so long, m, and of so many at most.
+# Crossings are found on polylines of chords about so long, m, and of so many at most.
 CHORD, LEAST_CHORDS, MOST_CHORDS = 0.25, 8, 4000
 # Chords of a polyline that one box bounds.
 RUN = 32
@@ -103,7 +103,7 @@ def set_way(
 
 @entry
 def connections(start: Pose, end: Pose, radius: float, ways: Table) -> int:
-    """Fill `ways`, (MOST_WAYS, WAY_COLUMNS), with those of all six kinds, shortest first; how many."""
+    """Fill `ways`, (MOST_WAYS, WAY_COLUMNS), with those of all six kinds, shortest first: how many."""
     n, a, b = 0, start.heading, end.heading
     for first in (1.0, -1.0):
         for last in (1.0, -1.0):
@@ -137,7 +137,7 @@ def connections(start: Pose, end: Pose, radius: float, ways: Table) -> int:
 @entry
 @allocates
 def way_parts(start: Pose, ways: Table, n: int, radius: float, parts: Table) -> int:
-    """Fill `parts`, (PIECES, PART_COLUMNS), with the pieces of way n that have a length; how many."""
+    """Fill `parts`, (PIECES, PART_COLUMNS), with the pieces of way n that have a length: how many."""
     row, pose, count = np.empty((1, COLUMNS)), start, 0
     for k in range(PIECES):
         size, arc = ways[n, JoiningWay.SIZES + k], ways[n, JoiningWay.HANDS + k] != 0.0
@@ -154,7 +154,7 @@ def way_parts(start: Pose, ways: Table, n: int, radius: float, parts: Table) -> 
 @kernel
 @allocates
 def polyline(parts: FloatArray, points: FloatArray) -> int:
-    """Fill in points along parts, (n, 2), m, MOST_CHORDS + 1 at most; how many."""
+    """Fill `points`, (n, 2), m, with points along parts, MOST_CHORDS + 1 at most; returns how many."""
     rows = np.empty((parts.shape[0], COLUMNS))
     lay_rows(parts, Pose(0.0, 0.0, 0.0), 0, 0, rows)
     length = rows[-1, RouteRow.S_START] + rows[-1, RouteRow.LENGTH]
@@ -209,9 +209,9 @@ def crossings(one: FloatArray, other: FloatArray) -> int:
 @kernel
 @allocates
 def fitting_way(before: FloatArray, after: FloatArray, radius: float, way: FloatArray) -> int:
-    """Fill `way` with the pieces of the connection that crosses two routes least often; how many.
+    """Fill `way` with the pieces of the connection that crosses two routes least often: how many.
 
-    Of several it is the shortest.
+    Of several connections it is the shortest.
     """
     ways, row = np.empty((MOST_WAYS, WAY_COLUMNS)), np.empty((1, COLUMNS))
     start = part_end(before, before.shape[0] - 1, row)
@@ -231,7 +231,7 @@ def fitting_way(before: FloatArray, after: FloatArray, radius: float, way: Float
 
 @kernel
 def add_parts(out: FloatArray, count: int, parts: FloatArray) -> int:
-    """Add parts to so many; how many there are then."""
+    """Add parts to those there are; returns how many there are then."""
     for i in range(parts.shape[0]):
         for column in range(route_parts.PART_COLUMNS):
             out[count + i, column] = parts[i, column]
@@ -241,7 +241,7 @@ def add_parts(out: FloatArray, count: int, parts: FloatArray) -> int:
 @entry
 @allocates
 def programme(parts: Table, steps: Table, radius: float, out: Table) -> int:
-    """Fill `out` with formations one after another and the connections between them; how many parts.
+    """Fill `out` with formations one after another and their connections; returns the number of parts.
 
     `parts` are those of all formations as they are about the origin; they are moved. `out` has room for
     them, and for PIECES more a step.

@@ -1,7 +1,7 @@
-"""The least distance of any two benches along a walk: bracketed pass by pass, as narrow as can be.
+"""The least distance of any two benches along a walk, bracketed in passes as narrowly as possible.
 
-A low distance is seen here and there, then searched below. What makes a bracket narrower may take a
-share of a question's work, counted apart, and is given up where it is dearer.
+A low distance is sampled first; then lower ones are searched for. Passes that narrow the bracket may
+take a share of a question's work, counted apart, and are given up if they cost more.
 """
 
 import math
@@ -28,23 +28,23 @@ from benchdragon.kernels.workspace import Course
 
 
 class LeastStage(Numbered):
-    """What LEAST is doing."""
+    """The stage that LEAST is in."""
 
     LOOKING, THROUGH, OPENING, PASSING = range(4)
 
 
-# The pass of LEAST that lowers what was seen at the start alone.
+# The pass of LEAST that only lowers the distance at the start.
 LOWERING = -1
-# The least distance of dragons that are not looked over is first guessed to be this, m, and the guess
-# multiplied by so much until some pair comes nearer.
+# For dragons that are not sampled, pairs are searched for within this distance, m, at first, and within
+# so many times more until some pair comes nearer.
 FIRST_REACH, FARTHER_ON = 0.003, 6.0
 
 
 @kernel
 def looked(hunt: Hunt) -> bool:
-    """See a low distance here and there, so that what is farther need not be searched.
+    """Sample a low distance, so that the search culls what is farther apart.
 
-    False where the dragon cannot stand at the start.
+    False if the dragon cannot be placed at the start.
     """
     walk, f, limits = hunt.walk, hunt.figures, hunt.limits
     start, benches = limits[ContactGiven.BEGIN], walk.benches
@@ -72,7 +72,7 @@ def looked(hunt: Hunt) -> bool:
 
 @kernel
 def least_told(hunt: Hunt) -> int:
-    """How a step ends that found the least distance."""
+    """The exit status of a step that found the least distance."""
     f = hunt.figures
     if not contact_steps.is_sharp(hunt, contact_steps.off_at(hunt, f[ContactTold.WHERE])):
         return ContactEnding.BLURRED
@@ -82,7 +82,7 @@ def least_told(hunt: Hunt) -> int:
 
 @kernel
 def looked_over(hunt: Hunt) -> bool:
-    """Whether low distances are looked for here and there before all are searched."""
+    """Whether low distances are sampled before the search."""
     return (
         hunt.walk.benches.kind.shape[0] <= MOST_SAMPLED
         or hunt.figures[ContactTold.GOAL] == ContactGoal.BETWEEN
@@ -91,7 +91,7 @@ def looked_over(hunt: Hunt) -> bool:
 
 @kernel
 def started(block: int) -> int:
-    """Take what is seen here and there, or known, for a start: ROOMY, or how a step ends."""
+    """Start from a sampled or known distance: ROOMY, or the step's exit status."""
     hunt = group_at(Hunt, block + told.BASE)
     f = hunt.figures
     f[ContactTold.STAGE] = LeastStage.OPENING
@@ -113,14 +113,14 @@ def started(block: int) -> int:
 
 @kernel
 def tolerance_of(hunt: Hunt) -> float:
-    """How wide the bracket of the pass at hand may be, m."""
+    """The width that the bracket of the current pass may have, m."""
     n = int(hunt.figures[ContactTold.PASS])
     return hunt.tolerances[n] if 0 <= n < hunt.tolerances.shape[0] else math.inf
 
 
 @kernel
 def pass_begun(block: int, n: int) -> int:
-    """Begin pass n of LEAST: ROOMY, or how a step ends."""
+    """Begin pass n of LEAST: ROOMY, or the step's exit status."""
     made = RoomEnding.ROOMY if n == LOWERING else contact_steps.begun_again(block)
     hunt = group_at(Hunt, block + told.BASE)
     f, note = hunt.figures, hunt.note
@@ -138,7 +138,7 @@ def pass_begun(block: int, n: int) -> int:
 
 @kernel
 def lowered(hunt: Hunt, ending: int) -> bool:
-    """Take over what a pass that ended so has seen; whether its floor was found."""
+    """Take over the result of a pass with this exit status; whether that closes the bracket."""
     f, note = hunt.figures, hunt.note
     if note[Note.NEAREST] < f[ContactTold.AIMED]:
         f[ContactTold.BEST], f[ContactTold.WHERE] = max(note[Note.NEAREST], 0.0), note[Note.UPPER]
@@ -149,9 +149,9 @@ def lowered(hunt: Hunt, ending: int) -> bool:
 
 @kernel
 def passed_on(block: int, left: float) -> tuple[int, bool]:
-    """Go on with the pass at hand; how a step ends, or ROOMY at its end, and whether that was the last.
+    """Go on with the current pass: ROOMY at its end, or the step's status; and whether it was the last.
 
-    What is too dear is given up, without a word. A last pass, of whatever width, sees the whole walk.
+    A pass that costs too much is given up silently. The last pass, of any width, covers the whole walk.
     """
     hunt = group_at(Hunt, block + told.BASE)
     f, n, count = hunt.figures, int(hunt.figures[ContactTold.PASS]), hunt.tolerances.shape[0]
@@ -179,7 +179,7 @@ def passed_on(block: int, left: float) -> tuple[int, bool]:
 
 @kernel
 def opened(block: int) -> int:
-    """Begin to look for pairs within reach: ROOMY, or how a step ends."""
+    """Begin the search for pairs within reach: ROOMY, or the step's exit status."""
     hunt = group_at(Hunt, block + told.BASE)
     f, made = hunt.figures, RoomEnding.ROOMY
     if f[ContactTold.GOAL] == ContactGoal.BETWEEN:
@@ -200,7 +200,7 @@ def opened(block: int) -> int:
 
 @kernel
 def walked_through(block: int, left: float) -> int:
-    """Walk on where benches overlap, whether the dragon can all the way; how a step ends."""
+    """Walk on after an overlap, to see that the dragon can; returns the step's exit status."""
     while True:
         ending = contact_steps.searched_on(block, WalkGoal.SEEK, 0.0, left, Told.SPENT)
         if ending != Ending.FOUND:
@@ -209,7 +209,7 @@ def walked_through(block: int, left: float) -> int:
 
 @kernel
 def round_over(hunt: Hunt) -> int:
-    """How a step ends once all within reach was seen; ROOMY if more is to be looked for."""
+    """The step's exit status once all within reach was searched; ROOMY if the reach has to grow."""
     f = hunt.figures
     if f[ContactTold.BEST] <= f[ContactTold.REACH] or f[ContactTold.GOAL] == ContactGoal.BETWEEN:
         return least_told(hunt)
@@ -221,7 +221,7 @@ def round_over(hunt: Hunt) -> int:
 
 @kernel
 def least_on(block: int, left: float) -> int:
-    """Seek the least distance; how a step ends."""
+    """Search for the least distance; returns the step's exit status."""
     while True:
         hunt = group_at(Hunt, block + told.BASE)
         stage, last = hunt.figures[ContactTold.STAGE], False

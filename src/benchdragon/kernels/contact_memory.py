@@ -1,4 +1,4 @@
-"""What a question about contact knows, and where that lies in a block of the engine's own memory."""
+"""The state of a question about contact, and its layout in a block of the engine's own memory."""
 
 from typing import NamedTuple
 
@@ -30,40 +30,40 @@ from benchdragon.kernels.workspace import Benches, Walk, Workspace
 
 
 class ContactGoal(WalkGoal):
-    """What may be sought, besides what a walk is searched for.
+    """Goals of a question, besides those of a search along a walk.
 
-    Each is sought from where the one before was found, LEAST of the whole; SEEK seeks the next step in
-    which pairs may come within reach.
+    Each search starts where the one before found its goal; LEAST covers the whole walk. SEEK finds the
+    next step in which pairs may come within reach.
     """
 
-    SEEN = 4  # the least distance that is seen here and there
-    BETWEEN = 5  # the least between two head positions, about one that is known
+    SEEN = 4  # the least distance that is sampled
+    BETWEEN = 5  # the least distance between two head positions, around a known one
     NOTHING = -1
 
 
 class ContactEnding(Numbered):
-    """How steps end, besides the ways of kernels/time_of_impact.py and kernels/question.py."""
+    """Exit statuses of steps, besides those of kernels/time_of_impact.py and kernels/question.py."""
 
-    STOPPED = 30  # the walk could not be followed past SOUND_TO: why may be seen up to UNTIL
-    UNSHOWN = 31  # it could not be shown that the dragon stands where a span begins
+    STOPPED = 30  # the chain cannot be followed past SOUND_TO; the reason lies before UNTIL
+    UNSHOWN = 31  # the dragon could not be shown to have a place where a span begins
     ENDLESS = 32  # the route has too many cells
-    BLURRED = 33  # rounding may hide more than a search allows for, OFF_BY
+    BLURRED = 33  # rounding errors, OFF_BY, exceed what a search allows for
     FARTHER = 34  # LEAST: no pair comes nearer than WITHIN, nor than FLOOR_AT
 
 
 class ContactGiven(Numbered):
-    """What hosts say of a question, a row of floats."""
+    """What a host passes with a question, a row of floats."""
 
     MARGIN = 0  # distance that benches must keep, m
-    LEAST_OFF = 1  # what computed distances count as off by at least, m
+    LEAST_OFF = 1  # least error that is assumed of computed distances, m
     WIDTH = 2  # parts of a step narrower than this, m, are not halved
     MOST = 3  # chains marched in one step of a search
-    MOST_LEAST = 4  # likewise for the least distance
-    BYTES = 5  # that tables may take
-    BEGIN = 6  # between which head positions it is, m
-    END = 7
+    MOST_LEAST = 4  # the same for the least distance
+    BYTES = 5  # that tables may take at most
+    BEGIN = 6  # head positions that are searched, m: from here
+    END = 7  # to here
     MOST_KINDS = 8  # sizes of benches there may be
-    REFINING = 9  # handles that a bracket may be refined with to the first tolerance
+    REFINING = 9  # handles that may be placed to refine a bracket to the first tolerance
     REFINING_ON = 10  # and to each of the others
 
 
@@ -71,22 +71,22 @@ CONTACT_LIMITS = len(ContactGiven)
 
 
 class ContactTold(Told):
-    """What is told of it, a row of floats that begins as kernels/question.py says."""
+    """The result of a question, a row of floats that begins with the columns of `question.Told`."""
 
-    WALKED = 2  # the head position up to which it has come, m
-    EARLY = 3  # between which head positions it was found, m
+    WALKED = 2  # the head position up to which the walk is searched, m
+    EARLY = 3  # head positions that bracket what was found, m
     LATE = 4
-    FIRST_BENCH = 5  # of which benches, from 0
+    FIRST_BENCH = 5  # its two benches, from 0
     SECOND_BENCH = 6
-    OFF_BY = 7  # what distances that mattered may be off by, m
+    OFF_BY = 7  # the largest error bound of distances that decided, m
     MARCHED = 8  # chains, in searches
     BEST = 9  # the least distance seen, m
     FLOOR_AT = 10  # no pair is nearer, m
-    SOUND_TO = 11  # where the walk could not be followed, m, and up to where that may be looked for
+    SOUND_TO = 11  # where the chain cannot be followed, m, and up to where the reason lies
     UNTIL = 12
     EARLY_LEAD = 26  # how far ahead of EARLY, m, the head is placed at least, and of LATE at most
     LATE_LEAD = 27
-    # What is its own.
+    # What the search keeps to itself.
     GOAL, STAGE, READY, SPAN, BEGUN, NEAR, LEFT = range(13, 20)
     PASS, ASIDE, AIMED, REACH, WITHIN, WHERE = range(20, 26)
 
@@ -95,24 +95,24 @@ CONTACT_FIGURES = len(ContactTold)
 
 
 class ContactMemory(SearchMemory):
-    """The memory of the block that all lies in that keeps its size."""
+    """The memory of the block that holds all arrays of fixed size."""
 
     OWN = 3
 
 
-# Head positions at which a pair is looked at, at least.
+# The least number of head positions at which a pair is sampled at a time.
 FEWEST = 4
 
 
 class Hunt(NamedTuple):
-    """A search for contacts; what stands from `at` to `bench_off` is scratch, of all benches."""
+    """A search for contacts; the fields from `at` to `bench_off` are scratch, of all benches."""
 
     walk: Walk
     seams: Table  # (rows, SEAM_COLUMNS)
     room: Workspace
     sizes: IntVector  # of the room
-    beginnings: IntVector  # likewise: see search_room
-    spans: Table  # of the head's way, m, (spans, 2)
+    beginnings: IntVector  # of the room at first: see search_room
+    spans: Table  # of the head's way that are searched, m, (spans, 2)
     at: Vector
     placed: Placements
     boxes: Table
@@ -120,9 +120,9 @@ class Hunt(NamedTuple):
     errors: Vector
     bench_off: Vector
     limits: Vector
-    tolerances: Vector  # widths of brackets, m: the first that can be
+    tolerances: Vector  # widths of brackets, m: the first one that can be reached counts
     figures: Vector
-    near: Vector  # how near the pair is that was found: see kernels/nearness.py
+    near: Vector  # the nearness of the pair that was found: see kernels/nearness.py
     note: Vector
 
 
@@ -130,12 +130,12 @@ CONTACT_WALK_SLOT, CONTACT_ROOM_SLOT = memory.slot_of(Hunt, "walk"), memory.slot
 SIZES_SLOT = memory.slot_of(Hunt, "sizes")
 KINDS_SLOT = CONTACT_WALK_SLOT + 3 + memory.slot_count(Benches)
 CONTACT_END_SLOT = memory.HEADER + memory.slot_count(Hunt)
-# Where it begins in a block, in bytes.
+# The offset of the search in a block, in bytes.
 BASE = 8 * memory.HEADER
 
 
 class ContactAsked(NamedTuple):
-    """What a host hands over."""
+    """What a host passes to open a question."""
 
     rows: Table
     links: Vector
@@ -149,7 +149,7 @@ class ContactAsked(NamedTuple):
 
 @kernel
 def lay_hunt(slots: IntArray, address: int, asked: ContactAsked) -> int:
-    """Lay all from an address on that keeps its size; the bytes that takes."""
+    """Lay out all arrays of fixed size from an address on; returns the bytes that they take."""
     rows, benches = asked.rows.shape[0], asked.links.shape[0]
     places = asked.beginnings[Beginning.PLACES]
     kinds = min(benches, int(asked.limits[ContactGiven.MOST_KINDS]))
@@ -168,7 +168,7 @@ def lay_hunt(slots: IntArray, address: int, asked: ContactAsked) -> int:
 
 @kernel
 def fill_hunt(block: int, asked: ContactAsked) -> bool:
-    """Copy what a host says; whether the benches are not of too many kinds."""
+    """Copy what a host passes; False if the benches are of too many kinds."""
     hunt = memory.group_at(Hunt, block + BASE)
     benches, kinds, ahead = hunt.walk.benches, hunt.walk.kinds, 0.0
     memory.copy_table(hunt.walk.rows, asked.rows)
@@ -191,7 +191,7 @@ def fill_hunt(block: int, asked: ContactAsked) -> bool:
     if count > most:
         return False
     for n in range(4):
-        for k in range(count):  # in rows of as many as there are, from now on
+        for k in range(count):  # from now on in rows of `count` numbers
             at = n * count + k
             kinds.sizes[at // most, at % most] = kinds.sizes[n, k]
     slots = memory.integers_at(block, CONTACT_END_SLOT)

@@ -1,8 +1,8 @@
 """Contacts and least clearances of a walk, as a question: `open, seek, step, read, close`.
 
-What is sought is looked for along spans of the head's way, one after another, in room that grows within
-the engine (kernels/search_room.py). Steps end as kernels/time_of_impact.py or
-kernels/contact_memory.py says.
+Spans of the head's way are searched one after another, in arrays that grow within the engine
+(kernels/search_room.py). Exit statuses of steps are those of kernels/time_of_impact.py and
+kernels/contact_memory.py.
 """
 
 from benchdragon.kernels import contact_memory as told
@@ -41,7 +41,7 @@ from benchdragon.kernels.workspace import Course
 
 @entry
 def open_contact(asked: ContactAsked) -> int:
-    """Open a question about a walk: its handle, 0 if there is no memory, -1 for too many kinds."""
+    """Open a question about a walk; returns its handle, 0 without memory, -1 for too many kinds."""
     block = memory.new_block(told.CONTACT_END_SLOT - memory.HEADER)
     if block == 0:
         return 0
@@ -59,11 +59,11 @@ def open_contact(asked: ContactAsked) -> int:
 
 @entry
 def seek_contact(handle: int, goal: int, said: Vector) -> bool:
-    """Seek something from the next step on; False if there is no such question.
+    """Set what the next steps seek; False if there is no such question.
 
-    Said is of LEAST: within which distance, m; of BETWEEN: within which, between which head positions,
-    m, which distance is known, where, and of which benches; of SEEK and others: within which, if
-    nothing was begun yet.
+    `said` has for LEAST the greatest distance of interest, m; for BETWEEN that distance, the two head
+    positions, m, and a known distance, m, with its head position, m, and its benches; for SEEK and
+    others the distance of interest if no search has begun yet.
     """
     block = memory.recall(handle)
     if block == 0:
@@ -85,7 +85,7 @@ def seek_contact(handle: int, goal: int, said: Vector) -> bool:
 
 @entry
 def read_contact(handle: int, figures: Vector, near: Vector) -> bool:
-    """Fill arrays of a host's with what is known; False if there is no such question."""
+    """Fill a host's arrays with what is known; False if there is no such question."""
     block = memory.recall(handle)
     if block == 0:
         return False
@@ -97,7 +97,7 @@ def read_contact(handle: int, figures: Vector, near: Vector) -> bool:
 
 @kernel
 def touched_on(block: int, left: float) -> int:
-    """Seek the next touch, the end of one, or the next step; how a step ends."""
+    """Search for a touch, the end of one, or the next step; returns the step's exit status."""
     hunt = memory.group_at(Hunt, block + told.BASE)
     f = hunt.figures
     goal = int(hunt.figures[ContactTold.GOAL])
@@ -139,7 +139,7 @@ def touched_on(block: int, left: float) -> int:
 
 @entry
 def step_contact(handle: int, left: float) -> int:
-    """Go on for some hundredths of a second; about so many handles may be placed; how that ended."""
+    """Search for some hundredths of a second, or about `left` handles; returns the exit status."""
     block = memory.recall(handle)
     if block == 0:
         return QuestionEnding.CLOSED

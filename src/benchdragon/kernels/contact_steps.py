@@ -1,4 +1,4 @@
-"""How a question about contact goes on: span by span, in room that grows, telling what is found."""
+"""Steps of a question about contact: spans are searched one after another, in arrays that grow."""
 
 import math
 
@@ -24,14 +24,14 @@ from benchdragon.kernels.time_of_impact import Ending, Goal, Note
 from benchdragon.kernels.walk_search import CALL, SEARCHED, WalkEnding, search_walk, work_done
 from benchdragon.kernels.workspace import COURSE, TALLY, Course, WalkTally
 
-# The tightest pair is first looked for within this, m; distances that agree in so many parts of a metre
-# count as equal.
+# The tightest pair is first searched for within this distance, m; distances that agree to 1 / TIES
+# metres count as equal.
 FIRST_LOOK, TIES = 0.25, 1e12
 
 
 @kernel
 def stands(hunt: Hunt, s: float) -> bool:
-    """Place the dragon in slot 0 with its head at s, m; whether it stands there."""
+    """Place the dragon in slot 0 with its head at s, m; whether it can be placed."""
     links, f = hunt.walk.benches.links, hunt.figures
     hunt.at[0] = s
     march(hunt.walk.rows, links, hunt.at, 0, 1, hunt.placed)
@@ -44,7 +44,7 @@ def stands(hunt: Hunt, s: float) -> bool:
 
 @kernel
 def lead(hunt: Hunt, s: float, side: float) -> float:
-    """How far ahead of s, m, the head is placed for it: at most (side 1), at least (-1)."""
+    """Bound of how far ahead of s, m, the head is placed for it: from above (side 1) or below (-1)."""
     if not math.isfinite(s):
         return 0.0
     drift, doubt = head_drift(hunt.walk.rows, s)
@@ -53,7 +53,7 @@ def lead(hunt: Hunt, s: float, side: float) -> float:
 
 @kernel
 def pair_told(hunt: Hunt, s: float) -> int:
-    """FOUND, with how the pair at hand stands with the head at s, m; or STOPPED."""
+    """FOUND, with the nearness of the current pair with the head at s, m; or STOPPED."""
     f, sizes, placed = hunt.figures, hunt.walk.benches.sizes, hunt.placed
     i, j = int(f[ContactTold.FIRST_BENCH]), int(f[ContactTold.SECOND_BENCH])
     if not stands(hunt, s):
@@ -69,7 +69,7 @@ def pair_told(hunt: Hunt, s: float) -> int:
 
 @kernel
 def off_at(hunt: Hunt, s: float) -> float:
-    """What the distance of the pair at hand may be off by with the head at s, m."""
+    """The error bound of the current pair's distance with the head at s, m."""
     f, walk, off, placed = hunt.figures, hunt.walk, hunt.bench_off, hunt.placed
     benches, least = walk.benches, hunt.limits[ContactGiven.LEAST_OFF]
     hunt.at[0] = s
@@ -84,7 +84,7 @@ def off_at(hunt: Hunt, s: float) -> float:
 
 @kernel
 def is_sharp(hunt: Hunt, off: float) -> bool:
-    """Take note of what a distance that matters may be off by, m; whether a search allows for it."""
+    """Record the error bound of a distance that decides, m; whether a search allows for it."""
     f = hunt.figures
     f[ContactTold.OFF_BY] = max(f[ContactTold.OFF_BY], off)
     return off <= max(hunt.limits[ContactGiven.LEAST_OFF], MOST_OFF)
@@ -92,14 +92,14 @@ def is_sharp(hunt: Hunt, off: float) -> bool:
 
 @kernel
 def set_pair(hunt: Hunt, pair: float) -> None:
-    """Let the pair of a note be at hand."""
+    """Make the pair of a note the current one."""
     f, count = hunt.figures, hunt.walk.benches.kind.shape[0]
     f[ContactTold.FIRST_BENCH], f[ContactTold.SECOND_BENCH] = int(pair) // count, int(pair) % count
 
 
 @kernel
 def tightest(hunt: Hunt) -> float:
-    """The least distance of three or more benches of the dragon in slot 0, m; those are at hand."""
+    """The least distance of the dragon in slot 0, three benches or more, m; sets the current pair."""
     f, crowd, sizes, placed = hunt.figures, hunt.room.crowd, hunt.walk.benches.sizes, hunt.placed
     hulls, grid, widest, reach = crowd.hulls, crowd.grid, 0.0, FIRST_LOOK
     grid.side[0] = search_room.square_side(hunt.walk, reach)
@@ -132,7 +132,7 @@ def tightest(hunt: Hunt) -> float:
 
 @kernel
 def room_ending(hunt: Hunt, ending: int) -> int:
-    """How a step ends for which room was made so; ROOMY if it goes on."""
+    """The step's exit status for that of making room; ROOMY if the step goes on."""
     if ending == RoomEnding.TOO_LARGE:
         hunt.figures[Told.WANTED] = search_room.ground_bytes(
             hunt.sizes, search_room.group_count(hunt.walk)
@@ -147,7 +147,7 @@ def room_ending(hunt: Hunt, ending: int) -> int:
 
 @kernel
 def aim_of(hunt: Hunt) -> search_room.Aim:
-    """What the search along the span at hand is after."""
+    """The aim of the search along the current span."""
     f, n = hunt.figures, int(hunt.figures[ContactTold.SPAN])
     return search_room.Aim(
         hunt.spans[n, 0], hunt.spans[n, 1], f[ContactTold.NEAR], hunt.limits[ContactGiven.BYTES]
@@ -156,7 +156,7 @@ def aim_of(hunt: Hunt) -> search_room.Aim:
 
 @kernel
 def span_begun(block: int, n: int) -> int:
-    """Begin span n, in which pairs within NEAR are wanted: ROOMY, or how a step ends."""
+    """Begin to search span n for pairs within NEAR: ROOMY, or the step's exit status."""
     hunt = group_at(Hunt, block + told.BASE)
     walk, f, placed, first = hunt.walk, hunt.figures, hunt.placed, hunt.spans[n, 0]
     f[ContactTold.SPAN], f[ContactTold.BEGUN], f[ContactTold.READY] = n, first, 1.0
@@ -178,7 +178,7 @@ def span_begun(block: int, n: int) -> int:
 
 @kernel
 def begun(block: int, reach: float) -> int:
-    """Look for all pairs that come within reach, m, from the start on: ROOMY, or how a step ends."""
+    """Begin to search for pairs within reach, m, from the start: ROOMY, or the exit status."""
     hunt = group_at(Hunt, block + told.BASE)
     hunt.figures[ContactTold.NEAR] = reach + hunt.limits[ContactGiven.LEAST_OFF]
     return span_begun(block, 0)
@@ -186,10 +186,10 @@ def begun(block: int, reach: float) -> int:
 
 @kernel
 def begun_again(block: int) -> int:
-    """Begin once more with what was begun: ROOMY, or how a step ends."""
+    """Restart the search with what is known: ROOMY, or the step's exit status."""
     hunt = group_at(Hunt, block + told.BASE)
     known = integers_at(block, told.CONTACT_END_SLOT)[Header.OWNED + SearchMemory.GROUND]
-    if hunt.figures[ContactTold.SPAN] != 0.0 or known == 0:  # which was too large, and given back
+    if hunt.figures[ContactTold.SPAN] != 0.0 or known == 0:  # the tables were too large and released
         return span_begun(block, 0)
     way, tally = hunt.room.course.way, hunt.room.course.tally
     for n in range(COURSE):
@@ -202,9 +202,9 @@ def begun_again(block: int) -> int:
 
 @kernel
 def searched_on(block: int, goal: int, slack: float, left: float, counted: int) -> int:
-    """Search on for a goal of kernels/time_of_impact.py, or SEEK; how a step ends then.
+    """Search on for a goal of kernels/time_of_impact.py, or SEEK; returns the step's exit status.
 
-    At most about `left` handles may be placed, counted in that column of the figures.
+    At most about `left` handles may be placed, counted in column `counted` of the figures.
     """
     while True:
         hunt = group_at(Hunt, block + told.BASE)
@@ -245,7 +245,7 @@ def searched_on(block: int, goal: int, slack: float, left: float, counted: int) 
 
 @kernel
 def judged(hunt: Hunt, ending: int) -> int:
-    """How a step ends in which a search did."""
+    """The step's exit status for that of its search."""
     walk, f, note, way = hunt.walk, hunt.figures, hunt.note, hunt.room.course.way
     end = walk.rows.shape[0] - 1
     length = walk.rows[end, RouteRow.S_START] + walk.rows[end, RouteRow.LENGTH]

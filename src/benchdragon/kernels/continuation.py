@@ -1,7 +1,7 @@
-"""Continuation of the chain: up to where all benches surely follow through the cells ahead.
+"""Continuation of the chain: up to where all benches are certain to follow through the cells ahead.
 
-Cells through which it is not sure that benches of a kind can walk are in doubt. They are looked at
-once such a bench comes to them, in finer and finer parts.
+A cell is in doubt if benches of a kind are not certain to walk through it. It is checked once such a
+bench comes to it, in finer and finer parts.
 """
 
 import numpy as np
@@ -15,8 +15,8 @@ from benchdragon.kernels.motion_bounds import HANDLE_COLUMNS, place_chain
 from benchdragon.kernels.swept_boxes import walks_on
 from benchdragon.kernels.workspace import Benches, Course, Walk, Workspace, place_samples
 
-# Cells in doubt are looked at in so many parts at first, then in finer ones, down to this, m: far
-# coarser, and overlaps just before a fold would stay unknown.
+# Cells in doubt are checked in so many parts at first, then in finer ones, down to this, m: with much
+# coarser ones, overlaps just before a fold would stay unknown.
 CAREFUL_PARTS, FINEST = 16, 1e-9
 # A unit in the last place of a number is at most this share of it.
 UNIT = 2.3e-16
@@ -24,7 +24,7 @@ UNIT = 2.3e-16
 
 @kernel
 def latest_arrival(walk: Walk, room: Workspace, i: int, back: float) -> float:
-    """At most the head's position in AT..SOUND at which handle i comes to `back`, m."""
+    """A lower bound of the head's position in AT..SOUND at which handle i comes to `back`, m."""
     block, way, links = room.block, room.course.way, walk.benches.links
     start, end = way[Course.AT], way[Course.SOUND]
     if i == 0:
@@ -51,9 +51,9 @@ def finest(s: float) -> float:
 def certified_until(
     walk: Walk, ground: Hierarchy, sweeper: BoxScratch, k: int, start: float, end: float
 ) -> float:
-    """The place up to which benches of kind k surely follow, their front handle from start, m.
+    """The position, m, up to which benches of kind k are certified to follow, front handles from start.
 
-    The way is halved where it is unsure; `end`, if all the way.
+    Steps are halved where that is not certain; the result is `end` if it holds all the way.
     """
     at, step, handles = start, (end - start) / CAREFUL_PARTS, np.empty((2, HANDLE_COLUMNS))
     rows, sizes = walk.rows, walk.kinds.sizes
@@ -74,7 +74,7 @@ def certified_until(
 
 @kernel
 def next_of_kind(benches: Benches, s: FloatArray, t: int, k: int, ahead: float, since: int) -> int:
-    """The first bench of kind k from `since` on that stands behind `ahead` in slot t; -1: none."""
+    """The first bench of kind k from `since` on that stands behind `ahead` in slot t, or -1."""
     for i in range(since, benches.kind.shape[0]):
         if benches.kind[i] == k and s[i, t] < ahead:
             return i
@@ -83,10 +83,10 @@ def next_of_kind(benches: Benches, s: FloatArray, t: int, k: int, ahead: float, 
 
 @kernel
 def resolve_doubt(walk: Walk, room: Workspace, sweeper: BoxScratch, doubt: int) -> bool:
-    """Draw KNOWN and SOUND in to where a doubtful cell lets benches pass; whether no doubt is left.
+    """Lower KNOWN and SOUND to where a doubtful cell lets benches pass; whether the doubt is settled.
 
-    Slot 1 of the block holds the dragon at the start of the stride. Who comes first to the cell is
-    looked at, and the next, where that one stands inside: it comes through what lies behind it.
+    Slot 1 of the block holds the dragon at the start of the stride. The first bench to come to the cell
+    is checked; if it stands inside, so is the next one, which walks through the part behind it.
     """
     ground, way, benches, s = room.ground, room.course.way, walk.benches, room.block.s
     k, c, cell = ground.doubts[doubt, 0], ground.doubts[doubt, 1], ground.measures[BoxMeasure.CELL]
@@ -112,7 +112,7 @@ def resolve_doubt(walk: Walk, room: Workspace, sweeper: BoxScratch, doubt: int) 
 
 @kernel
 def certify_stride(walk: Walk, room: Workspace, sweeper: BoxScratch) -> bool:
-    """Fill KNOWN and SOUND for the stride from AT to UPTO; False if none can stand at AT."""
+    """Fill KNOWN and SOUND for the stride from AT to UPTO; False if the chain has no place at AT."""
     way, block, counts, doubts = room.course.way, room.block, room.ground.counts, room.ground.doubts
     way[Course.KNOWN] = way[Course.SOUND] = way[Course.UPTO]
     if counts[BoxCount.DOUBTS] == 0:

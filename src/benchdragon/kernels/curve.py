@@ -162,7 +162,7 @@ def bent_chord(rows: FloatArray, j: int, u: float) -> tuple[float, float, float,
 
 @kernel
 def unit(x: float, y: float) -> tuple[float, float]:
-    """A vector whose length is 1 but for rounding, made so: one step of Newton's method."""
+    """A vector whose length is 1 up to rounding, normalized by one step of Newton's method."""
     share = 1.5 - 0.5 * (x * x + y * y)
     return x * share, y * share
 

@@ -1,11 +1,12 @@
-"""How far off a computed head stands along the route, in double-double arithmetic (T. J. Dekker 1971).
+"""Error of a computed head's place along the route, in double-double arithmetic (T. J. Dekker 1971).
 
-The kernels find the head's parameter from its route position s by double arithmetic. Where that exactly
-lies differs from s by some units in the last place of s and of the lengths it is found from. A sum of
-two doubles tells it: searches shift their brackets by it instead of taking it for an error.
+The kernels find the head's parameter from its route position s by double arithmetic. Its exact position
+differs from s by some units in the last place of s and of the lengths that it is found from.
+Double-doubles give the difference: searches shift their brackets by it instead of taking it for an
+error.
 
-Numbers that are split have factors so short that their products are exact; whether a compiler contracts
-these into fused operations makes no difference.
+Factors are split so short that their products are exact; whether a compiler contracts these into fused
+operations makes no difference.
 """
 
 import math
@@ -18,10 +19,10 @@ from benchdragon.kernels.rounding import HALF_UNIT
 from benchdragon.kernels.route import locate
 
 SPLITTER = 134217729.0  # 2^27 + 1
-# What is left, in half-units of the term with the logarithm, and as a share of the lengths.
+# The remaining error: in half-units of the term with the logarithm, and as a share of the lengths.
 LOG_UNITS, LEFT = 4.0, 2.0**-70
 
-# A sum of two doubles, the second below rounding of the first.
+# A double-double: the sum of two doubles, the second below rounding of the first.
 Double = tuple[float, float]
 
 
@@ -35,14 +36,14 @@ def veltkamp_split(x: float) -> Double:
 
 @kernel
 def dd_add(a: Double, b: Double) -> Double:
-    """The sum of two sums."""
+    """The sum of two double-doubles."""
     whole, lost = difference(a[0], -b[0])
     return difference(whole, -(lost + (a[1] + b[1])))
 
 
 @kernel
 def dd_multiply(a: Double, b: float) -> Double:
-    """The product of a sum and a number."""
+    """The product of a double-double and a double."""
     high, low = veltkamp_split(a[0])
     left, right = veltkamp_split(b)
     whole, lost = difference(high * left, -(high * right + low * left))
@@ -51,7 +52,7 @@ def dd_multiply(a: Double, b: float) -> Double:
 
 @kernel
 def dd_sqrt(a: Double) -> Double:
-    """The square root of a sum: one step of Newton's method from that of its first number."""
+    """The square root of a double-double: one step of Newton's method from that of its first number."""
     root = math.sqrt(a[0])
     square = dd_multiply((root, 0.0), root)
     rest = dd_add(a, (-square[0], -square[1]))
@@ -81,7 +82,7 @@ def way_to(rows: FloatArray, j: int, u: float) -> Double:
 
 @kernel
 def way_doubt(rows: FloatArray, j: int, u: float) -> float:
-    """What `way_to` may be wrong by, m."""
+    """The error bound of `way_to`, m."""
     if rows[j, RouteRow.KIND] != CurveKind.SPIRAL:
         return 0.0
     theta = max(u, rows[j, RouteRow.U_START], rows[j, RouteRow.U_END])
@@ -91,9 +92,9 @@ def way_doubt(rows: FloatArray, j: int, u: float) -> float:
 
 @entry
 def head_drift(rows: Table, s: float) -> tuple[float, float]:
-    """How far ahead of route position s, m, the place stands that is computed for it; how surely, m.
+    """How far ahead of route position s its computed place lies, m; and the error bound of that, m.
 
-    Exactly, a route position is counted from the start of the first row along all rows.
+    The exact route position is counted from the start of the first row along all rows.
     """
     last, u, _status = locate(rows, s)
     at, doubt = (-s, 0.0), way_doubt(rows, last, u)

@@ -1,4 +1,4 @@
-"""A route as a page draws it: cubics between nodes of single precision, and how far these are off."""
+"""A route as a page draws it: cubics between nodes of single precision, and the error of these."""
 
 import math
 
@@ -9,7 +9,7 @@ from benchdragon.kernels.curve import FloatArray, heading, place
 from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import locate
 
-# A stretch has evenly spaced nodes; its cubics are within so many m of the route.
+# A stretch has evenly spaced nodes; its cubics are within so many metres of the route.
 STRETCH_ERROR = 2e-5
 # Nodes of a stretch, at most.
 MOST_STRETCH_NODES = 4097
@@ -50,7 +50,7 @@ def set_nodes(rows: FloatArray, low: float, high: float, count: int, nodes: Floa
 
 @kernel
 def farthest_off(rows: FloatArray, low: float, high: float, count: int, nodes: FloatArray) -> float:
-    """The largest distance of cubics between nodes from the route, m, as looked at."""
+    """The largest sampled distance of the cubics between nodes from the route, m."""
     step, worst, looks = (high - low) / (count - 1), 0.0, 4 * (count - 1) + 1
     for i in range(looks):
         s = even(low, high, i, looks)
@@ -72,9 +72,9 @@ def farthest_off(rows: FloatArray, low: float, high: float, count: int, nodes: F
 def draw_stretch(
     rows: Table, low: float, high: float, x: float, y: float, nodes: Table
 ) -> tuple[int, float]:
-    """Nodes of a stretch of route, from low to high, m, as many as cubics need; how far these are off.
+    """Fill the nodes of a stretch of route, from low to high, m; returns how many, and the error, m.
 
-    Fills the first columns of `nodes`, (3, MOST_NODES + 1): x, y, m from (x, y), and heading, rad.
+    Fills what it needs of `nodes`, (3, MOST_STRETCH_NODES + 1): x, y, m from (x, y), and heading, rad.
     """
     nodes[0, MOST_STRETCH_NODES], nodes[1, MOST_STRETCH_NODES], count = x, y, 2
     while True:

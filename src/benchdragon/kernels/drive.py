@@ -1,12 +1,12 @@
-"""What a head's drive makes of its dragon: speeds, turning rates and accelerations.
+"""Speeds, turning rates and accelerations of a dragon, by the drive of its head.
 
-While the head's acceleration a is constant, the square q of its speed follows a straight line over
-its place sigma, dq / dsigma = 2 a. With w = ds_i / dsigma and g = d log w / dsigma, handle i has the
-speed w sqrt(q), the acceleration w (a + g q) along the route and w^2 q times the curvature across it.
+While the head's acceleration a is constant, the square q of its speed follows a straight line over its
+place sigma, dq / dsigma = 2 a. With w = ds_i / dsigma and g = d log w / dsigma, handle i has the speed
+w sqrt(q), the acceleration w (a + g q) along the route and w^2 q times the curvature across it.
 
 Where a handle crosses a joint at which the curvature jumps, g jumps for all handles behind it. What
-they have just before and just after counts, and nothing in between: a step over such joints is
-bounded side by side, each side with its own curvatures.
+they have just before and just after counts, and nothing in between: a step over such joints is bounded
+side by side, each side with its own curvatures.
 """
 
 import math
@@ -22,7 +22,7 @@ from benchdragon.kernels.numbered import Numbered
 
 
 class DriveRate(Numbered):
-    """What is bounded: speeds and accelerations of handles, turning rates of benches."""
+    """Bounded quantities: speeds and accelerations of handles, turning rates of benches."""
 
     SPEEDS = 0
     TURNING = 1
@@ -49,19 +49,19 @@ JUMP = 1e-9
 # So near a joint, as a share of the route position, rounding hides on which side a handle stands: 512
 # roundings of it.
 JOINT_ROUNDING = 2.0**-44
-# Handles that cross jumps in one step and are told apart; what more of them do is bounded at once.
+# The most handles crossing jumps in a step that are distinguished; others are bounded on both sides.
 MOST_JUMPS = 3
 
 
 @kernel
 def lesser(a: float, b: float) -> float:
-    """The lesser of two numbers; none if either is none, so that no bound is lost."""
+    """The lesser of two numbers; NaN if either is, so that no bound is lost."""
     return a if a <= b or math.isnan(a) else b
 
 
 @kernel
 def greater(a: float, b: float) -> float:
-    """The greater of two numbers; none if either is none."""
+    """The greater of two numbers; NaN if either is."""
     return a if a >= b or math.isnan(a) else b
 
 
@@ -69,7 +69,7 @@ def greater(a: float, b: float) -> float:
 def value_at(
     ratio: float, change: float, turn: float, bend: float, square: float, rate: float, quantity: int
 ) -> float:
-    """A quantity's size: of a handle, or of the bench behind it, from its speed ratio and what it does.
+    """A quantity's size: of a handle, or of the bench behind it, from its speed ratio and its rates.
 
     change = d2 s_i / dsigma^2 and turn = d heading / dsigma, 1/m; bend is the route's curvature there.
     """
@@ -105,9 +105,9 @@ def greatest_in_slot(
 
 
 class Scratch(NamedTuple):
-    """What bounds over a step are worked out in."""
+    """Scratch for bounds over a step."""
 
-    table: Table  # of `step_bounds.bound_handles`
+    table: Table  # of `motion_bounds.bound_handles`
     bend: Table  # least and greatest curvature at each handle, 1/m, (handles, 2)
     rates: Table  # of `side_rates`, (handles, 2)
     crossing: IntVector  # of `find_jumps`
@@ -172,9 +172,9 @@ def find_jumps(
 ) -> int:
     """How many handles cross a jump from slot a to slot b without a kink; at most MOST_JUMPS.
 
-    Of the first `links` + 1. Fills scratch.crossing with them and scratch.sides with least and greatest
-    curvature before it and after it. Who stands so near a jump that rounding hides its side crosses it,
-    too: so all orders count in which handles may cross jumps at once.
+    Only the first `links` + 1 count. Fills scratch.crossing with them and scratch.sides with least and
+    greatest curvature before it and after it. A handle so near a jump that rounding hides its side
+    crosses it, too: so all orders count in which handles may cross jumps at once.
     """
     table, crossing, sides, count = scratch.table, scratch.crossing, scratch.sides, 0
     for i in range(links + 1):
@@ -227,10 +227,10 @@ def side_rates(links: int, table: FloatArray, bend: FloatArray, rates: FloatArra
 def most_of_handle(
     fast: float, low: float, high: float, bend: float, drive: FloatArray, quantity: int
 ) -> float:
-    """At most a quantity of a handle whose speed ratio is at most `fast`; infinite if unbounded.
+    """Upper bound of a quantity of a handle of speed ratio at most `fast`; infinite if unbounded.
 
-    Of d log(ds_i / dsigma) / dsigma low and high are the least and the greatest, 1/m, `bend` is that of
-    the curvature's size. Of a bench `fast` is its turning rate, rad/m.
+    The least and the greatest d log(ds_i / dsigma) / dsigma are low and high, 1/m, and `bend` is the
+    greatest size of the curvature. Of a bench `fast` is its turning rate, rad/m.
     """
     least_square = min(drive[DriveStep.FROM], drive[DriveStep.TO])
     square = max(drive[DriveStep.FROM], drive[DriveStep.TO])
@@ -288,15 +288,15 @@ def bound_step(
     rows: FloatArray, links: FloatArray, places: Placements, a: int, b: int, drive: FloatArray,
     quantity: int, scratch: Scratch,
 ) -> None:  # fmt: skip
-    """Fill scratch.most with the most that each handle reaches from slot a to slot b.
+    """Fill scratch.most with the greatest value of each handle from slot a to slot b.
 
-    Of a bench it stands at its rear handle. The table holds the handles' bounds; for accelerations its
-    GROWTH_LOW and GROWTH_HIGH are drawn tighter, side by side of the jumps that are crossed.
+    A bench's value counts at its rear handle. The table holds the handles' bounds; for accelerations
+    its GROWTH_LOW and GROWTH_HIGH are drawn tighter, side by side of the jumps that are crossed.
     """
     count, table, most = links.shape[0], scratch.table, scratch.most
     if drive[DriveStep.FROM] == 0.0 and drive[DriveStep.TO] == 0.0 and drive[DriveStep.RATE] == 0.0:
         for i in range(count + 1):
-            most[i] = 0.0  # who stands needs no bound, not even where one is infinite
+            most[i] = 0.0  # a head that stands needs no bound, not even where one is infinite
         return
     bounds.bound_handles(rows, links, places, a, b, table)
     if quantity not in (DriveRate.SPEEDS, DriveRate.TURNING):

@@ -1,6 +1,6 @@
 """The decorators of all kernels: which of them others call, and which make arrays.
 
-Kernels are Python. What serves in the place of entries is the hosts' choice (hosts/serving.py).
+Kernels are Python. Which host serves their entries is chosen in hosts/serving.py.
 """
 
 from collections.abc import Callable
@@ -32,9 +32,9 @@ def kernel(function: Function) -> Function:
 
 
 def entry(function: Function) -> Function:
-    """`function`, called by Python as well: whoever serves answers.
+    """`function`, called by Python as well: the serving host answers.
 
-    Its annotations must say the layout of every array (arrays.py).
+    Its annotations must state the layout of every array (arrays.py).
     """
     ENTRIES[f"{function.__module__}.{function.__name__}"] = function
     return serving().bound(function) if compiler is None else compiler(function)

@@ -34,12 +34,12 @@ from benchdragon.kernels.time_of_impact import (
 
 
 class PairsEnding(Ending):
-    """How a search ended: besides its own ways, room for more pairs is needed."""
+    """Exit status of a search, besides those of `Ending`; CROWDED: room for pairs is too small."""
 
     CROWDED = 7
 
 
-# What two benches of a dragon placed cost, in handles placed.
+# The cost of a pair of benches at an evaluation, in handles placed.
 PAIR_WORK = 0.02
 
 
@@ -50,7 +50,7 @@ class Circles(NamedTuple):
     cx: Vector  # centres
     cy: Vector
     reach: Vector  # radius and travel in a step
-    apart: Vector  # of one bench: square distance to the others, less what may be come nearer
+    apart: Vector  # of one bench: squared distances to the others, less the squared reach
 
 
 @kernel
@@ -65,9 +65,9 @@ def grow(circles: Circles, search: Search) -> None:
 def near_in_step(
     search: Search, circles: Circles, wanted: float, first: IntArray, second: IntArray,
 ) -> int:  # fmt: skip
-    """Pairs that may come as near as `wanted` in the step from slot 0 to slot 1; how many.
+    """Find pairs that may come as near as `wanted`, m, in the step from slot 0 to 1; returns how many.
 
-    Counts on where first, second are full. Of `circles` the radii must be there.
+    Counting goes on when first and second are full. The radii of `circles` must be filled.
     """
     cx, cy, reach, apart = circles.cx, circles.cy, circles.reach, circles.apart
     count, found = reach.shape[0], 0
@@ -153,7 +153,7 @@ def search_steps(
 
 @kernel
 def stopped(search: Search, slot: int, note: FloatArray) -> int:
-    """That the chain cannot stand at a slot."""
+    """Record the slot at which the chain cannot be placed; returns FALLEN."""
     note[Note.UPPER] = search.at[slot]
     return Ending.FALLEN
 
@@ -165,12 +165,12 @@ def search_all_pairs(
     first: IntVector, second: IntVector, margin: float, slack: float, width: float, most: int,
     note: Vector,
 ) -> int:  # fmt: skip
-    """Search the head's steps at[t]..at[t + 1], m, for `goal` (FIRST_TOUCH or LEAST); how it ended.
+    """Search the head's steps at[t]..at[t + 1], m, for `goal` (FIRST_TOUCH or LEAST): a `PairsEnding`.
 
     Handle i walks aside[i] metres to the left of the route. Pair p of benches, from 0, is first[p] and
-    second[p], which are scratch; note[PAIR] becomes first bench times their number plus second. The
-    rest is that of `search.Limits` and `search.search_step`. After CROWDED the search must begin anew
-    with longer scratch.
+    second[p], which are scratch; note[PAIR] becomes first bench times their number plus second.
+    Everything else is as in `Limits` and `bisect` of kernels/time_of_impact.py. After CROWDED the
+    search must start again with longer scratch.
     """
     count, limits = sizes.shape[1], Limits(margin, slack, width, most)
     return search_steps(

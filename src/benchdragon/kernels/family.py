@@ -27,7 +27,7 @@ from benchdragon.kernels.workspace import Benches, Walk
 
 
 class Varied(Numbered):
-    """What varies."""
+    """The size that varies."""
 
     PITCH, DISC, WIDTH, BENCH = range(4)
 
@@ -45,7 +45,7 @@ class TurnKind(Numbered):
 
 
 class PlanNumber(Numbered):
-    """The numbers of a plan that its walks are made from; NaN for what it does not say."""
+    """The numbers of a plan that its walks are made from; NaN for those that it leaves out."""
 
     WHAT = 0
     ROUTE = 1
@@ -64,21 +64,21 @@ class PlanNumber(Numbered):
     POSITION = 14  # of the head at time 0, m
     BEGIN_WAY = 15  # the head's way from time 0 to the start of the walk, m
     END_WAY = 16  # and to its end
-    MOST_WAY = 17  # the longest that it ever goes from time 0
+    MOST_WAY = 17  # its greatest way from time 0
     LEAST_SIZE = 18  # values of what varies that a plan may have, m
     MOST_SIZE = 19
-    ROOMY = 20  # arcs that a plan does not say are this share of what two equal ones would have
-    FITS = 21  # a turn may reach so far out of its disc, m
+    ROOMY = 20  # arcs that a plan leaves out have this share of the radius of two equal ones
+    FITS = 21  # how far beyond its disc a turn may reach, m
 
 
 PLAN_NUMBERS = len(PlanNumber)
 
-# The head's way between what was searched and a failure, m: more, and it is not known what comes first.
+# The head's way between the searched part and a failure, m, beyond which another event may come first.
 UNKNOWN = 1e-6
 
 
 class Family(NamedTuple):
-    """A plan in which one size varies; the first three but for `numbers` are scratch."""
+    """A plan in which one size varies; `parts`, `arcs` and `pieces` are scratch."""
 
     numbers: Vector
     parts: Table  # (route_parts.., PART_COLUMNS); of a fixed route its own
@@ -90,7 +90,7 @@ class Family(NamedTuple):
 
 @kernel
 def family_shapes(family: Family) -> Shapes:
-    """The shapes of its arrays, to be laid."""
+    """The shapes of a family's arrays, to lay them out."""
     parts, arcs, pieces = family.parts.shape, family.arcs.shape, family.pieces.shape
     benches = family.share.shape[0]
     return (family.numbers.shape[0], ROW), parts, arcs, pieces, (4, benches), (benches, ROW)
@@ -98,7 +98,7 @@ def family_shapes(family: Family) -> Shapes:
 
 @kernel
 def copy_family(own: Family, family: Family) -> None:
-    """Copy all of a family but scratch."""
+    """Copy a family without its scratch."""
     copy_row(own.numbers, family.numbers)
     copy_table(own.parts, family.parts)
     copy_table(own.sizes, family.sizes)
@@ -108,7 +108,7 @@ def copy_family(own: Family, family: Family) -> None:
 class Way(NamedTuple):
     """A walk of a family: the rows that its route fills, and where its head begins and ends, m.
 
-    No rows: there is no such walk. Fewer than none: so many rows are wanted.
+    Without such a walk there are 0 rows; a negative number means that so many rows are needed.
     """
 
     rows: int
@@ -124,7 +124,7 @@ def varied(numbers: FloatArray, what: int, column: int, size: float) -> float:
 
 @kernel
 def size_benches(family: Family, benches: Benches, kinds: Kinds, size: float) -> bool:
-    """Fill the benches for a size; whether there can be such."""
+    """Fill the benches for a size; whether such benches are possible."""
     what, sizes, lever, ahead, sound = family.numbers[PlanNumber.WHAT], benches.sizes, 0.0, 0.0, True
     for i in range(benches.kind.shape[0]):
         for n in range(4):
@@ -144,7 +144,7 @@ def size_benches(family: Family, benches: Benches, kinds: Kinds, size: float) ->
 
 @kernel
 def lay_spiral(family: Family, rows: FloatArray, size: float) -> int:
-    """Fill the row of a spiral in to the disc, or to the centre; how many there are, 0 or 1."""
+    """Fill the row of a spiral in to the disc, or to the centre; returns the number of rows, 0 or 1."""
     numbers, part = family.numbers, family.parts[:1]
     pitch = varied(numbers, Varied.PITCH, PlanNumber.PITCH_SIZE, size)
     disc = varied(numbers, Varied.DISC, PlanNumber.DISC_RADIUS, size)
@@ -172,7 +172,7 @@ def greatest_bend(pieces: FloatArray, count: int) -> float:
 
 @kernel
 def turn_pieces(family: Family, pitch: float, disc: float, entry: float, leave: float) -> int:
-    """Fill the pieces of the turn; how many, 0 if there is no such turn."""
+    """Fill the pieces of the turn; returns their number, 0 if there is no such turn."""
     numbers, arcs, pieces = family.numbers, family.arcs, family.pieces
     if numbers[PlanNumber.TURN_FAMILY] == TurnKind.ARC_ARC:
         count, status = two_arcs(
@@ -211,7 +211,7 @@ def pieces_fit(pieces: FloatArray, count: int, link: float) -> bool:
 
 @kernel
 def lay_turn(family: Family, links: FloatArray, rows: FloatArray, size: float) -> int:
-    """Fill the rows of a turn between spirals; how many, 0 for no such turn, -n if n are wanted."""
+    """Fill the rows of a turn between spirals; how many, 0 for no such turn, -n if n are needed."""
     numbers, longest, whole = family.numbers, 0.0, 0.0
     for i in range(links.shape[0]):
         longest, whole = max(longest, links[i]), whole + links[i]
@@ -263,7 +263,7 @@ def set_walk(family: Family, walk: Walk, at: Vector, places: Placements, size: f
         else joint
     )
     first, last = start + numbers[PlanNumber.BEGIN_WAY], start + numbers[PlanNumber.END_WAY]
-    if last != last:  # as the kind of route says
+    if last != last:  # by the kind of route
         last = rows[count - 1, RouteRow.S_START] + rows[count - 1, RouteRow.LENGTH]
         if numbers[PlanNumber.ROUTE] == RouteKind.TURN:
             out = rows[count - 1, RouteRow.S_START]

@@ -1,6 +1,6 @@
-"""A route along drawn points: through them by clothoids, or corners rounded; and how near it keeps.
+"""A route along drawn points: through them by clothoids, or corners rounded; and its deviation.
 
-Parts are rows as of route_parts.py. How the bounds come about is told in docs/en/drawn.md.
+Parts are rows as of route_parts.py. The bounds are derived in docs/en/drawn.md.
 """
 
 import math
@@ -19,7 +19,7 @@ from benchdragon.kernels.status import FitStatus, Smoothing
 
 # Newton's method for the shape of a clothoid: 4 steps are usual; half steps where it would overshoot.
 MOST_NEWTON_STEPS = 60
-# What is left of the ordinate of the end, as a share of the chord: where it stops, and what will do.
+# The remaining ordinate of the end, as a share of the chord, at which it stops, and that is accepted.
 CLOSE, CLOSED = 1e-14, 1e-12
 # A clothoid is this many times longer than its chord at most; one that doubles back is longer.
 LEAST_SHARE = 1e-3
@@ -29,9 +29,9 @@ STRAIGHT_HEADING = 1e-12
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(40)
 FITTING_NODES = 0.5 * (1.0 + _NODES)
 FITTING_WEIGHTS = 0.5 * _WEIGHTS
-# A point of a clothoid lies within this of where it should, as a share of its length: rounding.
+# A point of a clothoid lies within this of its exact place, as a share of its length: rounding.
 CLOTHOID_ROUNDING = 1e-13
-# Steps at which a curve is compared with its chord; what may lie between them is added.
+# Steps at which a curve is compared with its chord; a bound of what lies between them is added.
 CURVE_STEPS = 64
 
 # Shares of the deviation that leaving out points may take; bends take the rest. All are tried.
@@ -42,11 +42,11 @@ PLACE_ROUNDING = 1e-14
 SLACK = 1e-9
 # Share of a corner that clothoids turn; the arc between them turns the rest.
 EASED_SHARE = 0.5
-# A corner that turns by less than this, rad, is none; one by more a hairpin: no bend rounds it.
+# A corner that turns by less than this, rad, is straight; by more, a hairpin that no bend rounds.
 LEAST_TURN, MOST_CORNER = 1e-12, math.pi - 1e-6
 # A line between two bends that is shorter than this, m, is left out.
 LEAST_LINE = 1e-10
-# Wider bends are as good as straight, m; circles of over 1e8 m are none.
+# The widest bend, m: wider ones are as good as straight, and circles over 1e8 m are not allowed.
 MOST_RADIUS = 1e6
 # Share of the first and of the last side of an open line that stays straight.
 STRAIGHT_END = 0.1
@@ -55,10 +55,10 @@ STRAIGHT_END = 0.1
 class PolylineSide(Numbered):
     """A side of a polyline and the corner at its end, one row.
 
-    Where it starts, m; its length, m, and heading, rad; by how much the corner turns, rad; of a bend
-    of radius 1 m there how far from the corner it begins, how far off it passes, and what each of its
-    clothoids turns, rad; how far the side strays from what was drawn, m; the radius of the bend,
-    infinite where it does not turn.
+    Its start, m; its length, m, and heading, rad; the angle by which the corner turns, rad; of a bend
+    of radius 1 m there, how far before the corner it begins, its distance from the corner, and the
+    angle by which each of its clothoids turns, rad; the side's distance from the drawing, m; the radius
+    of the bend, infinite where the corner does not turn.
     """
 
     X, Y, LENGTH, HEADING, TURN, TANGENT, REACH, EASED, STRAY, RADIUS = range(10)
@@ -75,7 +75,7 @@ def folded(angle: float) -> float:
 
 @kernel
 def integrals(a: float, change: float, phi0: float) -> tuple[float, float, float]:
-    """Of the heading along a chord: of its sine, the slope of that by a, and of its cosine.
+    """Integrals along a chord: of the heading's sine, the slope of that by a, and of its cosine.
 
     The heading is a (t^2 - t) + change t + phi0 for t from 0 to 1.
     """
@@ -142,7 +142,7 @@ def add(
 def g1_clothoids(poses: Table, parts: Table) -> tuple[FitStatus, int]:
     """Fill `parts` with a clothoid from each pose (x, y, heading) to the next; the status, and where.
 
-    One that is straight is a line.
+    A clothoid that is straight is a line.
     """
     for n in range(poses.shape[0] - 1):
         status = set_clothoid(poses, n, parts)
@@ -206,7 +206,7 @@ def bound_to_chord(parts: FloatArray) -> float:
 
 @kernel
 def off_segment(points: FloatArray, n: int, a: int, b: int) -> float:
-    """How far point n lies from the segment between points a and b of a ring, m."""
+    """The distance of point n from the segment between points a and b of a ring, m."""
     i, j = a % points.shape[0], b % points.shape[0]
     dx, dy = points[j, 0] - points[i, 0], points[j, 1] - points[i, 1]
     x, y = points[n, 0] - points[i, 0], points[n, 1] - points[i, 1]
@@ -238,7 +238,7 @@ def through_points(
 
 @kernel
 def farthest_point(points: FloatArray, far: int) -> int:
-    """The point farthest from the first; where `far` is that, the one farthest aside of the way."""
+    """The point farthest from the first; given `far`, the one farthest from the line to that."""
     best, most = 0, 0.0
     dx, dy = points[far, 0] - points[0, 0], points[far, 1] - points[0, 1]
     for n in range(points.shape[0]):
@@ -254,7 +254,7 @@ def farthest_point(points: FloatArray, far: int) -> int:
 def simplified(
     points: FloatArray, closed: bool, tolerance: float, kept: IntArray, strays: FloatArray
 ) -> int:
-    """Fill in which points to keep, and how far each side between them strays, m; how many sides.
+    """Choose points to keep, and bound how far sides between them stray, m; returns how many sides.
 
     `kept` ends with the point at which the last side ends; of a closed line that is one after the last.
 
@@ -337,10 +337,10 @@ def set_sides(
 @kernel
 @allocates
 def set_radii(sides: FloatArray, closed: bool, left: float) -> float:
-    """Fill in the radius of the bend at the end of each side, m; the least of them.
+    """Fill in the radius of the bend at the end of each side, m; returns the least of them.
 
-    Each is as large as `left` allows, m, of which the sides took their strays, and as its sides do:
-    where two bends want more than a side holds, they share it so that both get the same radius; then
+    Each is as large as its sides allow, and the deviation `left`, m, less the strays of the sides:
+    where two bends need more than a side holds, they share it so that both get the same radius; then
     each, the narrowest first, takes what its neighbours leave.
     """
     count = sides.shape[0]
@@ -379,9 +379,9 @@ def set_radii(sides: FloatArray, closed: bool, left: float) -> float:
 @kernel
 @allocates
 def rounded_sides(sides: FloatArray, closed: bool, parts: FloatArray) -> tuple[int, float]:
-    """Fill `parts` with lines and bends; how many, and how far they lie from what was drawn, m.
+    """Fill `parts` with lines and bends; returns how many, and their distance from the drawing, m.
 
-    A closed one begins where the bend at the end of its last side ends.
+    The parts of a closed line begin where the bend at the end of its last side ends.
     """
     count, k, bound, row = sides.shape[0], 0, 0.0, np.empty((1, COLUMNS))
     last, begin = sides[count - 1], 0.0
@@ -412,7 +412,7 @@ def rounded_sides(sides: FloatArray, closed: bool, parts: FloatArray) -> tuple[i
 def add_bend(
     parts: FloatArray, n: int, radius: float, turn: float, eased: float, start: Pose, row: FloatArray
 ) -> int:
-    """Add to n parts an arc, or clothoid, arc and clothoid, that begin in a pose; how many then."""
+    """Add to n parts an arc, or clothoid, arc and clothoid, from a pose on; returns the new number."""
     if eased == 0.0:
         add(parts, n, CurveKind.ARC, radius, start.x, start.y, start.heading)
         parts[n, RoutePart.FIRST] = turn
@@ -435,7 +435,7 @@ def add_bend(
 def rounded_line(
     points: FloatArray, closed: bool, smooth: Smoothing, deviation: float, off: float, parts: FloatArray
 ) -> tuple[FitStatus, int, float]:
-    """With corners rounded: of several ways to share the deviation that with the widest bends."""
+    """A route with rounded corners: of several shares of the deviation, that of the widest bends."""
     size, far = points.shape[0], 0.0
     for n in range(size):
         far = max(far, abs(points[n, 0]), abs(points[n, 1]))
@@ -472,8 +472,8 @@ def fit_points(
 ) -> tuple[FitStatus, int, float]:
     """Fill `parts` with those of a route along different points, (P, 2), m, four a point at most.
 
-    The status; how many parts, or at which point it failed; and a bound on how far they lie from what
-    was drawn, m, of which `off` is how far the points do.
+    Returns the status; the number of parts, or of the point at which it failed; and a bound on how far
+    they lie from the drawing, m, which includes `off`, that of the points.
     """
     if smooth == Smoothing.NONE:
         return through_points(points, closed, off, parts)

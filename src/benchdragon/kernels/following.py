@@ -1,7 +1,7 @@
-"""How handles follow one another along a route: tables of the way back to the next, and what they tell.
+"""How handles follow one another along a route: tables of the way back to the next, and their use.
 
-Handle i + 1 stands one link behind handle i, hence where it stands depends on where handle i stands
-alone. A table is cubics between nodes on stretches of route, one for each length of link.
+Handle i + 1 is one link behind handle i, so that its place depends on that of handle i alone. A table
+is cubics between nodes on stretches of route, one for each length of link.
 """
 
 import math
@@ -16,20 +16,20 @@ from benchdragon.kernels.frames import QUANTUM, position
 from benchdragon.kernels.numbered import Numbered
 from benchdragon.kernels.status import Status
 
-# Ways behind are kept to this, m, and their changes, m a metre; in four bytes up to LARGEST.
+# Resolution of ways behind, m, and of their changes, m a metre; in four bytes up to LARGEST.
 FINE, LARGEST = 1e-9, 2.1
 # The longest stretch, m, and its most nodes.
 LONGEST, MOST_NODES = 20.0, 4096
 # Borders nearer to one another than this, m, count as one.
 NARROW = 1e-6
-# How often it is halved where the handle in front is.
+# The most bisections for the place of the handle in front.
 HALVINGS = 60
 
 
 class NodeStretch(Numbered):
     """Columns of stretches.
 
-    Where the first node is, m, how far apart nodes are, its number, and how many.
+    The position of the first node, m, the distance of nodes, m, the first one's number, and how many.
     """
 
     START, STEP, FIRST, NODES = range(4)
@@ -67,7 +67,7 @@ def front_of(
     rows: FloatArray, links: FloatArray, rear: float, low: float, high: float, at: FloatArray,
     places: Placements,
 ) -> float:  # fmt: skip
-    """Where a bench's front handle is, m, whose rear handle is so far along."""
+    """The position of a bench's front handle, m, whose rear handle is at `rear`, m."""
     a, b = rear, rear + 2.0 * LARGEST + links[0]
     for _halving in range(HALVINGS):
         s = 0.5 * (a + b)
@@ -84,9 +84,9 @@ def find_edges(
     rows: Table, joints: Vector, links: Vector, low: float, high: float, at: Vector, places: Placements,
     edges: Vector,
 ) -> int:  # fmt: skip
-    """Fill edges with the ends of stretches, m, none longer than LONGEST, from low to high; how many.
+    """Fill edges with the ends of stretches, m, no longer than LONGEST, from low to high: how many.
 
-    They end at joints; given one link, also where the rear handle of its bench is at a joint.
+    They are at joints; given one link, also where the rear handle of its bench is at a joint.
     """
     edges[0], count = low, 1
     for n in range(joints.shape[0] * (1 + links.shape[0])):
@@ -116,7 +116,7 @@ def find_edges(
 
 @kernel
 def behind(tables: Tables, kind: int, s: float) -> tuple[float, float]:
-    """Where the next handle stands, m, and how far it goes a metre of this, with this one at s."""
+    """The position of the next handle, m, and its change a metre of this one's, which is at s, m."""
     low, high = tables.ends[kind - 1] if kind > 0 else 0, tables.ends[kind] - 1
     while low < high:
         middle = (low + high + 1) // 2
@@ -140,7 +140,7 @@ def fill_stretch(
     rows: FloatArray, kind: int, n: int, span: tuple[float, float], count: int, at: FloatArray,
     places: Placements, tables: Tables,
 ) -> float:  # fmt: skip
-    """Fill stretch n of a table with so many nodes: how far it is off, m; infinite if none can tell."""
+    """Fill stretch n of a table with so many nodes; returns its error, m, infinite if it has none."""
     (low, high), row, looks, error = span, tables.stretches[n], 4 * count - 3, 0.0
     links, inside = tables.links[kind : kind + 1], (high - low) * 1e-10  # rates of this side
     first = (
@@ -178,7 +178,7 @@ def tabulate(
 ) -> float:  # fmt: skip
     """Put the table of a kind of link behind those before it: from low to high, m, in stretches.
 
-    How far it is off, m, where more than `most` is infinite, as where no table can tell.
+    Returns its error, m; infinite if that is more than `most`, or where a table cannot be made.
     """
     links, worst = tables.links[kind : kind + 1], 0.0
     n = tables.ends[kind - 1] if kind > 0 else 0
@@ -198,7 +198,7 @@ def tabulate(
 
 @kernel
 def framed(places: FloatArray, speeds: FloatArray, along: float, step: float) -> float:
-    """Where frames have a handle, m, so many steps, s, behind the first."""
+    """The position that frames give a handle, m, so many steps behind the first."""
     k = min(math.floor(along), places.shape[0] - 2)
     rise = QUANTUM * step
     return cubic(
@@ -211,9 +211,9 @@ def compare_followed(
     rows: Table, links: Vector, tables: Tables, framed_at: Vector, framed_speeds: Vector, step: float,
     shares: Vector, heads: Vector, first: int, last: int, at: Vector, places: Placements,
 ) -> float:  # fmt: skip
-    """How far any handle is from its place, m, at shares of the frames' steps first <= t < last.
+    """The greatest error of any handle's position, m, at shares of the frames' steps first <= t < last.
 
-    The head is at heads, m, and in its frames, so many quanta along and so fast, a step, s, apart.
+    The head is at heads, m; its frames have positions and speeds in quanta, a step, s, apart.
     """
     worst = 0.0
     for t in range(first, last):
@@ -239,9 +239,9 @@ def look_at_followed(
 ) -> tuple[float, float, float]:  # fmt: skip
     """The least and the greatest speed of all handles, m/s, and its greatest change from time to time.
 
-    At times first <= t < last, with the head at heads, m, that fast, m/s. Keeps in `fastest`,
-    (2, benches), the greatest speed of each bench and the number of its time, in `ends` where the last
-    handle is, m, and in `speeds` how fast all handles were.
+    At times first <= t < last, with the head at heads, m, and its speeds, m/s. Keeps in `fastest`, (2,
+    benches), the greatest speed of each bench and the number of its time, in `ends` the position of the
+    last handle, m, and in `speeds` those of all handles.
     """
     low, high, change = math.inf, -math.inf, 0.0
     for t in range(first, last):

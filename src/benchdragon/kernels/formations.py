@@ -114,7 +114,7 @@ def three_plum_blossoms(parts: FloatArray, side: float, r: float, waist: float, 
 
 @kernel
 def tail_swing(parts: FloatArray, side: float, swing: float, r: float, swings: int, run: float) -> int:
-    """A line, bends to and fro, and a line, along the axis of x; the middle is the origin."""
+    """A line, alternating bends, and a line, along the x axis; the middle is the origin."""
     angle, n = math.acos(1.0 - 0.5 * swing / r), 0
     if run > 0.0:
         n = add(parts, n, CurveKind.LINE, run, 0.0)

@@ -1,4 +1,4 @@
-"""Frames of a dance as the player keeps them, and how far its cubics between them are off."""
+"""Frames of a dance as the player keeps them, and the error of its cubics between them."""
 
 import math
 from typing import NamedTuple
@@ -43,7 +43,7 @@ def position(rows: FloatArray, places: Placements, i: int, t: int) -> float:
 
 @kernel
 def keep(i: int, k: int, s: float, speed: float, step: float, leap: float, shot: Shot) -> None:
-    """Keep where handle i is in frame k, m, and how fast, m/s; a leap to there counts before it."""
+    """Keep where handle i is in frame k, m, and its speed, m/s; a leap to there counts before it."""
     frames, errors = shot.frames, shot.errors
     frames[i, k] = (quanta(s) << HALF) + quanta(speed)
     a, b = frames[i, max(k - 1, 0)], frames[i, k]
@@ -55,7 +55,7 @@ def keep(i: int, k: int, s: float, speed: float, step: float, leap: float, shot:
 
 @kernel
 def between(i: int, k: int, share: float, step: float, frames: IntArray) -> float:
-    """Where frames have handle i, m, a share of a step, s, behind frame k."""
+    """The position that frames give handle i, m, a share of a step, s, behind frame k."""
     a, b, rise = frames[i, k], frames[i, k + 1], QUANTUM * step
     s, t = (a >> HALF) * QUANTUM, (b >> HALF) * QUANTUM
     return cubic(s, t, (a & LOW) * rise, (b & LOW) * rise, share)
@@ -66,10 +66,10 @@ def look_at_frames(
     rows: Table, links: Vector, heads: Vector, speeds: Vector, first: int, last: int, share: float,
     step: float, leap: float, shot: Shot,
 ) -> None:  # fmt: skip
-    """Keep frames first <= k < last, whose share is 0; or see how far off what is behind them is.
+    """Keep frames first <= k < last if `share` is 0; else record the error of the cubics behind them.
 
-    The head is at heads[k], m, and that fast, m/s, a share of a step, s, behind frame k. Frames that
-    are kept count as off where a handle is farther than `leap`, m, from where speeds lead it.
+    The head is at heads[k], m, with speeds[k], m/s, a share of a step, s, behind frame k. In a kept
+    frame, a handle farther than `leap`, m, from where its speeds lead it counts as an error.
     """
     places, errors = shot.places, shot.errors
     for start in range(first, last, SLOTS):

@@ -1,4 +1,4 @@
-"""A hash grid: which of many places lie near one another, without looking at all pairs."""
+"""A hash grid: which of many places lie near one another, without comparing all pairs."""
 
 import math
 from typing import NamedTuple
@@ -40,7 +40,7 @@ def empty_grid(places: int, side: float) -> Grid:
 
 
 def filled_grid(places: FloatArray, side: float) -> Grid:
-    """A grid of cells `side` metres wide with all places, (count, 2), but those at NaN."""
+    """A grid of cells `side` metres wide with all places, (count, 2), except those at NaN."""
     grid = empty_grid(len(places), side)
     put_known(grid, places)
     return grid
@@ -77,9 +77,9 @@ def put(grid: Grid, i: int, x: float, y: float) -> None:
 
 @kernel
 def gather(grid: Grid, x: float, y: float, reach: float, found: IntArray) -> int:
-    """Fill found with the places in cells within `reach` of (x, y), m, along each axis; how many.
+    """Fill `found` with places in cells within `reach` of (x, y), m, along each axis; returns how many.
 
-    A superset of the places within reach, each once; `found` has room for all places.
+    It is a superset of the places within reach, each once; `found` has room for all places.
     """
     side, count = grid.side[0], 0
     low, high = math.floor((x - reach) / side), math.floor((x + reach) / side)
@@ -109,8 +109,8 @@ def pairs_within(
 ) -> int:  # fmt: skip
     """Fill first, second with the pairs of places[start..] and others no farther apart than reach, m.
 
-    `grid` holds the others. Places at NaN are none. Gives how many there are; counts on where first and
-    second are full.
+    `grid` holds the others. Places at NaN do not count. Returns the number of pairs; counting goes on
+    when first and second are full.
     """
     count = 0
     for i in range(start, places.shape[0]):

@@ -1,7 +1,7 @@
 """How far benches stray, while their front handle walks a step, from a straight way between its ends.
 
-And how far the band that they cover reaches beside a stretch of the route. Both hold for the whole
-step and stretch, not for places looked at.
+A second bound is how far the band that they cover reaches beside a stretch of the route. Both hold for
+the whole step and stretch, not only at samples.
 """
 
 import math
@@ -27,9 +27,9 @@ class Slab(Numbered):
 
     X, Y = 0, 1  # where the cell begins, m
     ALONG_X, ALONG_Y = 2, 3  # direction of its chord; of the route, if it has no length
-    LOW, HIGH = 4, 5  # from where to where along the chord what lies square to the route in it is, m
-    AROUND = 6  # at most how far the route, and what is covered, leave chord and hulls, m
-    SWING = 7  # at least what the route turns by in it in all, up to a quarter turn, rad
+    LOW, HIGH = 4, 5  # range along the chord of all that lies square to the route in it, m
+    AROUND = 6  # upper bound of how far the route, and covered points, leave chord and hulls, m
+    SWING = 7  # no less than the route turns by in it in all, up to a quarter turn, rad
 
 
 SLAB_COLUMNS = len(Slab)
@@ -40,10 +40,10 @@ SLAB_COLUMNS = len(Slab)
 def strays(rows: Table, link: Vector, sizes: Table, k: int, places: Placements, out: Vector) -> None:
     """Fill out[n] for the step from slot 2n to slot 2n + 1 of `places`, of benches of sizes k.
 
-    It is at most how far, m, any of a bench's points is on the way from where it would be, had it gone
-    straight and evenly from its place at one end to that at the other; infinite where it is not sure
-    that the bench walks on without a leap. A point whose acceleration is at most M is within M h^2 / 8
-    of the straight way; one that travels D, within D / 2 of its ends.
+    It bounds how far, m, any of a bench's points is on the way from where it would be, had it gone
+    straight and evenly from its place at one end to that at the other; infinite where the bench is not
+    certain to walk on without a leap. A point whose acceleration is at most M is within M h^2 / 8 of
+    the straight way; one that travels D, within D / 2 of its ends.
     """
     handles, bench = np.empty((2, bounds.HANDLE_COLUMNS)), np.empty(bounds.BENCH_COLUMNS)
     for n in range(out.shape[0]):
@@ -64,22 +64,22 @@ def strays(rows: Table, link: Vector, sizes: Table, k: int, places: Placements, 
 def band_sides(
     rows: Table, ends: Table, hulls: Table, stretches: Table, near: float, out: float, sides: Table
 ) -> int:
-    """Fill sides[n] with at most how far a band reaches to the left and right of a route, m, in cell n.
+    """Fill sides[n] with bounds of how far a band reaches left and right of a route, m, in cell n.
 
-    The band is what hulls cover of lines square to the route, as far out as `out`, where they stand.
+    The band is what hulls cover of lines square to the route, up to `out` metres, where they stand.
 
     Args:
         rows: of the route.
         ends: route positions between which each cell lies, m, (n, 2), ascending.
         hulls: x and y of the eight corners of each, m, (count, 16).
         stretches: route positions between which each hull counts, m, (count, 2).
-        near: at most how far what is covered is from its hull, m. If it is 0, sides of cells without
-            length are how far hulls reach there, but for rounding.
-        out: m.
+        near: upper bound of the distance of covered points from their hull, m. If it is 0, sides of
+            cells without length are how far hulls reach there, up to rounding.
+        out: greatest reach, m.
         sides: (n, 2).
 
     Returns:
-        How many pairs of hull and cell were looked at.
+        How many pairs of hull and cell were compared.
     """
     slabs, seen = np.empty((ends.shape[0], SLAB_COLUMNS)), np.empty((2, CORNERS))
     for n in range(ends.shape[0]):
@@ -109,8 +109,8 @@ def set_slab(
     """Fill slabs[n] with what holds all that lies square to the route between low and high, m.
 
     A way of length L that turns by at most T in all, up to half a turn, is within L / 2 sin(T / 2) of
-    its chord: so far off is the corner of the way that turns at its middle alone. Length and chord
-    would say it more closely, but on a nearly straight route rounding takes their difference.
+    its chord: the extreme is the corner of a way that turns at its middle alone. Length and chord would
+    give a closer bound, but on a nearly straight route rounding takes their difference.
     """
     j, u, _ = locate(rows, low)
     next_j, next_u, _ = locate(rows, high)

@@ -2,9 +2,9 @@
 
 Over a step of the head at which every handle's ratio w, rate g = d log w / dsigma and curvature are
 bounded, each limit allows a convex set of (q, a), q the square of the head's speed and a its
-acceleration, and 0 lies in it: |w (a + g q)| is at most so much, w^2 q |curvature| too, and the root
-of both squares. Since q is straight over a step, keeping to the set at both ends keeps to it all the
-way. A pass back from the end finds from which q the rest can be walked, a pass ahead takes the most.
+acceleration, and 0 lies in it: limits bound |w (a + g q)|, w^2 q |curvature|, and the root of both
+squares. Since q is straight over a step, keeping to the set at both ends keeps to it all the way. A
+pass back from the end finds from which q the rest can be walked, a pass ahead takes the most.
 """
 
 import math
@@ -22,7 +22,7 @@ from benchdragon.kernels.numbered import Numbered
 
 
 class HandleHull(Numbered):
-    """Columns of what bounds a handle over a step.
+    """Columns of the bounds on a handle over a step.
 
     They are w, the turning rate of the bench before it, g, curvature.
     """
@@ -83,7 +83,7 @@ def find_hull(
     rows: FloatArray, links: FloatArray, places: Placements, parts: int, even: FloatArray,
     scratch: Scratch, hull: FloatArray,
 ) -> None:  # fmt: skip
-    """Fill a hull with what holds from the first slot to the last of so many parts of a step."""
+    """Fill a hull with the bounds from the first slot to the last of so many parts of a step."""
     for i in range(hull.shape[0]):
         hull[i, HandleHull.FAST] = hull[i, HandleHull.TURNING_RATE] = hull[i, HandleHull.BEND] = 0.0
         hull[i, HandleHull.GROWTH_LOW], hull[i, HandleHull.GROWTH_HIGH] = math.inf, -math.inf
@@ -235,10 +235,10 @@ def fastest_pace(
 @entry
 @allocates
 def find_pace(table: Stack, most: Vector, at: Vector, times: Vector, speeds: Vector) -> int:
-    """Fill times, s, and speeds, m/s, (steps + 1,), with the knots of the fastest pace; how many.
+    """Fill times, s, and speeds, m/s, (steps + 1,), with the knots of the fastest pace.
 
-    The head comes to at[0] at time 0; knots inside a stretch of one speed are left out. -1 - n if no
-    speed was found for the start of step n.
+    Returns how many, or -1 - n if no speed was found for the start of step n. The head comes to at[0]
+    at time 0; knots inside a stretch of one speed are left out.
     """
     steps = len(most)
     lengths = at[1:] - at[:-1]

@@ -1,7 +1,7 @@
-"""A head that stands still at places or times: the knots of its walk, from what it walks without holds.
+"""A head that stands still at places or times: the knots of its walk, from its walk without holds.
 
 Squared speeds are linear along the way, so all of it is exact. Near a hold the head is no faster than
-braking and starting at one rate allow; else it has at each place the speed that it had there.
+braking and starting at one rate allow; else it has at each place the speed of the walk without.
 """
 
 import math
@@ -16,8 +16,7 @@ from benchdragon.kernels.numbered import Numbered
 class HoldPiece(Numbered):
     """Columns of a piece of the way, along which the squared speed changes evenly.
 
-    From where to where, m, the squared speeds there, and the seconds of a rest; the last piece has no
-    end.
+    Its ends, m, the squared speeds there, and the seconds of a rest; the last piece has no end.
     """
 
     FIRST, LAST, BEFORE, AFTER, REST = range(5)
@@ -27,7 +26,7 @@ HOLD_PIECE_COLUMNS = len(HoldPiece)
 
 
 class Knot(Numbered):
-    """Of a knot: s, m from where the walk begins, m/s."""
+    """Of a knot: its time, s, its place, m from where the walk begins, and the speed, m/s."""
 
     TIME, WAY, SPEED = range(3)
 
@@ -36,7 +35,7 @@ KNOT_COLUMNS = len(Knot)
 
 
 class HoldRow(Numbered):
-    """Of a hold: where, m, or from when on, s, infinite if the other says it; for how long, s."""
+    """Of a hold: its place, m, or its time, s, infinite if the other is given; its duration, s."""
 
     WAY, AT, SECONDS = range(3)
 
@@ -45,7 +44,7 @@ HOLD_COLUMNS = len(HoldRow)
 
 
 class Stood(Numbered):
-    """Of what came of it: its number, where, from when to when."""
+    """Of a hold that took place: its number, its place, m, and its start and end, s."""
 
     NUMBER, WAY, START, END = range(4)
 
@@ -56,7 +55,7 @@ STOOD_COLUMNS = len(Stood)
 class HoldCount(Numbered):
     """What is counted of holds.
 
-    Knots and holds stood so far, the hold that is told of, and whether there was no room for a knot.
+    Knots and holds stood so far, the hold with a trouble, and whether there was no room for a knot.
     """
 
     KNOTS, STOOD, TOLD, SHORT = range(4)
@@ -66,7 +65,7 @@ HOLD_COUNTS = len(HoldCount)
 
 
 class HoldTrouble(Numbered):
-    """What is wrong with a hold that cannot be; FINE: nothing."""
+    """The trouble with a hold that is impossible; FINE: none."""
 
     FINE, OVERLAP, ROOM, UNREACHABLE, OUTSIDE, OVER = range(6)
 
@@ -144,7 +143,7 @@ def next_cut(held: Held, p: int, at: float, last: float, target: float, slope: f
 
 @kernel
 def go_ahead(held: Held, target: float, slope: float) -> int:
-    """Lay the knots from now to a place where the head is to stand, or for ever on; how many are then.
+    """Lay the knots from now to a place where the head is to stand, or for ever on; their number.
 
     The last is at an infinite time where the head never comes to that place.
     """
@@ -227,7 +226,7 @@ def stand(held: Held, hold: int) -> int:
 
 @kernel
 def told(held: Held, hold: int, trouble: int) -> int:
-    """The trouble, whose hold is told."""
+    """The trouble, with its hold recorded."""
     held.counts[HoldCount.TOLD] = hold
     return trouble
 
@@ -273,10 +272,10 @@ def is_over(held: Held) -> bool:
 
 @entry
 def hold_head(held: Held, start: float, rate: float) -> int:
-    """Fill knots and stood, whose numbers are counts[KNOTS] and counts[STOOD]; FINE, or what is wrong.
+    """Fill counts[KNOTS] knots and counts[STOOD] rows of stood; returns FINE, or the trouble.
 
-    That of hold counts[TOLD]. The walk begins at `start`, s; `rate`, m/s^2, is that of braking.
-    With counts[SHORT] there was no room for all knots: to be asked again with more.
+    The trouble is that of hold counts[TOLD]. The walk begins at `start`, s; the head brakes at `rate`,
+    m/s^2. If counts[SHORT] is set, knots did not fit: call again with more room.
     """
     for n in range(HOLD_COUNTS):
         held.counts[n] = 0

@@ -16,7 +16,7 @@ def difference(a: float, b: float) -> tuple[float, float]:
 
 @kernel
 def link_length(length: float, front: float, rear: float) -> float:
-    """A bench's link, m: its length less both insets, as near as a double can be but for ties.
+    """A bench's link, m: its length less both insets, to the nearest double except in ties.
 
     Rounded at each of the two steps, a hundred thousand links would add up to 2e-11 m too much.
     """

@@ -1,4 +1,4 @@
-"""Local minima of the separation along a walk: looked for, not bounded: hints where to search."""
+"""Local minima of the separation along a walk, sampled and not bounded: hints where to search."""
 
 import math
 
@@ -12,12 +12,12 @@ from benchdragon.kernels.status import Status
 # Head positions at which a pair's distance is taken, at first as many as there is room for, and how
 # often the range shrinks to the neighbours of the least one, unless distances are level to so many m.
 SAMPLES, SHRINKS, LEVEL = 16, 13, 2e-15
-# Head positions at which all pairs are looked at for a hint, and how often the range about the least
+# Head positions at which all pairs are sampled for a hint, and how often the range about the least
 # distance is then shrunk.
 HINT_PLACES, HINT_SHRINKS = 128, 4
-# Dragons of more benches are not looked over for low distances.
+# Dragons of more benches are not sampled for low distances.
 MOST_SAMPLED = 5_000
-# How exactly it is told where the head is when the tail comes somewhere, m.
+# Tolerance of the head's position when the tail comes to a place, m.
 TAIL_TOLERANCE = 1e-9
 
 
@@ -25,7 +25,7 @@ TAIL_TOLERANCE = 1e-9
 def distance_in_slot(
     sizes: FloatArray, i: int, j: int, places: Placements, t: int, boxes: FloatArray
 ) -> float:
-    """Distance of benches i and j in slot t, m; minus a depth inside, infinite where none stands."""
+    """Distance of benches i and j in slot t, m; minus an overlap's depth, infinite without a place."""
     if places.failed[0, t] != Status.OK:
         return math.inf
     set_box(sizes, i, places.x, places.y, t, boxes, 0)
@@ -49,9 +49,9 @@ def local_minimum(
     rows: Table, links: Vector, sizes: Table, i: int, j: int, low: float, high: float, shrinks: int,
     at: Vector, places: Placements, boxes: Table,
 ) -> tuple[float, float]:  # fmt: skip
-    """The least distance of benches i < j with the head between low and high, m; where.
+    """The least sampled distance of benches i < j with the head between low and high, m; and where.
 
-    It is looked for, not bounded; infinite where the dragon stands nowhere. Minus a depth inside. `at`
+    This is no bound; infinite if the dragon can be placed nowhere, minus the depth of an overlap. `at`
     and `places` are scratch, of j + 2 handles and four slots at least; `boxes` has two rows or more.
     """
     least, where, count = math.inf, 0.5 * (low + high), at.shape[0]
@@ -80,9 +80,9 @@ def low_pair(
 ) -> tuple[float, float, int, int]:  # fmt: skip
     """A low distance with the head between first and last, m; where, and of which benches.
 
-    It is looked for at HINT_PLACES head positions, and about the least of them: a hint, no bound.
-    Minus a depth inside; infinite where the dragon stands nowhere. Cost grows with the square of
-    benches. Scratch is as for `low_point`.
+    It is sampled at HINT_PLACES head positions, and about the least of them: a hint, no bound. Minus
+    the depth of an overlap; infinite if the dragon can be placed nowhere. The cost grows with the
+    square of the number of benches. Scratch is as for `local_minimum`.
     """
     least, where, first_bench, second_bench = math.inf, first, 0, 0
     blocks = -(-HINT_PLACES // at.shape[0])
@@ -143,9 +143,9 @@ def head_where_tail(rows: Table, links: Vector, s: float, at: Vector, places: Pl
 def whole_dragon(
     rows: Table, links: Vector, at: Vector, places: Placements
 ) -> tuple[float, float, int]:
-    """The head's route position, m, with the last handle where the route starts; where that then is.
+    """The head's route position, m, with the last handle where the route starts; and that handle's, m.
 
-    And the `Status` of that placement. Scratch is as for `head_where_tail`.
+    The third result is the `Status` of that placement. Scratch is as for `head_where_tail`.
     """
     at[0] = head_where_tail(rows, links, 0.0, at, places)
     march(rows, links, at, 0, 1, places)

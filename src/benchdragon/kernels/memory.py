@@ -1,10 +1,10 @@
 """Memory of the engine's own, which outlives a call: blocks that hold groups of arrays, and handles.
 
 A block is a row of 8-byte slots: a header, then what a NamedTuple takes, as in hosts/signature.py.
-`group_at` gives the group; after an array was laid anew, ask for it again. Hosts know a question under
-way by a handle: a number that stands for its block, and never for another, so that a stale one is none.
+`group_at` gives the group; after an array was laid out again, call it again. Hosts know a question
+under way by a handle, a number that stands for its block and for no other: stale ones are recognized.
 
-What stands above `slot_count` is for plain Python: compiled code calls engine/runtime.c instead, as
+Functions above `slot_count` are for plain Python: compiled code calls engine/runtime.c instead, as
 engine/memory.py says.
 """
 
@@ -32,9 +32,9 @@ HEADER = 10
 
 
 class Header(Numbered):
-    """What a block's header says.
+    """The header of a block.
 
-    That is the slot and the address that the next array is laid at, how many slots there are, and from
+    It has the slot and the address at which the next array is laid out, the number of slots, and from
     OWNED on the addresses of the memory that is released with the block.
     """
 
@@ -47,7 +47,7 @@ _numbers = itertools.count(1)
 
 
 def allocate(size: int) -> int:
-    """The address of so many bytes, in which anything may stand; 0 if there are not so many."""
+    """The address of so many bytes, not initialized; 0 if there are not so many."""
     try:
         block = np.empty(max(-(-size // 8), 1), dtype=np.int64)
     except (MemoryError, ValueError):
@@ -110,7 +110,7 @@ def remember(address: int) -> int:
 
 
 def recall(handle: int) -> int:
-    """The address that a handle stands for; 0 if for none, or for none any more."""
+    """The address that a handle stands for; 0 if it stands for none, or not any more."""
     return _handles.get(handle, 0)
 
 
@@ -120,7 +120,7 @@ def forget(handle: int) -> int:
 
 
 def slot_count(group: type[tuple[Any, ...]]) -> int:
-    """How many slots a group takes."""
+    """The number of slots that a group takes."""
     leaves = parameter(group.__name__, group).leaves()
     return sum(1 + leaf.layout.dimensions for leaf in leaves)
 
@@ -164,7 +164,7 @@ def release_block(block: int) -> None:
 
 @kernel
 def take(slots: IntArray, which: int, size: int) -> bool:
-    """Let so many bytes be the memory number `which` of a block, which has none; whether there are."""
+    """Let so many bytes be memory number `which` of a block, which has none; False without memory."""
     slots[Header.OWNED + which] = allocate(size)
     return slots[Header.OWNED + which] != 0
 
@@ -178,7 +178,7 @@ def drop(slots: IntArray, which: int) -> None:
 
 @kernel
 def lay(slots: IntArray, slot: int, address: int, shapes: Shapes) -> int:
-    """Lay arrays from a slot and an address on; the bytes that takes."""
+    """Lay out arrays from a slot and an address on; returns the bytes that they take."""
     lay_from(slots, slot, address)
     for rows, columns in shapes:
         if columns == ROW:

@@ -60,13 +60,13 @@ BENCH_COLUMNS = len(BenchBound)
 
 # Headings and places that differ by more than this at a joint, rad and m, count as a kink or a gap.
 SMOOTH = 1e-12
-# What bounds made of a hundred roundings are widened by.
+# Bounds made of a hundred roundings are widened by this factor.
 ROUNDED_UP = 1.0 + 1e-12
 # How often bounds on a bench's angles are drawn tighter by the rates that follow from them.
 PASSES = 3
 
 
-# What an angle may be: its least and greatest sine, then its least and greatest cosine.
+# The range of an angle: its least and greatest sine, then its least and greatest cosine.
 Angle = tuple[float, float, float, float]
 
 
@@ -179,7 +179,7 @@ def angle_rates(
 ) -> tuple[float, float]:
     """Least and greatest rate, rad/m, of the angle from a bench to the route at a handle.
 
-    That walks at slow..fast where the route's curvature is right..left, as the bench turns at `turn`.
+    The handle walks at slow..fast, the route's curvature is right..left, and the bench turns at `turn`.
     """
     low, high = scaled(slow, fast, right, left)
     return low - turn[1], high - turn[0]
@@ -231,7 +231,7 @@ def bound_handles(
 
 @kernel
 def angle_range(sa: float, sb: float, ca: float, cb: float, change: float) -> Angle:
-    """What an angle may be that stays within `change`, rad, of what it is at one of two ends.
+    """The range of an angle that stays within `change`, rad, of its value at one of two ends.
 
     There its sine and cosine are sa, ca and sb, cb.
     """
@@ -285,9 +285,9 @@ def bound_rates(
     """Fill speeds and rates of row i + 1 of bounds from row i; at most |f'| and |r'|, rad/m.
 
     Let f, r be the angles from the bench to the route at its front and rear handle, v, w the handles'
-    speeds and tau the bench's turning rate. The rigid bench keeps w cos r = v cos f and
-    tau = (v sin f - w sin r) / link; hence f' = v curvature - tau, r' likewise, and
-    w' / w = v' / v - tan f f' + tan r r'. At the two ends of the step w is as `seen`.
+    speeds and tau the bench's turning rate. The rigid bench keeps tau = (v sin f - w sin r) / link and
+    w cos r = v cos f; with each handle's curvature, f' = v curvature - tau and r' = w curvature - tau,
+    so that w' / w = v' / v - tan f f' + tan r r'. At the two ends of the step w is as `seen`.
     """
     slow, fast = bounds[i, HandleBound.SLOWEST], bounds[i, HandleBound.SPEED]
     next_slow, next_fast = slow * f[2] / r[3], fast * f[3] / r[2]

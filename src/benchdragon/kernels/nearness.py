@@ -1,4 +1,4 @@
-"""How near two boxes are and where: a row of numbers, which hosts tell in words."""
+"""How near two boxes are and where: a row of numbers, which hosts put into words."""
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import Box, box_distance, box_gap, corner, nearest_corner, offset
@@ -7,15 +7,14 @@ from benchdragon.kernels.numbered import Numbered
 
 
 class Closest(Numbered):
-    """Columns of what is told of a pair."""
+    """Columns of the nearness of a pair."""
 
     FIRST, SECOND = 0, 1
     # distance and gap, m, as `box_distance` and `box_gap` say,
     DISTANCE, GAP = 2, 3
     # the point of each that is nearest to the other, m; of overlapping boxes the deepest corner twice,
     POINTS = 4
-    # what meets: the row of the one whose corner that is, which corner, the other's row, and what of
-    # it.
+    # what meets: the box whose corner it is, which corner, the other box, and the feature of it.
     OWNER, CORNER, OTHER, FEATURE = range(8, 12)
 
 
@@ -72,7 +71,7 @@ def nearness(boxes: Table, i: int, j: int, row: Vector) -> None:
 
 @kernel
 def called(row: Vector, i: int, j: int) -> None:
-    """Call the boxes of rows 0 and 1 by the numbers i < j."""
+    """Number the boxes of rows 0 and 1 as i < j."""
     first = row[Closest.OWNER] == 0
     row[Closest.FIRST], row[Closest.SECOND] = i, j
     row[Closest.OWNER], row[Closest.OTHER] = (i, j) if first else (j, i)

@@ -10,9 +10,9 @@ class Names(type):
     """The class of such classes."""
 
     def __len__(cls) -> int:
-        """How many names there are, those of the classes that it follows included."""
+        """The number of names, those of the classes that it follows included."""
         return sum(name.isupper() for name in dir(cls))
 
 
 class Numbered(metaclass=Names):
-    """What its names in capitals stand for: a whole number each."""
+    """The values of its names in capitals: a whole number each."""

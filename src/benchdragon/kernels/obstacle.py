@@ -1,4 +1,4 @@
-"""What stands still: its sides as boxes without width, and where no bench may be."""
+"""Obstacles: their sides as boxes without width, and the points where no bench may be."""
 
 import math
 
@@ -20,7 +20,7 @@ class ObstacleKind(Numbered):
 
 @entry
 def fill_boxes(kind: int, outline: Table, out: Table) -> None:
-    """Fill out with the sides, or the centre, as boxes without width, (.., BOX_COLUMNS)."""
+    """Fill `out` with the sides, or the centre, as boxes without width, (.., BOX_COLUMNS)."""
     corners = outline.shape[0]
     for n in range(out.shape[0]):
         m = (n + 1) % corners
@@ -36,13 +36,13 @@ def fill_boxes(kind: int, outline: Table, out: Table) -> None:
 
 @kernel
 def sides(kind: int, corners: int) -> int:
-    """How many boxes an outline of so many corners has."""
+    """The number of boxes of an outline with so many corners."""
     return corners - 1 if kind == ObstacleKind.LINE else corners
 
 
 @kernel
 def forbids(kind: int, outline: FloatArray, radius: float, x: float, y: float) -> bool:
-    """Whether a point, m, lies where none may: inside it, or outside the venue.
+    """Whether a point, m, lies where no bench may be: inside the obstacle, or outside the venue.
 
     Inside a polygon a ray to the right crosses an odd number of sides.
     """
@@ -60,6 +60,6 @@ def forbids(kind: int, outline: FloatArray, radius: float, x: float, y: float) -
 
 @entry
 def forbidden(kind: int, outline: Table, radius: float, points: Table, out: IntVector) -> None:
-    """Fill out with 1 for each of points, m, (P, 2), that lies where none may, else 0."""
+    """Fill `out` with 1 for each of points, m, (P, 2), that lies where no bench may be, else 0."""
     for n in range(points.shape[0]):
         out[n] = 1 if forbids(kind, outline, radius, points[n, 0], points[n, 1]) else 0

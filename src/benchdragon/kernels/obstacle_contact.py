@@ -1,9 +1,9 @@
-"""Benches and what stands still: the first touch, and the least distance, along a stretch of route.
+"""Benches and obstacles: the first touch, and the least distance, along a stretch of route.
 
-Where a bench stands is told by the route position of its own front handle alone, so that all benches of
-one size pass an obstacle in the same way: it is searched once for each size, over route positions, and
-not once for each bench over time. An obstacle is boxes without width, or without length either (the
-sides of a polygon, the centre of a circle), to the search as benches that do not move.
+The place of a bench follows from the route position of its own front handle alone, so that all benches
+of one size pass an obstacle in the same way: it is searched once for each size, over route positions,
+and not once for each bench over time. An obstacle is boxes without width, or without length either (the
+sides of a polygon, the centre of a circle), which the search takes for benches that do not move.
 """
 
 import math
@@ -31,8 +31,8 @@ from benchdragon.kernels.time_of_impact import (
 )
 from benchdragon.kernels.walk_search import WIDTH_ROUNDINGS, WalkEnding
 
-# Stretches of route, m, of which what is far off is passed over at once: longer ones are passed over
-# less often, shorter ones are more.
+# Stretches of route, m, for each of which distant boxes are culled at once: longer stretches cull fewer
+# boxes, shorter ones are more in number.
 STRETCH = 4.0
 
 
@@ -46,7 +46,7 @@ class Bench(NamedTuple):
 
 
 class Standing(NamedTuple):
-    """Boxes that stand still, and scratch for as many."""
+    """Boxes of an obstacle, and scratch for as many."""
 
     boxes: Table  # (boxes, BOX_COLUMNS)
     near: Table  # scratch: those near, (boxes, BOX_COLUMNS)
@@ -73,9 +73,9 @@ def centre_distance(boxes: FloatArray, n: int, x: float, y: float) -> float:
 
 @kernel
 def gather_near(bench: Bench, standing: Standing, search: Search, wanted: float) -> int:
-    """Put what the bench may come as near to as `wanted`, m, in the step into `near`; how many.
+    """Fill `near` with the boxes that the bench may come as near to as `wanted`, m; returns how many.
 
-    What rounding may have moved is less than EDGE.
+    EDGE covers the rounding errors.
     """
     bound_bench(search.handles, 0, bench.sizes, 0, search.sweeps[0])
     place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, search.boxes, 0)
@@ -97,7 +97,7 @@ def gather_near(bench: Bench, standing: Standing, search: Search, wanted: float)
 def search_step(
     bench: Bench, standing: Standing, search: Search, goal: int, limits: Limits, note: FloatArray
 ) -> int:
-    """Search the step whose ends are placed in slots 0 and 1 for `goal`; how that ended."""
+    """Search the step whose ends are placed in slots 0 and 1 for `goal`; returns the exit status."""
     wanted = note[Note.NEAREST] - limits.slack if goal == Goal.LEAST else limits.margin + limits.slack
     start, end = search.at[0], search.at[1]
     count = gather_near(bench, standing, search, wanted)
@@ -122,9 +122,9 @@ def search_span(
     bench: Bench, standing: Standing, search: Search, goal: int, start: float, end: float,
     limits: Limits, note: FloatArray,
 ) -> int:  # fmt: skip
-    """Search from route position start to end, m, for `goal`; how that ended, or ASTRAY.
+    """Search from route position start to end, m, for `goal`; returns the exit status, or ASTRAY.
 
-    ASTRAY: past note[LOWER] it could not be shown that the bench walks on.
+    ASTRAY: past note[LOWER] the bench could not be shown to walk on.
     """
     at, step, worst = start, STRETCH, Ending.CLEAR
     while at < end:
@@ -151,9 +151,9 @@ def search_span(
 
 @kernel
 def look_along(bench: Bench, standing: Standing, search: Search, spans: Table, note: Vector) -> None:
-    """Lower note[NEAREST] to the least distance seen at the ends of spans, m; where, and to what.
+    """Lower note[NEAREST] to the least distance at the ends of spans, m, with its place and box.
 
-    A hint, no bound: where the bench stands not, nothing is seen.
+    This is a hint, no bound: ends at which the bench cannot be placed are skipped.
     """
     for t in range(2 * spans.shape[0]):
         search.at[0] = spans[t // 2, t % 2]
@@ -174,9 +174,9 @@ def look_along(bench: Bench, standing: Standing, search: Search, spans: Table, n
 
 @entry
 def distances_to(boxes: Table, standing: Table, near: Table, out: Vector, which: IntVector) -> None:
-    """Fill out with the distance, m, of each box to the nearest of `standing`; which that is.
+    """Fill `out` with each box's distance to the nearest of `standing`, m, and `which` with its row.
 
-    Minus the depth of an overlap. `near` is scratch, (2, BOX_COLUMNS).
+    It is minus the depth of an overlap. `near` is scratch, (2, BOX_COLUMNS).
     """
     for i in range(boxes.shape[0]):
         out[i], which[i] = math.inf, -1

@@ -1,9 +1,9 @@
 """The search of a walk for benches that come near one obstacle, in a block of the engine's memory.
 
-Where a bench stands is told by the route position of its own front handle, whatever the others do. So
-each size of bench is searched once, along the stretches of route that its benches walk: a bench that
-follows another of its size comes to nothing new beyond where that one stood at the start
-(kernels/obstacle_contact.py). What is found there is then told of the head.
+The place of a bench follows from the route position of its own front handle alone. So each size of
+bench is searched once, along the stretches of route that its benches walk: of a bench that follows
+another of its size, only the way up to that one's place at the start is new
+(kernels/obstacle_contact.py). What is found there is then converted to head positions.
 """
 
 from typing import NamedTuple
@@ -29,16 +29,16 @@ from benchdragon.kernels.time_of_impact import NOTES, Search
 
 
 class ObstacleGiven(Numbered):
-    """What hosts say of an obstacle and of the walk, a row of floats."""
+    """What a host passes of an obstacle and of the walk, a row of floats."""
 
     SORT = 0  # of what kind: see kernels/obstacle.py
     RADIUS = 1  # of a circle, m
     MARGIN = 2  # distance that benches must keep, m
     HEAD_FIRST = 3  # head positions, m, at which the walk begins and ends
     HEAD_LAST = 4
-    LEAST_OFF = 5  # what computed distances count as off by at least, m
+    LEAST_OFF = 5  # least error that is assumed of computed distances, m
     WIDTH = 6  # parts of a step narrower than this, m, are not halved
-    MOST = 7  # benches placed in one stretch of a search for touches
+    MOST = 7  # benches placed in one stretch of a search for touches, at most
     MOST_LEAST = 8  # and for the least distance
 
 
@@ -46,33 +46,33 @@ OBSTACLE_GIVEN = len(ObstacleGiven)
 
 
 class ObstacleTold(Told):
-    """What is told, a row of floats that begins as kernels/question.py says."""
+    """The result, a row of floats that begins with the columns of `question.Told`."""
 
     MADE = 2  # benches placed in searches
-    ABOUT = 3  # what distances that mattered may be off by, m
-    SOUND = 4  # past where a bench may not follow, m
-    CLOSED_IN = 5  # 1 if the least distance is bracketed as was wanted
+    ABOUT = 3  # the largest error bound of distances that decided, m
+    SOUND = 4  # the route position past which a bench may not follow, m
+    CLOSED_IN = 5  # 1 if the least distance is bracketed as narrowly as required
     COUNT = 6  # rows of what was found
-    # From here on what a search keeps to itself: what it is after, how narrowly, m, and 1 as it begins.
+    # From here on internal: the goal, the bracket's width, m, and 1 as the search begins.
     GOAL, NARROW, BEGINS = range(7, 10)
-    SOUGHT_OFF = 10  # what distances count as off by at least, m
+    SOUGHT_OFF = 10  # least error that is assumed of distances, m
     APART, APART_BENCH, APART_OFF = range(11, 14)  # at the start
     NEAR, NEAR_BENCH, NEAR_AT = range(14, 17)  # the least distance seen; NEAR_AT is NaN if at the start
-    # The size at hand, by its first bench; the bench, and where the one before it stood at the start,
-    # m; its spans, which of them comes next, and the rest of that at hand; how often it was grazed.
+    # The current size, by its first bench; the bench, and where the one before it stood at the start,
+    # m; its spans, the number of the next, and the rest of the current one; how often it was grazed.
     SIZE, REPEATS, BENCH, AHEAD, SPANS, SPAN, FROM, TO, GRAZES = range(17, 26)
-    TOLD_ROWS, SOONEST = 26, 27  # rows that are told of the head; where it is at a sure touch, m
+    TOLD_ROWS, SOONEST = 26, 27  # rows that are converted to head positions; that of a sure touch, m
 
 
 OBSTACLE_FIGURES = len(ObstacleTold)
 
 
 class ObstacleFound(Numbered):
-    """What was found, a row each.
+    """Results, a row each.
 
-    Of touches head positions between which one comes, of the least distance its bracket, m; the bench
-    (from 0), with the head at HEAD; and there the point that is nearest or farthest out, how far from
-    what stands still, m, and which feature it is (kernels/nearness.py).
+    Of touches, head positions that bracket one, m; of the least distance, its bracket, m; the bench
+    (from 0) and the head position, HEAD; there the point of the bench that is nearest to the obstacle,
+    or farthest outside the venue, its distance, m, and its feature (kernels/nearness.py).
     """
 
     VALUE, LOW_END, HIGH_END, WHO, HEAD, SURE, AT_X, AT_Y, GAP, FEATURE = range(10)
@@ -82,9 +82,9 @@ FOUND_COLUMNS = len(ObstacleFound)
 
 
 class SizeWay(Numbered):
-    """How each size is walked.
+    """The way that benches of each size walk.
 
-    Its first bench, how many, and from where to where and how much of it, m.
+    Its first bench, how many, from where to where it leads, m, and how much of it is searched, m.
     """
 
     BENCH, COUNT, LOW, HIGH, LENGTH = range(5)
@@ -102,10 +102,10 @@ class ObstacleMemory(Numbered):
 
 
 class Beside(NamedTuple):
-    """A search beside one obstacle; what stands from `at` to `box` is scratch."""
+    """A search beside one obstacle; the fields from `at` to `box` are scratch."""
 
     found: Table  # (.., FOUND_COLUMNS)
-    bench: Bench  # of the size at hand, on the rows of the route
+    bench: Bench  # of the current size, on the rows of the route
     standing: Standing
     search: Search
     links: Vector
@@ -113,9 +113,9 @@ class Beside(NamedTuple):
     alike: IntVector  # the first bench of the size of each
     outline: Table
     repeats: Table  # (.., spans.REPEAT)
-    begun: Table  # those that the size at hand has anything of
+    begun: Table  # those that spare some of the current size's way
     skips: Table
-    spans: Table  # of the bench at hand
+    spans: Table  # of the current bench
     placed: Placements  # at the start and at the end
     s: Table  # route positions there, m, (handles, 2)
     ways: Table  # (benches, SIZE_WAY_COLUMNS)
@@ -132,7 +132,7 @@ class Beside(NamedTuple):
     note: Vector
 
 
-# Where what comes after `found` begins, in slots from the first.
+# The slot, from the first, at which the fields after `found` begin.
 AFTER_FOUND = 3
 
 
@@ -141,7 +141,7 @@ def lay_beside(
     slots: IntArray, slot: int, address: int, rows: int, benches: int, corners: int, boxes: int,
     known: int,
 ) -> int:  # fmt: skip
-    """Lay a search from a slot and an address on, but for what is found; the bytes that takes."""
+    """Lay out a search without `found` from a slot and an address on; returns the bytes it takes."""
     row, each, one, near = (benches, ROW), (boxes, ROW), (1, ROW), max(boxes, 2)
     return memory.lay(slots, slot + AFTER_FOUND, address, (
         (rows, COLUMNS), one, (4, 1), (rows, SEAM_COLUMNS), (boxes, BOX_COLUMNS), (near, BOX_COLUMNS),
@@ -158,7 +158,7 @@ def lay_beside(
 def make_beside(
     block: int, slot: int, rows: int, benches: int, corners: int, boxes: int, known: int
 ) -> bool:
-    """Make room for a search at a slot of a block, where there may be one before; whether there is."""
+    """Make room for a search at a slot of a block, which may hold one already; False without memory."""
     slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
     memory.drop(slots, ObstacleMemory.BESIDE)
     if slots[Header.OWNED + ObstacleMemory.FOUND] == 0:
@@ -177,7 +177,7 @@ def make_beside(
 
 @kernel
 def widen_found(block: int, slot: int) -> bool:
-    """Make room for more rows of what is found; whether there is memory."""
+    """Make room for more rows of `found`; False without memory."""
     slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
     before, rows = slots[Header.OWNED + ObstacleMemory.FOUND], slots[slot + 1]
     known, count = memory.integers_at(before, rows * FOUND_COLUMNS), WIDER * rows
@@ -197,7 +197,7 @@ def begin_beside(
     block: int, slot: int, rows: Table, links: Vector, sizes: Table, outline: Table, repeats: Table,
     asked: Vector,
 ) -> bool:  # fmt: skip
-    """Begin a search at a slot of a block for a walk and an obstacle; whether there is memory."""
+    """Begin a search at a slot of a block for a walk and an obstacle; False without memory."""
     boxes = sides(int(asked[ObstacleGiven.SORT]), outline.shape[0])
     benches, known = links.shape[0], repeats.shape[0]
     if not make_beside(block, slot, rows.shape[0], benches, outline.shape[0], boxes, known):
@@ -211,7 +211,7 @@ def fill_beside(
     beside: Beside, rows: Table, links: Vector, sizes: Table, outline: Table, repeats: Table,
     asked: Vector,
 ) -> None:  # fmt: skip
-    """Copy what is asked, and make the rest from it."""
+    """Copy what a host passes, and derive the rest from it."""
     memory.copy_table(beside.bench.rows, rows)
     memory.copy_row(beside.links, links)
     memory.copy_table(beside.sizes, sizes)
@@ -234,7 +234,7 @@ def fill_beside(
 
 @kernel
 def sort_repeats(repeats: Table, out: Table) -> None:
-    """Copy repeats, those first that leave out most."""
+    """Copy repeats, those first that spare most of the way."""
     for n in range(repeats.shape[0]):
         m = n
         way = repeats[n, RepeatSpan.LOW] - repeats[n, RepeatSpan.HIGH] + repeats[n, RepeatSpan.PERIOD]

@@ -1,4 +1,4 @@
-"""What a search beside an obstacle goes along: each size of bench once; and where all stand."""
+"""The ways that a search beside an obstacle covers, each size of bench once; and where all stand."""
 
 import math
 
@@ -17,7 +17,7 @@ from benchdragon.kernels.status import Status
 
 @kernel
 def stands(beside: Beside) -> bool:
-    """Whether the dragon stands at both ends of its walk; if so, how it does, and the ways of sizes."""
+    """Whether the dragon stands at both ends of its walk; if so, fill its places and sizes' ways."""
     figures, placed, rows, asked = beside.figures, beside.placed, beside.bench.rows, beside.asked
     beside.at[0], beside.at[1] = asked[ObstacleGiven.HEAD_FIRST], asked[ObstacleGiven.HEAD_LAST]
     march(rows, beside.links, beside.at, 0, 2, placed)
@@ -48,7 +48,7 @@ def stands(beside: Beside) -> bool:
 
 @kernel
 def stand_at_start(beside: Beside) -> None:
-    """Find how near benches are at the start: minus infinity where one stands where none may."""
+    """Find how near benches are at the start: minus infinity if one stands where no bench may be."""
     figures, asked, links, still = beside.figures, beside.asked, beside.links, 0.0
     boxes, box, sort = beside.standing.boxes, beside.box, int(asked[ObstacleGiven.SORT])
     figures[ObstacleTold.APART] = math.inf
@@ -98,7 +98,7 @@ def begin_size(beside: Beside, k: int) -> None:
 
 @kernel
 def next_bench(beside: Beside) -> bool:
-    """Turn to the next bench, and to what of its way is new; whether there is one."""
+    """Turn to the next bench, and to the new part of its way; False if there is none."""
     figures, alike, benches = beside.figures, beside.alike, beside.alike.shape[0]
     k, i = int(figures[ObstacleTold.SIZE]), int(figures[ObstacleTold.BENCH]) + 1
     while i < benches and alike[i] != k:
@@ -129,7 +129,7 @@ def next_bench(beside: Beside) -> bool:
 
 @kernel
 def next_span(beside: Beside) -> bool:
-    """Turn to the next span of route of a bench; whether there is one."""
+    """Turn to the next span of route of a bench; False if there is none."""
     figures = beside.figures
     while figures[ObstacleTold.SPAN] == figures[ObstacleTold.SPANS]:
         if not next_bench(beside):

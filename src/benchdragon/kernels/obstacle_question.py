@@ -1,6 +1,6 @@
-"""When benches touch one obstacle, and the least that they keep from it, as a question of the engine.
+"""Touches of one obstacle, and the least distance of benches from it, as a question of the engine.
 
-Opened for a walk and an obstacle; each step ends as kernels/obstacle_search.py says.
+It is opened for a walk and an obstacle; exit statuses of steps are those of kernels/obstacle_search.py.
 """
 
 from benchdragon.kernels import memory
@@ -18,10 +18,10 @@ BASE, BESIDE_SLOTS = 8 * memory.HEADER, memory.slot_count(Beside)
 def open_obstacle(
     rows: Table, links: Vector, sizes: Table, outline: Table, repeats: Table, asked: Vector
 ) -> int:
-    """Open a question about a walk and an obstacle; its handle, 0 if there is no memory.
+    """Open a question about a walk and an obstacle; returns its handle, 0 without memory.
 
-    The dragon must be able to stand at both ends. `repeats` are those parts of the route that lead back
-    to where it was (spans.REPEAT); `asked` is as in kernels/obstacle_memory.py. All is copied.
+    The dragon must have a place at both ends. `repeats` are those parts of the route that lead back to
+    where it was (spans.REPEAT); `asked` is as in kernels/obstacle_memory.py. All is copied.
     """
     block = memory.new_block(BESIDE_SLOTS)
     if block == 0:
@@ -47,7 +47,7 @@ def seek_obstacle(handle: int, goal: int, narrow: float) -> bool:
 
 @entry
 def step_obstacle(handle: int, left: float) -> int:
-    """Go on for some hundredths of a second; about so many handles may be placed. How that ended."""
+    """Search for some hundredths of a second, or about `left` handles; returns the exit status."""
     block = memory.recall(handle)
     if block == 0:
         return QuestionEnding.CLOSED
@@ -81,7 +81,7 @@ def read_found(handle: int, first: int, found: Table) -> bool:
 
 @entry
 def read_ways(handle: int, ways: Table) -> int:
-    """Fill ways with how each size of bench is walked; how many sizes there are."""
+    """Fill `ways` with the way that each size of bench walks; returns the number of sizes."""
     block, count = memory.recall(handle), 0
     if block == 0:
         return 0

@@ -1,4 +1,4 @@
-"""What a search beside an obstacle found, told of the head, and how the bench then stands."""
+"""Results of a search beside an obstacle by the head's position, and how the bench then stands."""
 
 import math
 
@@ -26,7 +26,7 @@ MOST_PLACE_STEPS = 100
 
 @kernel
 def put(beside: Beside, n: int, low: float, high: float, bench: float, sure: bool) -> None:
-    """Fill row n of what is found."""
+    """Fill row n of the results."""
     row = beside.found[n]
     row[ObstacleFound.LOW_END] = low
     row[ObstacleFound.HIGH_END] = high
@@ -37,9 +37,9 @@ def put(beside: Beside, n: int, low: float, high: float, bench: float, sure: boo
 
 @kernel
 def last_handle(beside: Beside, bench: int, head: float) -> tuple[float, float]:
-    """Where the front handle of a bench is with the head at a place, m, and its speed over the head's.
+    """Position of a bench's front handle, m, and its speed over the head's, with the head at a place.
 
-    NaN where it cannot stand.
+    NaN where the bench cannot stand.
     """
     rows, chain = beside.bench.rows, beside.chain
     beside.at[0] = head
@@ -66,10 +66,10 @@ def head_between(beside: Beside, bench: int, lower: float, upper: float) -> tupl
 
 @kernel
 def handle_off(beside: Beside, bench: int, head: float) -> float:
-    """What a bench's front handle may be off by along the route, m, as positions tell it.
+    """Error bound of a bench's front handle along the route, m, as its positions are computed.
 
-    The head's own place, the way of errors through the chain, and the lengths that positions are
-    counted by.
+    It is made of the head's own place, the way of errors through the chain, and the lengths by which
+    positions are counted.
     """
     rows, chain, links, moved = beside.bench.rows, beside.chain, beside.links[:bench], 0.0
     drift, doubt = head_drift(rows, head)
@@ -112,10 +112,10 @@ def head_bracket(beside: Beside, bench: int, s: float) -> tuple[float, float]:
 
 @kernel
 def show(beside: Beside, n: int) -> None:
-    """Tell of row n how its bench stands to the obstacle; NaN where it cannot stand.
+    """Fill row n with how its bench stands to the obstacle; NaN where it cannot stand.
 
-    Where it stands wholly inside of one the gap is minus the distance. Of a bench outside of the
-    venue the point is the corner that is farthest out, and the gap minus how far.
+    If the bench is wholly inside the obstacle, the gap is minus the distance. Of a bench outside of the
+    venue the point is the corner that is farthest out, and the gap minus its distance.
     """
     row, asked, box, boxes = beside.found[n], beside.asked, beside.box, beside.standing.boxes
     sort, radius = int(asked[ObstacleGiven.SORT]), asked[ObstacleGiven.RADIUS]

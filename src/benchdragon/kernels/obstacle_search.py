@@ -1,4 +1,4 @@
-"""A search beside an obstacle: when benches touch it, and the least that they keep from it."""
+"""A search beside an obstacle: the touches of benches, and their least distance from it."""
 
 import math
 
@@ -24,22 +24,22 @@ from benchdragon.kernels.walk_search import HANDLES_A_CALL, WalkEnding
 
 
 class ObstacleEnding(Numbered):
-    """How a search ends, besides as kernels/question.py says, and ASTRAY."""
+    """Exit status of a search, besides those of kernels/question.py and ASTRAY."""
 
     ALL_TOLD = 0
     TOO_OFTEN = 30
     TOO_FAR_OFF = 31
 
 
-# What a bench beside a box of an obstacle costs, in handles placed.
+# The cost of a bench beside a box of an obstacle, in handles placed.
 BESIDE_WORK = 16
-# Grazes of one bench that are passed over to see whether it touches; along a wall one each STRETCH.
+# Grazes of one bench that are passed over in search of a touch; along a wall there is one each STRETCH.
 MOST_GRAZES = 1_000
 
 
 @kernel
 def searched(beside: Beside, goal: int, slack: float, most: float) -> int:
-    """How the search of what is left of the span at hand ended."""
+    """Search the rest of the current span; returns the exit status."""
     figures, asked, note = beside.figures, beside.asked, beside.note
     before, reach = note[Note.EVALUATIONS], asked[ObstacleGiven.MARGIN] + asked[ObstacleGiven.RADIUS]
     limits = steps.Limits(reach, slack, asked[ObstacleGiven.WIDTH], int(most))
@@ -59,7 +59,7 @@ def searched(beside: Beside, goal: int, slack: float, most: float) -> int:
 
 @kernel
 def known_off(figures: Vector, off: float) -> bool:
-    """Take note of what a distance that matters may be off by, m; False if not all is seen then."""
+    """Record the error bound of a distance that decides, m; False if a search does not allow for it."""
     figures[ObstacleTold.ABOUT] = max(figures[ObstacleTold.ABOUT], off)
     return off <= max(figures[ObstacleTold.SOUGHT_OFF], MOST_OFF)
 
@@ -87,7 +87,7 @@ def seek_beside(beside: Beside, goal: int, narrow: float) -> None:
 
 @kernel
 def keep_nearest(beside: Beside) -> None:
-    """Take note of where the bench at hand was seen, if that is nearer than any was."""
+    """Record where the current bench was nearest, if it is nearer than any before."""
     figures, note = beside.figures, beside.note
     if note[Note.NEAREST] < figures[ObstacleTold.NEAR]:
         figures[ObstacleTold.NEAR], figures[ObstacleTold.NEAR_AT] = note[Note.NEAREST], note[Note.UPPER]
@@ -96,7 +96,7 @@ def keep_nearest(beside: Beside) -> None:
 
 @kernel
 def stands_touching(beside: Beside) -> bool:
-    """Tell of the start, if how benches stand there decides when one touches; whether it does."""
+    """Report a touch at the start, if the placement there decides; whether it does."""
     figures, asked = beside.figures, beside.asked
     reach = asked[ObstacleGiven.MARGIN] + asked[ObstacleGiven.RADIUS]
     off = figures[ObstacleTold.APART_OFF]
@@ -116,7 +116,7 @@ def stands_touching(beside: Beside) -> bool:
 
 @kernel
 def touched_on(block: int, slot: int, most: float) -> int:
-    """Take down where benches come nearer than they may, each in its own span, and where they graze."""
+    """Record touches and grazes, of each bench in its own spans; returns the step's exit status."""
     while True:
         beside = group_at(Beside, block + 8 * slot)
         figures, note = beside.figures, beside.note
@@ -147,7 +147,7 @@ def touched_on(block: int, slot: int, most: float) -> int:
 
 @kernel
 def take_down(beside: Beside, sure: bool) -> None:
-    """Take down a touch, or a graze. A graze that runs into a touch is its beginning."""
+    """Record a touch, or a graze. A graze that runs into a touch is its beginning."""
     figures = beside.figures
     note = beside.note
     found = beside.found
@@ -165,7 +165,7 @@ def take_down(beside: Beside, sure: bool) -> None:
 
 @kernel
 def tell_touches(beside: Beside) -> None:
-    """Tell of the head what was taken down, but for what comes after a sure touch."""
+    """Convert what was recorded to head positions, except what comes after a sure touch."""
     figures, found, kept = beside.figures, beside.found, int(beside.figures[ObstacleTold.TOLD_ROWS])
     for n in range(kept, int(figures[ObstacleTold.COUNT])):
         bench, sure = int(found[n, ObstacleFound.WHO]), found[n, ObstacleFound.SURE] > 0.0
@@ -185,7 +185,7 @@ def tell_touches(beside: Beside) -> None:
 
 @kernel
 def settled(beside: Beside) -> int:
-    """Leave of all touches the soonest sure one, after the grazes before it; show them: ALL_TOLD."""
+    """Keep of all touches the soonest sure one, after grazes before it; fill in places: ALL_TOLD."""
     figures, found = beside.figures, beside.found
     clear_to, last, who, count = math.inf, math.inf, -1.0, 0
     for n in range(int(figures[ObstacleTold.COUNT])):
@@ -216,7 +216,7 @@ def settled(beside: Beside) -> int:
 
 @kernel
 def comes_before(low: float, high: float, bench: float, row: Vector) -> bool:
-    """Whether a graze is told before that of a row."""
+    """Whether a graze is listed before that of a row."""
     if low != row[ObstacleFound.LOW_END]:
         return low < row[ObstacleFound.LOW_END]
     return (
@@ -228,7 +228,7 @@ def comes_before(low: float, high: float, bench: float, row: Vector) -> bool:
 
 @kernel
 def lowered_on(beside: Beside, most: float) -> int:
-    """Lower the least distance seen until nothing is nearer, but for NARROW and what cannot be told."""
+    """Lower the least distance until none is nearer, up to NARROW and rounding; the exit status."""
     figures = beside.figures
     slack = (
         figures[ObstacleTold.NARROW]
@@ -256,7 +256,7 @@ def lowered_on(beside: Beside, most: float) -> int:
 
 @kernel
 def tell_least(beside: Beside) -> int:
-    """Tell the least distance: from the edges of what stands still, and of the head."""
+    """Report the least distance from the obstacle's edges, with the head's position; ALL_TOLD."""
     figures, row, bench = beside.figures, beside.found[0], int(beside.figures[ObstacleTold.NEAR_BENCH])
     near = figures[ObstacleTold.NEAR]
     radius = beside.asked[ObstacleGiven.RADIUS]
@@ -283,7 +283,7 @@ def tell_least(beside: Beside) -> int:
 
 @kernel
 def step_beside(block: int, slot: int, left: float) -> int:
-    """Go on for some hundredths of a second, or so many handles: ALL_TOLD, MORE, or how it ended."""
+    """Search for some hundredths of a second, or about `left` handles: ALL_TOLD, MORE, or a failure."""
     beside, most = group_at(Beside, block + 8 * slot), min(left, HANDLES_A_CALL)
     figures = beside.figures
     if figures[ObstacleTold.GOAL] == Goal.LEAST:

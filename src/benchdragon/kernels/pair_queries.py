@@ -1,6 +1,6 @@
 """Continuous-collision queries about pairs of benches, many in one call: each pair over its own span.
 
-A query is two benches of one chain and a span of the head's arc length; what is asked for is a goal of
+A query is two benches of one chain and a span of the head's arc length; its goal is one of
 kernels/time_of_impact.py: the time of impact, or the least separation.
 """
 
@@ -24,7 +24,7 @@ from benchdragon.kernels.time_of_impact import (
 class PairAnswer(Numbered):
     """Columns of the answers."""
 
-    ENDING = 0  # how the search ended: see kernels/time_of_impact.py
+    ENDING = 0  # the exit status: see kernels/time_of_impact.py
     SOUGHT_LOW = 1  # the bracket of the time of impact, m of the head's arc length
     SOUGHT_HIGH = 2
     SEPARATION = 3  # the least separation seen, m, where it was the goal

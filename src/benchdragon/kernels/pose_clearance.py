@@ -1,8 +1,4 @@
-"""How far a whole dance keeps from the obstacles on its square, at any pose of the dance.
-
-What benches cover is boxes, laid closely along their ways about the dance's origin. A pose, x and y, m,
-and an angle, rad, would move all of them: the obstacles are moved the other way instead.
-"""
+"""The distance of a whole dance from the obstacles on its square, at any pose of the dance."""
 
 import math
 
@@ -69,7 +65,7 @@ def pose_clearance(
 ) -> float:  # fmt: skip
     """The least distance of boxes at a pose from an obstacle or the venue's edge, m, or `most`.
 
-    Minus the depth of an overlap; minus the distance where all boxes stand where none may.
+    It is minus the depth of an overlap; minus the distance if all boxes stand where none may be.
 
     Args:
         boxes: about the dance's origin, one touching the next; the last is scratch.

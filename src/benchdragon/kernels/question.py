@@ -1,7 +1,7 @@
-"""What all questions that the engine holds have in common: what they tell of themselves, how steps end.
+"""What all questions that the engine holds have in common: first figures, and exit statuses of steps.
 
-A host knows a question by a handle (kernels/memory.py). It steps until the question has come to
-something, and closes it in any case.
+A host knows a question by a handle (kernels/memory.py). It steps until the question is answered, and
+closes it in any case.
 """
 
 from benchdragon.kernels.entries import entry
@@ -10,27 +10,27 @@ from benchdragon.kernels.numbered import Numbered
 
 
 class Told(Numbered):
-    """What each question tells first, in a row of floats; from TOLD on is what is its own."""
+    """The first figures of each question, a row of floats; those of its own begin at TOLD."""
 
-    SPENT = 0  # in the step before, in handles placed
-    WANTED = 1  # bytes, where tables would take more than they may
+    SPENT = 0  # work of the latest step, in handles placed
+    WANTED = 1  # bytes that tables would take, if those are too many
 
 
 TOLD = len(Told)
 
 
 class QuestionEnding(Numbered):
-    """How steps of any question end, besides what each comes to."""
+    """Exit statuses of steps of any question, besides its own."""
 
-    MORE = 8  # to be called again
-    OVER_MEMORY = 20  # WANTED says how much it would take
+    MORE = 8  # call again
+    OVER_MEMORY = 20  # tables would take more bytes than allowed
     OUT_OF_MEMORY = 21
     CLOSED = 22  # there is no such question, or nothing is sought
 
 
 @entry
 def close_question(handle: int) -> bool:
-    """Give a question back; False if there is no such question, or not any more."""
+    """Close a question and release its memory; False if there is no such question, or not any more."""
     block = forget(handle)
     if block == 0:
         return False

@@ -2,8 +2,8 @@
 
 On r = b theta a point has the excess sigma = r - b phi, phi counted on from turn to turn: 0 on the
 spiral, one pitch more for the same point seen from one turn farther in (kernels/spiral_bound.py). A
-handle a metres outward of the spiral has the excess a, but for second order. Bounds on the excess of
-benches follow from their handles, and tell, pair by pair, that neighbouring turns cannot come near each
+handle a metres outward of the spiral has the excess a, up to second order. Bounds on the excess of
+benches follow from their handles; pair by pair they exclude that neighbouring turns come near each
 other (design/imprecision.py shows how little is left to be searched).
 """
 
@@ -29,7 +29,7 @@ STRETCH_LINKS = 2.5
 # Beyond these the bound is not tried: angle between bench and route, rad; how far handles are off the
 # route, in its radii of curvature; a link's way along it, in links.
 MOST_BENCH_ANGLE, MOST_ASIDE, MOST_WAY = 0.9, 0.3, 1.5
-# So much of the route, in links of the whole dragon, a line that strays is known behind its head.
+# The length of route, in links of the whole dragon, on which a straying line is known behind its head.
 WAYS = 1.1
 # Table of a line that strays, m; how much steeper it may be between; how far it is from what is
 # tabulated, across and along, m.
@@ -38,7 +38,7 @@ GRID, STEEPER, LINE_ACROSS, LINE_ALONG = 0.25, 1.02, 1e-5, 0.1
 RADII_APART = 0.5
 # Stretches are searched together whose open benches differ by this factor at most.
 ALIKE = 1.3
-# What is left for rounding, m and rad.
+# Allowance for rounding, m and rad.
 SPARE_LENGTH, SPARE_ANGLE = 1e-6, 1e-3
 
 
@@ -206,7 +206,7 @@ def follow(bound: Bound, rows: FloatArray, links: FloatArray, bend: float) -> bo
 
 @kernel
 def polar(size: float, radius: float, off: float) -> float:
-    """How far polar angles of points so far from a handle, m, may be off its own, rad."""
+    """A bound of how far polar angles of points so far from a handle, m, are from its own, rad."""
     return (math.asin(size / radius) if size < radius else math.pi) + off / radius**2 + SPARE_ANGLE
 
 
@@ -310,7 +310,7 @@ def is_shut(bound: Bound, room: float) -> bool:
 def open_benches(
     bound: Bound, links: FloatArray, sizes: FloatArray, start: float, end: float, wanted: float
 ) -> int:
-    """How many benches from the head hold all pairs that may come near in a stretch."""
+    """The number of benches from the head that hold all pairs that may come near in a stretch."""
     count, b, slack = links.shape[0], bound.facts[BoundFact.B], bound.facts[BoundFact.SLACK]
     edge = fill_excess(bound, links, sizes, start - LINE_ALONG, end + LINE_ALONG)
     if not edge > 0.0:

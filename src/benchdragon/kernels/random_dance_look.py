@@ -1,4 +1,4 @@
-"""Where benches of a random dance come about nearest: looked at here and there, which is cheap."""
+"""Where benches of a random dance come nearest, by sampling, which is cheap."""
 
 import math
 from typing import NamedTuple
@@ -12,26 +12,26 @@ from benchdragon.kernels.question import Told
 from benchdragon.kernels.random_dance_memory import Dance, DanceGiven, DanceSought, DanceTold
 from benchdragon.kernels.time_of_impact import Chain, close_left, evaluate_slot
 
-# Head positions looked at, as a share of the shortest link; how often the range about the least
-# distance is then looked at in so many parts.
+# Distance of sampled head positions, as a share of the shortest link; how often the range about the
+# least distance is then sampled, in so many parts.
 LOOK, LOOK_SHRINKS, LOOK_PARTS = 0.3, 4, 8
-# How far around a place known from another pitch, as a share of the longest link; how many benches
-# beyond those that met there.
+# How far around a place known from another pitch is sampled, as a share of the longest link; how many
+# benches are considered beyond those that met there.
 AROUND, BEYOND = 1.5, 12
-# The end of the walk that tells about how near benches come where none can touch, m.
+# Length of the walk's end, m, at which the least distance is sampled where no benches can touch.
 NEAR_END = 20.0
-# Pitches are sought to this, m.
+# Tolerance of the pitch, m.
 PITCH_TOLERANCE = 1e-5
 
 
 class DanceStage(Numbered):
-    """What a question is doing."""
+    """The stage of a question."""
 
     ANSWERED, BEGINNING, LOOKING, SEARCHING, JUDGING, SPOILT = range(6)
 
 
 class Meeting(NamedTuple):
-    """Benches i < j so far apart, m (minus a depth), with the head at s, m; NaN: it cannot stand."""
+    """Benches i < j so far apart, m (minus a depth), with the head at s, m; NaN: they have no place."""
 
     distance: float
     s: float
@@ -41,7 +41,7 @@ class Meeting(NamedTuple):
 
 @kernel
 def shortest_link(dance: Dance) -> float:
-    """Of the benches, m."""
+    """The shortest link of the benches, m."""
     least = math.inf
     for i in range(dance.drawn.links.shape[0]):
         least = min(least, dance.drawn.links[i])
@@ -50,13 +50,13 @@ def shortest_link(dance: Dance) -> float:
 
 @kernel
 def place_count(dance: Dance, first: float, last: float, share: float) -> int:
-    """Places of the head as near as that share of the shortest link, both ends among them."""
+    """The number of head positions spaced by that share of the shortest link, both ends among them."""
     return 2 + int((last - first) / (share * shortest_link(dance)))
 
 
 @kernel
 def note_low(dance: Dance, found: Meeting) -> None:
-    """Take down a meeting as the lowest one."""
+    """Record a meeting as the lowest one."""
     figures = dance.figures
     figures[DanceTold.LOW], figures[DanceTold.LOW_AT] = found.distance, found.s
     figures[DanceTold.LOW_FRONT], figures[DanceTold.LOW_REAR] = found.i, found.j
@@ -64,7 +64,7 @@ def note_low(dance: Dance, found: Meeting) -> None:
 
 @kernel
 def set_hint(dance: Dance, n: int, s: float, j: int) -> None:
-    """Let hint n be a place of the head, m, as told to a dance with another pitch."""
+    """Make head position s, m, hint n, in a form that holds for a dance with another pitch."""
     figures, hints = dance.figures, dance.hints
     hints[n, 0] = s - figures[DanceTold.START]
     hints[n, 1] = figures[DanceTold.END] - s
@@ -76,7 +76,7 @@ def set_hint(dance: Dance, n: int, s: float, j: int) -> None:
 def look(dance: Dance, count: int, s: float, fresh: bool, least: float) -> Meeting:
     """The nearest pair of the first benches with the head at s, m, of those nearer than `least`, m.
 
-    The chain is followed on from where it was looked at before, unless it is to be fresh.
+    The chain is followed on from the sample before, unless `fresh`.
     """
     search, drawn, circles, slot = dance.search, dance.drawn, dance.circles, 0 if fresh else 1
     aside = drawn.aside[: count + 1]
@@ -123,9 +123,9 @@ def lowest(dance: Dance, best: Meeting, low: float, high: float, count: int, rou
 
 @kernel
 def meeting_near(dance: Dance, hint: int) -> Meeting:
-    """Where benches come about nearest around a place known from another pitch.
+    """About the nearest meeting of benches around a place known from another pitch.
 
-    Counted from the start and from the end: whichever is nearer to touching.
+    That place is counted from the start and from the end: the meeting nearer to touching is taken.
     """
     start = dance.figures[DanceTold.START]
     end = dance.figures[DanceTold.END]
@@ -148,7 +148,7 @@ def meeting_near(dance: Dance, hint: int) -> Meeting:
 
 @kernel
 def part_at(dance: Dance, part: int, share: float) -> tuple[float, float, int, int]:
-    """Where a part begins and ends, m, its benches and places; if none is open, the walk's end."""
+    """Start and end of a part, m, its benches and places; the walk's end if there is no part."""
     figures, parts = dance.figures, dance.parts
     start, end, count = parts[part, 0], parts[part, 1], int(parts[part, 2])
     if figures[DanceTold.PARTS] == 0.0:
@@ -159,10 +159,10 @@ def part_at(dance: Dance, part: int, share: float) -> tuple[float, float, int, i
 
 @kernel
 def is_sure(dance: Dance) -> bool:
-    """Whether the pitch at hand is to be searched however far benches seem to keep apart.
+    """Whether the current pitch must be searched, however far apart benches were sampled.
 
     Lines that stray are drawn by arcs, whose number leaps with the pitch, and distances with it. Under
-    a pitch that is clear each one must be told clear or touching, or the same would be tried again.
+    a clear pitch each one must be shown to be clear or touching, or the same would be tried again.
     """
     pitch, touching = dance.figures[DanceTold.PITCH], dance.figures[DanceTold.TOUCHING]
     near = (
@@ -173,7 +173,7 @@ def is_sure(dance: Dance) -> bool:
 
 @kernel
 def weigh(dance: Dance) -> None:
-    """Let the lowest distance seen tell the room, or be the reason to search."""
+    """Take the room from the lowest sampled distance, or let it be the reason to search."""
     figures = dance.figures
     if math.isnan(figures[DanceTold.LOW]):
         figures[DanceTold.DOING] = DanceStage.JUDGING
@@ -189,7 +189,7 @@ def weigh(dance: Dance) -> None:
 
 @kernel
 def look_first(dance: Dance) -> None:
-    """Look where benches met with other pitches; begin to look all over where they just do not now."""
+    """Sample where benches met with other pitches; begin to sample everywhere if they just miss."""
     figures = dance.figures
     note_low(dance, Meeting(math.inf, figures[DanceTold.START], 0, 0))
     for n in range(int(figures[DanceTold.HINTS])):
@@ -211,7 +211,7 @@ def look_first(dance: Dance) -> None:
 
 @kernel
 def look_on(dance: Dance) -> None:
-    """Look at some more places; about the lowest one at last."""
+    """Sample some more places; at last refine about the lowest one."""
     figures, part = dance.figures, int(dance.figures[DanceTold.PART])
     start, end, count, places = part_at(dance, part, LOOK)
     n = int(figures[DanceTold.PLACE])

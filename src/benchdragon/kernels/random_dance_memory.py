@@ -1,4 +1,4 @@
-"""What a question about a random dance knows, and where that lies in the engine's own memory."""
+"""The state of a question about a random dance, and its layout in the engine's own memory."""
 
 from typing import NamedTuple
 
@@ -30,18 +30,18 @@ from benchdragon.kernels.workspace import Walk, copy_walk
 
 
 class DanceGiven(Numbered):
-    """What hosts say of a question, a row of floats."""
+    """What a host passes with a question, a row of floats."""
 
     # NEEDED: the pitch that the dance needs; TOUCHES: whether benches touch with the plan's own
     WHAT = 0
     MARGIN = 1  # distance that benches must keep, m
     FIRST = 2  # where the head of the plan's own walk begins and ends, m
     LAST = 3
-    GUESS = 4  # pitch from which is sought, m
+    GUESS = 4  # the first guess of the pitch, m
     SEED = 5
     DANCE = 6  # its number, from 0
-    BYTES = 7  # that tables may take
-    BY = 8  # and from here on how far from exact it is: see kernels/random_numbers.py
+    BYTES = 7  # that tables may take at most
+    BY = 8  # and from here on standard deviations: see kernels/random_numbers.py
     ASIDE = BY + Random.ASIDE
     STRAY = BY + Random.STRAY
 
@@ -50,32 +50,32 @@ DANCE_LIMITS = DanceGiven.BY + DEVIATIONS
 
 
 class DanceSought(Numbered):
-    """What is asked of a dance."""
+    """Goals: the pitch that a dance needs, or whether its benches touch."""
 
     NEEDED, TOUCHES = 0, 1
 
 
 class DanceTold(Told):
-    """What is told of it, a row of floats that begins as kernels/question.py says."""
+    """The result, a row of floats that begins with the columns of `question.Told`."""
 
     RESULT = 2  # the pitch needed, m, or 1 if benches touch, else 0
     DOING = 3
-    PITCH = 4  # at hand, m
+    PITCH = 4  # on trial, m
     START = 5  # where the head begins and ends along the line, m
     END = 6
     PARTS = 7  # of the way that must be searched
-    PART = 8  # at hand
+    PART = 8  # the current one
     PLACE = 9  # in it, from 0
     PARTNERS = 10  # pairs that a bench may have near it
     HINTS = 11
-    LOW = 12  # the lowest distance seen, m; where the head was then, and which benches it was
+    LOW = 12  # the lowest sampled distance, m; the head's position there, and the two benches
     LOW_AT = 13
     LOW_FRONT = 14
     LOW_REAR = 15
-    SEEN = 16  # the lowest of the places looked at here and there, m; in which part, and place
+    SEEN = 16  # the lowest of the evenly spaced samples, m; its part, and place
     SEEN_PART = 17
     SEEN_PLACE = 18
-    ROOM = 19  # with the pitch at hand, m: NaN where a bench cannot follow
+    ROOM = 19  # with the pitch on trial, m: NaN where a bench cannot follow
     TRIALS = 20
     TOUCHING = 21  # the greatest pitch that touches, m, and the least one that is surely clear
     CLEAR = 22
@@ -87,7 +87,7 @@ DANCE_FIGURES = len(DanceTold)
 
 
 class DanceSize(Numbered):
-    """How large is what varies with the pitch, a row of whole numbers."""
+    """Sizes of what varies with the pitch, a row of whole numbers."""
 
     ROUTE_ROWS = 0
     POINTS = 1  # of the line
@@ -104,13 +104,13 @@ DANCE_SIZES = len(DanceSize)
 class DanceMemory(Numbered):
     """Memories of the block.
 
-    They hold rows of the route, the line, what a step is searched in, and all that keeps its size.
+    They hold rows of the route, the line, the arrays that a step is searched in, and all of fixed size.
     """
 
     ROWS, LINE, STEP, OWN = range(4)
 
 
-# Trials of pitches at most. Steps of the head that are searched in one call.
+# The most trials of pitches; steps of the head that are searched in one call.
 MOST_PITCHES, STEPS_TOGETHER = 60, 100
 
 
@@ -123,7 +123,7 @@ class Drawn(NamedTuple):
 
 
 class Dance(NamedTuple):
-    """A dance about which is asked; from `line` to `bound` as large as the pitch at hand wants."""
+    """The dance of a question; fields from `line` to `bound` are as large as the pitch needs."""
 
     walk: Walk  # of exact people
     family: Family
@@ -132,7 +132,7 @@ class Dance(NamedTuple):
     placed: Placements
     members: IntVector  # all benches
     circles: Table  # scratch, five rows; the first are radii
-    hints: Table  # head's way from the start and to the end, m, and benches to be looked at
+    hints: Table  # head's way from the start and to the end, m, and how many benches to sample
     steps: Vector  # scratch
     note: Vector
     limits: Vector
@@ -156,7 +156,7 @@ BASE = 8 * HEADER
 
 @kernel
 def lay_own(slots: IntArray, address: int, family: Family, walk: Walk, limits: Vector) -> int:
-    """Lay from an address on all that keeps its size; the bytes that takes."""
+    """Lay out all arrays of fixed size from an address on; returns the bytes that they take."""
     benches, (_four, kinds) = walk.benches.kind.shape[0], walk.kinds.sizes.shape
     aside = benches + 1 if limits[DanceGiven.ASIDE] > 0.0 or limits[DanceGiven.STRAY] > 0.0 else 0
     row = (benches, ROW)
@@ -171,7 +171,7 @@ def lay_own(slots: IntArray, address: int, family: Family, walk: Walk, limits: V
 
 @kernel
 def make_rows(slots: IntArray, rows: int) -> bool:
-    """Make room for so many rows of the route; whether there is memory."""
+    """Make room for so many rows of the route; False without memory."""
     drop(slots, DanceMemory.ROWS)
     if not take(slots, DanceMemory.ROWS, 8 * rows * COLUMNS):
         return False
@@ -181,9 +181,9 @@ def make_rows(slots: IntArray, rows: int) -> bool:
 
 @kernel
 def lay_line(slots: IntArray, address: int, sizes: IntVector, benches: int) -> int:
-    """Lay from an address on what a pitch wants; the bytes that takes.
+    """Lay out from an address on the arrays of a pitch; returns the bytes that they take.
 
-    The line is the route where there are no points.
+    Without points the line is the route.
     """
     points, bounded = sizes[DanceSize.POINTS], benches if sizes[DanceSize.RADII] else 0
     own, after = 0, address
@@ -209,14 +209,14 @@ def lay_line(slots: IntArray, address: int, sizes: IntVector, benches: int) -> i
 
 @kernel
 def lay_step(slots: IntArray, address: int, pairs: int, benches: int) -> int:
-    """Lay from an address on what a step is searched in; the bytes that takes."""
+    """Lay out from an address on the arrays that a step is searched in; returns the bytes they take."""
     row = (pairs, ROW)
     return lay(slots, STEP_SLOT, address, (row, row, *searches(benches + 1, benches, pairs)))
 
 
 @kernel
 def roomy(slots: IntArray, memory: int, size: int, most: float) -> int:
-    """Take so many bytes anew, at most so many: those that would be more, -1 for no memory, else 0."""
+    """Let a memory have `size` bytes: 0, `size` if that is over `most`, or -1 without memory."""
     drop(slots, memory)
     if size > most:
         return size
@@ -225,7 +225,7 @@ def roomy(slots: IntArray, memory: int, size: int, most: float) -> int:
 
 @kernel
 def make_line(slots: IntArray, sizes: IntVector, benches: int, most: float) -> int:
-    """Make that room, as `roomy` does."""
+    """Make room for the arrays of a pitch, as `roomy` does."""
     ending = roomy(slots, DanceMemory.LINE, lay_line(slots, 0, sizes, benches), most)
     if ending == 0:
         lay_line(slots, slots[Header.OWNED + DanceMemory.LINE], sizes, benches)
@@ -243,7 +243,7 @@ def make_step(slots: IntArray, pairs: int, benches: int, most: float) -> int:
 
 @kernel
 def fill(dance: Dance, family: Family, walk: Walk, limits: Vector) -> None:
-    """Copy what a host says."""
+    """Copy what a host passes."""
     copy_family(dance.family, family)
     copy_walk(dance.walk, walk)
     copy_row(dance.limits, limits)

@@ -1,7 +1,7 @@
-"""One dance whose people are not exact, as a question: `open, step, read`.
+"""One random dance as a question: `open, step, read`.
 
-Either whether benches touch with the plan's own pitch, or with which pitch they just do not. A pitch is
-tried by looking here and there (kernels/random_dance_look.py), then by the search that misses nothing
+It asks whether benches touch with the plan's own pitch, or at which pitch they just do not. A pitch is
+tried by sampling (kernels/random_dance_look.py), then by the search that misses nothing
 (kernels/every_pair.py). All of it lies in a block of the engine's own memory; a step takes some
 hundredths of a second.
 """
@@ -78,26 +78,26 @@ from benchdragon.kernels.workspace import Walk
 # bounds (design/imprecision.py). Parts of a step as short as WIDTH, m, are not halved; chains that one
 # step may take.
 HEAD_STEP, WIDTH, MOST_EVALUATIONS = 0.125, 1e-8, 20_000
-# What is nearer to touching than this, m, touches.
+# A pair nearer than this, m, touches.
 GRAZE = 1e-7
-# Pairs a bench may have near it at first; so many times as many where they do not do.
+# Pairs that a bench may have near it at first; so many times as many where those do not suffice.
 FEW_PARTNERS, MORE_PARTNERS = 24, 4
 # Pitches are sought along secants whose slopes (m of distance per m of pitch) are kept within bounds:
 # near 1 on a spiral. A pitch with which a bench cannot follow is multiplied by UNWALKABLE; no trial is
 # farther from the last one than a share LONGEST_STEP of it.
 LEAST_SLOPE, MOST_SLOPE, UNWALKABLE, LONGEST_STEP = 0.5, 3.0, 1.01, 0.1
-# What a pitch may come to be, times the one that exact people need; offsets from the route want about
-# so many times their deviation more of it.
+# The range of pitches, times the one that exact people need; offsets from the route need about LIKELY
+# times their deviation more of it.
 NARROWEST, WIDEST, LIKELY = 0.7, 4.0, 2.0
-# Limits of one dance: handles times places looked at, and pairs times places.
+# Limits of one dance: handles times sampled places, and pairs times places.
 MOST_HANDLE_PLACES, MOST_PAIRS = 5_000_000, 1e10
-# A step of a question places about so many handles. What a point of a line costs, in handles placed,
+# A step of a question places about so many handles. The cost of a point of a line, in handles placed,
 # and in bytes; the most that tables may take in any case.
 STEP_WORK, POINT_WORK, POINT_BYTES, MOST_BYTES = 200_000, 50, 16 * (COLUMNS + 1), 4e9
 
 
 class DanceEnding(Numbered):
-    """How a step ends, besides those of kernels/question.py."""
+    """Exit statuses of a step, besides those of kernels/question.py."""
 
     DONE = 0
     NOT_FOUND = 1  # no pitch near the guess
@@ -107,10 +107,10 @@ class DanceEnding(Numbered):
 
 @entry
 def open_dance(family: Family, walk: Walk, limits: Vector) -> int:
-    """Open a question about a dance; its handle, 0 if there is no memory.
+    """Open a question about a dance; returns its handle, 0 without memory.
 
-    `walk` is the plan's own of exact people, one of the family in which the pitch varies. What is
-    handed over is copied. See LIMITS of kernels/random_dance_memory.py.
+    `walk` is the plan's own of exact people, one of the family in which the pitch varies. All is
+    copied. `limits` is a row of `DanceGiven`.
     """
     block = new_block(m.DANCE_END_SLOT - HEADER)
     if block == 0:
@@ -129,7 +129,7 @@ def open_dance(family: Family, walk: Walk, limits: Vector) -> int:
 
 @kernel
 def begin(dance: Dance, family: Family, walk: Walk, limits: Vector) -> None:
-    """Copy what a host says, draw the benches, and let the question begin."""
+    """Copy what a host passes, draw the benches, and let the question begin."""
     m.fill(dance, family, walk, limits)
     figures, drawn = dance.figures, dance.drawn
     seed, number = int(limits[DanceGiven.SEED]), int(limits[DanceGiven.DANCE])
@@ -148,7 +148,7 @@ def begin(dance: Dance, family: Family, walk: Walk, limits: Vector) -> None:
 
 @kernel
 def can_be(drawn: Drawn) -> bool:
-    """Whether there can be such benches: the bounds of model/dragon.py."""
+    """Whether such benches are possible: the bounds of model/dragon.py."""
     for i in range(drawn.links.shape[0]):
         length, width = drawn.sizes[0, i], drawn.sizes[1, i]
         front, rear = drawn.sizes[2, i], drawn.sizes[3, i]
@@ -171,7 +171,7 @@ def read_dance(handle: int, figures: Vector) -> bool:
 
 @entry
 def step_dance(handle: int, left: float) -> int:
-    """Go on for some hundredths of a second: MORE, or how it ended. About so many may be placed."""
+    """Search for some hundredths of a second, or about `left` handles: MORE, or the exit status."""
     block = recall(handle)
     if block == 0:
         return QuestionEnding.CLOSED
@@ -200,7 +200,7 @@ def step_dance(handle: int, left: float) -> int:
 
 @kernel
 def walk_of(block: int) -> tuple[int, float, float]:
-    """Lay the route of the pitch at hand: its rows, 0 for none; where its head begins and ends, m."""
+    """Lay the route of the current pitch: its rows, 0 for none; where its head begins and ends, m."""
     slots = integers_at(block, m.DANCE_END_SLOT)
     while True:
         dance = group_at(Dance, block + m.BASE)
@@ -216,7 +216,7 @@ def walk_of(block: int) -> tuple[int, float, float]:
 
 @kernel
 def given_up(figures: Vector, size: int) -> int:
-    """How a question ends that wants so many bytes more than it may have, or that there are not."""
+    """The exit status of a question that needs `size` bytes, which are too many; -1: out of memory."""
     figures[Told.WANTED] = size
     return QuestionEnding.OVER_MEMORY if size > 0 else QuestionEnding.OUT_OF_MEMORY
 
@@ -239,7 +239,7 @@ def line_low(dance: Dance, first: float) -> float:
 
 @kernel
 def measured(dance: Dance, count: int, first: float, last: float) -> bool:
-    """Fill the sizes of what the pitch at hand wants; whether its line goes so far as the head."""
+    """Fill the sizes of what the current pitch needs; whether its line goes as far as the head."""
     sizes, rows, whole, limits = dance.sizes, dance.walk.rows[:count], whole_length(dance), dance.limits
     for n in range(DanceSize.ROUTE_ROWS, DanceSize.PAIRS):
         sizes[n] = 0
@@ -259,7 +259,7 @@ def measured(dance: Dance, count: int, first: float, last: float) -> bool:
 
 @kernel
 def try_pitch(block: int) -> int:
-    """Begin to try the pitch at hand: MORE, or why not."""
+    """Begin the trial of the current pitch: MORE, or the exit status."""
     count, first, last = walk_of(block)
     dance, slots = group_at(Dance, block + m.BASE), integers_at(block, m.DANCE_END_SLOT)
     figures, benches = dance.figures, dance.drawn.links.shape[0]
@@ -298,7 +298,7 @@ def widen(block: int, partners: float) -> int:
 
 @kernel
 def draw_line(dance: Dance, first: float, last: float) -> None:
-    """Lay the line of the pitch at hand, and the parts of the head's way that must be searched."""
+    """Lay the line of the current pitch, and the parts of the head's way that must be searched."""
     figures, drawn, limits, parts = dance.figures, dance.drawn, dance.limits, dance.parts
     rows, stray = dance.walk.rows[: dance.sizes[DanceSize.ROUTE_ROWS]], limits[DanceGiven.STRAY]
     points, along = dance.points, dance.along
@@ -328,7 +328,7 @@ def draw_line(dance: Dance, first: float, last: float) -> None:
 
 @kernel
 def search_on(block: int) -> int:
-    """Search some more steps of the head: MORE, or why not."""
+    """Search some more steps of the head: MORE, or the exit status."""
     dance = group_at(Dance, block + m.BASE)
     figures = dance.figures
     drawn = dance.drawn
@@ -370,7 +370,7 @@ def search_on(block: int) -> int:
 
 @kernel
 def met(dance: Dance, s: float, j: int) -> None:
-    """Let the room be that where a search found benches to touch, with the head at s, m."""
+    """Take the room from where a search found benches to touch, with the head at s, m."""
     figures, n = dance.figures, int(dance.figures[DanceTold.HINTS])
     set_hint(dance, n, s, j)
     figures[DanceTold.ROOM] = min(
@@ -432,7 +432,7 @@ def next_pitch(dance: Dance, slope: float) -> float:
         ahead = clear - max(0.9 * PITCH_TOLERANCE, room / slope)
     else:
         ahead = pitch + (0.5 * PITCH_TOLERANCE - room) / slope
-    # Where a bound clears most of a walk the distances seen are far from the least.
+    # Where a bound clears most of a walk the sampled distances are far from the least.
     ahead = min(max(ahead, (1.0 - LONGEST_STEP) * pitch), (1.0 + LONGEST_STEP) * pitch)
     if touching < ahead < clear:
         return ahead

@@ -1,4 +1,4 @@
-"""Random numbers by their place in a stream, whoever asks for them, in which order, and of how many.
+"""Random numbers by their place in a stream, whatever the caller, the order and the count of calls.
 
 Philox4x32-10 (Salmon, Moraes, Dror and Shaw, Parallel random numbers: as easy as 1, 2, 3, 2011) makes
 four words of 32 bits of a counter and a key. The key is a seed, the counter a dance, what is random in
@@ -20,7 +20,7 @@ ROUNDS = 10
 
 
 class Random(Numbered):
-    """What is random in a dance, by its standard deviation, m: `Deviations` of solve/tolerance.py."""
+    """The random deviations of a dance, by their standard deviations, m: see solve/tolerance.py."""
 
     ASIDE, STRAY, PLAY, HEIGHT, LENGTH, WIDTH = range(6)
 
@@ -67,7 +67,7 @@ def draw_benches(
 ) -> None:
     """Fill `sizes`, as `plain` is, with those of the benches of a dance, seen from above.
 
-    And `aside` with how far to the left of the line its handles walk, m, where there is room for it.
+    `aside` receives how far to the left of the line its handles walk, m, as far as it has room.
     """
     for i in range(plain.shape[1]):
         front, rear = plain[2, i], plain[3, i]

@@ -1,9 +1,9 @@
-"""How far rounding may have moved turning rates and accelerations in placed chains.
+"""A-priori bounds of rounding errors of turning rates and accelerations in placed chains.
 
 Both are made of angles between benches and route, of speed ratios and of curvatures, whose errors are
-those of kernels/rounding.py. What the head's speed is where counts as it was rounded. From bench to
-bench the errors of accelerations travel as accelerations do (`chain.rates`): whatever moves one term of
-that sum moves all behind it, by the ratio of cosines.
+those of kernels/rounding.py. The head's speed at a place counts as it was rounded. From bench to bench
+the errors of accelerations travel as accelerations do (`chain.rates`): whatever moves one term of that
+sum moves all behind it, by the ratio of cosines.
 
 Errors below are bounds to first order; what is left out is smaller by 1e-9 or more.
 """
@@ -25,7 +25,7 @@ BEND_UNITS, SINE_UNITS, SUM_UNITS, SPEED_UNITS = 8.0, 4.0, 8.0, 4.0
 
 
 class Errors(NamedTuple):
-    """What rounding may have moved in slots; tables but the first are (handles, slots)."""
+    """Error bounds by rounding in slots; tables except the first are (handles, slots)."""
 
     seams: Table  # of `rounding.find_seams`
     lanes: Vector  # scratch, of `rounding.mark_lanes`, (handles,)
@@ -41,7 +41,7 @@ class Errors(NamedTuple):
 
 @kernel
 def bend_error(rows: FloatArray, j: int, u: float, along: float) -> float:
-    """What the curvature at u of row j may be off by, 1/m, whose place is off by `along`, m."""
+    """Error bound of the curvature at u of row j, 1/m, at a place with an error of `along`, m."""
     size = abs(curvature(rows, j, u))
     if rows[j, RouteRow.KIND] != CurveKind.SPIRAL:  # of what may cancel there
         size += abs(rows[j, RouteRow.P])
@@ -51,7 +51,7 @@ def bend_error(rows: FloatArray, j: int, u: float, along: float) -> float:
 
 @kernel
 def is_sided(rows: FloatArray, places: Placements, i: int, t: int, along: float) -> bool:
-    """Whether handle i, whose place is off by `along`, m, surely stands on its side of any jump."""
+    """Whether handle i, whose place has error `along`, m, surely stands on its side of any jump."""
     return jump_beside(rows, places.row[i, t], places.u[i, t], along) < 0
 
 
@@ -72,9 +72,9 @@ def turn_error(
     places: Placements, turn: FloatArray, i: int, t: int, link: float, angles: tuple[float, float],
     chord: float, errors: Errors,
 ) -> float:  # fmt: skip
-    """What the turning rate of bench i may be off by in slot t, rad/m.
+    """Error bound of the turning rate of bench i in slot t, rad/m.
 
-    The angles to the route at its handles are off by `angles`, rad, their distance by a share `chord`.
+    `angles`, rad, are errors of angles to the route at its handles, `chord` of their distance, a share.
     """
     sine, cosine, rear_sine, rear_cosine = bench_angles(places, i, t, link)
     w, v = places.ratio[i, t], places.ratio[i + 1, t]
@@ -89,7 +89,7 @@ def change_error(
     rows: FloatArray, places: Placements, change: FloatArray, turn: FloatArray, i: int, t: int,
     link: float, angles: tuple[float, float], errors: Errors,
 ) -> float:  # fmt: skip
-    """What the acceleration of handle i + 1 along the route may be off by in slot t, 1/m."""
+    """Error bound of the acceleration of handle i + 1 along the route in slot t, 1/m."""
     sine, cosine, rear_sine, rear_cosine = bench_angles(places, i, t, link)
     sine, rear_sine = abs(sine), abs(rear_sine)
     off, sizes = errors.change[i, t] * abs(cosine), 0.0
@@ -111,7 +111,7 @@ def change_error(
 def bend_errors(rows: FloatArray, places: Placements, t: int, links: int, errors: Errors) -> None:
     """Fill errors.bend, sided and most in slot t, up to so many links.
 
-    After `rounding.ratio_errors` of the same slot.
+    Call it after `rounding.ratio_errors` of the same slot.
     """
     errors.sided[t], errors.most[t] = 1.0, 0.0
     for i in range(links + 1):
@@ -129,7 +129,7 @@ def rate_errors(
 ) -> None:  # fmt: skip
     """Fill errors.change and turn in slot t; change and turn are `chain.rates`'.
 
-    After `bend_errors` of the same slot.
+    Call it after `bend_errors` of the same slot.
     """
     errors.change[0, t] = 0.0
     for i in range(links.shape[0]):
@@ -144,12 +144,12 @@ def value_error(
     rows: FloatArray, places: Placements, change: FloatArray, i: int, t: int, square: float,
     rate: float, quantity: int, errors: Errors,
 ) -> float:  # fmt: skip
-    """What a quantity of handle i may be off by in slot t; of a bench it stands at its rear handle.
+    """Error bound of a quantity of handle i in slot t; that of a bench counts at its rear handle.
 
     See `drive.value_at`.
     """
     ratio, off, speed = places.ratio[i, t], errors.ratio[i, t], math.sqrt(square)
-    if quantity == DriveRate.SPEEDS:  # the root of the square of what was said is that
+    if quantity == DriveRate.SPEEDS:  # the root of a given speed's square is that speed
         steady = i == 0 and rate == 0.0
         return ratio * speed * (off if steady else off + SPEED_UNITS * HALF_UNIT)
     if quantity == DriveRate.TURNING:
@@ -169,9 +169,9 @@ def weigh_values(
     rows: FloatArray, places: Placements, change: FloatArray, t: int, links: int, square: float,
     rate: float, quantity: int, errors: Errors,
 ) -> None:  # fmt: skip
-    """Fill errors.sought in slot t with what a quantity of each handle may be off by.
+    """Fill errors.sought in slot t with error bounds of a quantity of each handle.
 
-    With the square of the head's speed and its acceleration.
+    The head has `square`, that of its speed, and the acceleration `rate`.
     """
     for i in range(links + 1):
         errors.sought[i, t] = value_error(rows, places, change, i, t, square, rate, quantity, errors)

@@ -1,6 +1,6 @@
-"""How far rounding may have moved the handles of a placed chain, and with them all points of benches.
+"""A-priori bounds of rounding errors of a placed chain's handles, and of all points of its benches.
 
-A computed chain is the exact one of a head a little way off (kernels/double_double.py), but for what
+A computed chain is the exact one of a head a little way off (kernels/double_double.py), except for what
 each link adds: its solver leaves the chord wrong by a few units of what it is made from. Along the
 route that is the error over the cosine at the rear handle, and from there it travels as speeds do, by
 the ratio of cosines at each link. Places add their own rounding, once each, and joints of the route
@@ -37,37 +37,37 @@ HALF_UNIT = 2.0**-53
 # which counts; the terms of F have 8, half; the step taken, the angle behind and what Halley's last
 # step leaves have one each at most; the link itself has one.
 LANE_UNITS = 10.0
-# Those of a chord as the other solvers compare it with the link, and of the closed form on an arc; on a
-# line it is the link's own alone.
+# Roundings of a chord as the other solvers compare it with the link, and of the closed form on an arc;
+# on a line only the link's own.
 CHORD_UNITS, LINE_CHORD = 6.0, 1.0
-# Those of a place, of what the row adds to its start, as shares of that: on a line, on a spiral, on
+# Roundings of a place, of what the row adds to its start, as shares of that: on a line, on a spiral, on
 # another piece; and of the way along an arc, or along what turns otherwise, for its angles.
 LINE_UNITS, SPIRAL_UNITS, PIECE_UNITS, ARC_UNITS, WAY_UNITS = 3.0, 7.0, 8.0, 1.0, 12.0
-# Those of a tangent, rad, and of the angle that it has turned by.
+# Roundings of a tangent, rad, and of the angle that it has turned by.
 TANGENT_UNITS, TURN_UNITS = 5.0, 4.0
-# Those of a speed ratio at each link: of its formula in the lanes, and of each cosine.
+# Roundings of a speed ratio at each link: of its formula in the lanes, and of each cosine.
 RATIO_UNITS, COSINE_UNITS = 16.0, 4.0
-# Tangents that differ by more at a joint, rad, make a kink: nobody took it for rounding.
+# Tangents that differ by more at a joint, rad, make a kink, which is too large to be rounding.
 KINK = 1e-9
 
 
 class Seam(Numbered):
     """Columns of a table of seams, one row a row of the route.
 
-    What joints up to its start may be off by.
+    They are the errors by joints up to its start.
     """
 
     GAP, TILT = 0, 1  # m, rad
 
 
 SEAM_COLUMNS = len(Seam)
-# What errors to first order are widened by.
+# Errors to first order are widened by this factor.
 ABOUT = 1.0 + 1e-9
 
 
 @kernel
 def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float:
-    """How far the place (x, y) of parameter u on row j may be from the exact one, m."""
+    """Error bound of the place (x, y) of parameter u on row j, m."""
     kind, off = rows[j, RouteRow.KIND], abs(x) + abs(y)
     if kind == CurveKind.SPIRAL:
         return HALF_UNIT * (off + SPIRAL_UNITS * rows[j, RouteRow.P] * u)
@@ -87,7 +87,7 @@ def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float
 
 @kernel
 def tilt_error(rows: FloatArray, j: int, u: float) -> float:
-    """How far the computed heading at u of row j may be off, rad."""
+    """Error bound of the computed heading at u of row j, rad."""
     kind, turn = rows[j, RouteRow.KIND], 0.0
     if kind != CurveKind.SPIRAL:
         turn = abs(heading(rows, j, u) - rows[j, RouteRow.ANGLE])
@@ -99,7 +99,7 @@ def tilt_error(rows: FloatArray, j: int, u: float) -> float:
 
 @entry
 def find_seams(rows: Table, out: Table) -> None:
-    """Fill out, (rows, SEAM_COLUMNS), with what rounding opened at the joints up to each row.
+    """Fill `out`, (rows, SEAM_COLUMNS), with the rounding errors of the joints up to each row.
 
     Exactly, each row begins where the one before it ends, in its direction unless it makes a kink.
     """
@@ -119,7 +119,7 @@ def find_seams(rows: Table, out: Table) -> None:
 
 @kernel
 def seam_error(rows: FloatArray, seams: FloatArray, seen: int, j: int, x: float, y: float) -> float:
-    """How far the place (x, y) on row j may be off, m, seen from row `seen`: by the joints between.
+    """Error bound of the place (x, y) on row j, m, seen from row `seen`: by the joints between.
 
     A joint that tilts what is beyond moves a place by its distance from the joint, which is no more
     than that from the last joint and the way along the rows between.
@@ -155,11 +155,11 @@ def link_error(
     rows: FloatArray, links: FloatArray, seams: FloatArray, places: Placements, lanes: FloatArray,
     i: int, t: int,
 ) -> tuple[float, float]:  # fmt: skip
-    """What the link behind handle i may leave its chord wrong by, m; and what its rear place, along."""
+    """Errors by the link behind handle i: of its chord, m; and of its rear place along the route, m."""
     link, j, k = links[i], places.row[i, t], places.row[i + 1, t]
     u, v = places.u[i, t], places.u[i + 1, t]
     if lanes[i] > 0.0:
-        # Where lanes begin anew they take the front's angle as it was rounded.
+        # Where lanes start again they take the front's angle as it was rounded.
         kept = 0.0 if i == 0 or lanes[i - 1] > 0.0 else HALF_UNIT * abs(u) * stretch(rows, j, u)
         return LANE_UNITS * HALF_UNIT * link + kept, 0.0
     along = HALF_UNIT * abs(v) * stretch(rows, k, v)
@@ -179,9 +179,9 @@ def handle_errors(
     rows: FloatArray, links: FloatArray, seams: FloatArray, places: Placements, lanes: FloatArray,
     t: int, out: FloatArray,
 ) -> None:  # fmt: skip
-    """Fill out[i] with how far along the route handle i may be from where it exactly is, m.
+    """Fill out[i] with the error bound of handle i along the route, m.
 
-    Of the chain of these links in slot t, whose head is where it is said to be; `lanes` are those of
+    The chain is that of these links in slot t, whose head counts as exact; `lanes` are those of
     `mark_lanes`.
     """
     out[0] = 0.0
@@ -195,7 +195,7 @@ def handle_errors(
 
 @kernel
 def bend_beyond(rows: FloatArray, j: int, u: float, along: float) -> float:
-    """What the curvature jumps by at a joint within `along` metres of u of row j, 1/m, else 0."""
+    """The jump of the curvature at a joint within `along` metres of u of row j, 1/m, or 0."""
     k = jump_beside(rows, j, u, along)
     if k < 0:
         return 0.0
@@ -208,10 +208,10 @@ def angle_error(
     rows: FloatArray, seams: FloatArray, places: Placements, i: int, t: int, link: float,
     errors: FloatArray,
 ) -> tuple[float, float]:  # fmt: skip
-    """What the angle from bench i to the route may be off by at its two handles, rad.
+    """Error bounds of the angles from bench i to the route at its two handles, rad.
 
-    What the front handle is off along the route, `errors`, moves the whole bench on as it walks; what
-    the link adds moves its rear handle alone. Places, tangents and joints between the two add theirs.
+    The front handle's error along the route, `errors`, moves the whole bench on as it walks; that of
+    the link moves its rear handle alone. Places, tangents and joints between the two add theirs.
     """
     sine, cosine, rear_sine, rear_cosine = bench_angles(places, i, t, link)
     j, u, k, v = places.row[i, t], places.u[i, t], places.row[i + 1, t], places.u[i + 1, t]
@@ -238,10 +238,10 @@ def ratio_errors(
     rows: FloatArray, links: FloatArray, seams: FloatArray, places: Placements, lanes: FloatArray,
     t: int, errors: FloatArray, out: FloatArray,
 ) -> None:  # fmt: skip
-    """Fill out[i, t] with what the speed ratio of handle i may be off by in slot t, as a share.
+    """Fill out[i, t] with the error bound of the speed ratio of handle i in slot t, as a share.
 
-    At each link a ratio changes by that of two cosines, whose angles are off by what their handles and
-    tangents are. `errors` receives those of `handle_errors`.
+    At each link a ratio changes by that of two cosines, whose angles have the errors of their handles
+    and tangents. `errors` receives those of `handle_errors`.
     """
     handle_errors(rows, links, seams, places, lanes, t, errors)
     out[0, t] = 0.0
@@ -259,7 +259,7 @@ def bench_error(
     rows: FloatArray, seams: FloatArray, places: Placements, sizes: FloatArray, i: int, t: int,
     seen: int, errors: FloatArray,
 ) -> float:  # fmt: skip
-    """How far any point of bench i may be off in slot t, m, seen from row `seen` of the route.
+    """Error bound of any point of bench i in slot t, m, seen from row `seen` of the route.
 
     `errors` are those of `handle_errors`; sizes are (4, benches).
     """
@@ -274,7 +274,7 @@ def bench_error(
 
 @kernel
 def still_error(boxes: FloatArray, n: int) -> float:
-    """How far any point of box n, which stands still, may be off, m: by rounding of its corners."""
+    """Error bound of any point of box n, which stands still, m: by rounding of its corners."""
     around = (
         boxes[n, Box.HALF_LENGTH]
         + boxes[n, Box.HALF_WIDTH]
@@ -289,7 +289,7 @@ def bench_errors(
     rows: Table, links: Vector, sizes: Table, seams: Table, places: Placements, t: int, seen: int,
     lanes: Vector, errors: Vector, out: Vector,
 ) -> None:  # fmt: skip
-    """Fill out[i] with how far any point of bench i may be off in slot t: see `bench_error`.
+    """Fill out[i] with the error bound of any point of bench i in slot t: see `bench_error`.
 
     Seen from row `seen`, or if that is negative from the row of the head. `errors` receives those of
     handles; `lanes` is scratch, one for each link.

@@ -1,10 +1,10 @@
-"""Where a walk only repeats itself, so that no search need look there again.
+"""Where a walk only repeats itself, so that no search need cover that part again.
 
-How benches stand to one another, and what follows, depends on the route under them alone. On a line
-or an arc that is the same wherever they stand, and where parts of a route come again in the same order
-it is what it was one round before. That holds exactly, and answers speak of exact places: rounding adds
-nothing. Where a round leads back to where it began, what stands still is as near as before, too, but
-for what the round misses that place by. design/rounds.py shows what that saves.
+How benches stand to one another, and what follows, depends on the route under them alone. On a line or
+an arc that is the same everywhere, and where parts of a route come again in the same order it is what
+it was one round before. That holds exactly, and answers are about exact places: rounding adds nothing.
+Where a round leads back to where it began, obstacles are as near as before, too, up to the distance by
+which the round misses that place. design/rounds.py shows what that saves.
 """
 
 import math
@@ -19,10 +19,10 @@ from benchdragon.kernels.rounding import KINK, Seam
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spans import REPEAT, BegunRepeat, RepeatSpan, begin_repeats, new_spans
 
-# A round leads back to where it began if it misses that by less, m; distances count as off by twice it.
+# A round leads back to where it began if it misses that by less, m; distances err by twice that.
 MOST_MISSED = 1e-4
-# Periods of a route that are looked for: so many different ways from a row to the next of its shape,
-# and so many times each, as a circuit of so many equal sides takes.
+# Periods of a route that are tried: so many different ways from a row to the next of its shape, and so
+# many multiples of each, as a circuit of so many equal sides needs.
 MOST_GAPS, MOST_FOLD = 64, 24
 TURN = 2.0 * math.pi
 # Room for what repeats, beyond four times the rows.
@@ -31,7 +31,7 @@ ROOM = 64
 
 @kernel
 def has_shape(rows: FloatArray, j: int) -> bool:
-    """Whether the shape of row j is looked at."""
+    """Whether row j is of a kind whose shape is compared."""
     return (
         rows[j, RouteRow.KIND] == CurveKind.LINE
         or rows[j, RouteRow.KIND] == CurveKind.ARC
@@ -94,7 +94,7 @@ def find_periods(rows: FloatArray, gaps: IntArray, periods: IntArray) -> None:
 def add_repeat(
     known: FloatArray, count: int, low: float, high: float, period: float, missed: float
 ) -> int:
-    """Take down what repeats, where there is room; how many there are then."""
+    """Record a repeat, if there is room; returns the number of repeats."""
     if count == known.shape[0]:
         return count
     known[count, RepeatSpan.LOW], known[count, RepeatSpan.HIGH] = low, high
@@ -106,7 +106,7 @@ def add_repeat(
 def returned(
     rows: FloatArray, seams: FloatArray, reach: float, first: int, last: int, period: int
 ) -> tuple[int, float]:
-    """The last row up to which a run of `period` rows from `first` on leads back; what it misses, m."""
+    """The last row up to which a run of `period` rows from `first` on leads back; its miss, m."""
     missed = 0.0
     for copy in range(first + period, last + 1):
         before = first + (copy - first) % period
@@ -128,7 +128,7 @@ def returned(
 
 @kernel
 def find_bends(rows: FloatArray, back: bool, known: FloatArray) -> int:
-    """Fill in the rows that are the same everywhere, or that lead back round their circle; how many."""
+    """Record rows that are the same everywhere, or with `back` lead back round a circle; how many."""
     count = 0
     for j in range(rows.shape[0]):
         arc = rows[j, RouteRow.KIND] == CurveKind.ARC
@@ -146,7 +146,7 @@ def add_run(
     rows: FloatArray, seams: FloatArray, reach: float, run: tuple[int, int, int], used: IntArray,
     known: FloatArray, count: int,
 ) -> int:  # fmt: skip
-    """Take down a run: rows from which to which so many, the third, come again and again; how many."""
+    """Record a run, (first row, last row, period), of rows that recur; the number of repeats."""
     begin, end, period = run
     first, missed = begin + period, 0.0
     if seams.shape[0]:
@@ -162,7 +162,7 @@ def add_run(
 
 @kernel
 def has_news(rows: FloatArray, period: int, used: IntArray) -> bool:
-    """Whether rows come again after so many that were not told yet."""
+    """Whether rows come again after so many that were not recorded yet."""
     j = period
     while j < rows.shape[0] and (used[j] or not alike(rows, j, period)):
         j += 1
@@ -172,10 +172,10 @@ def has_news(rows: FloatArray, period: int, used: IntArray) -> bool:
 @entry
 @allocates
 def find_repeats(rows: Table, seams: Table, reach: float, known: Table) -> int:
-    """Fill in where a route has one shape again and again, the shortest rounds first; how many.
+    """Fill `known` with where a route repeats its shape, the shortest rounds first; returns how many.
 
-    With seams, those of `rounding.find_seams`, where it leads back to where it was, for what reaches so
-    far from it, m. Rows that were told with fewer in a round are not told again.
+    With seams, those of `rounding.find_seams`, these parts lead back to where the route was, for points
+    up to `reach` from it, m. Rows that were recorded with a shorter round are not recorded again.
     """
     total, count = rows.shape[0], find_bends(rows, seams.shape[0] > 0, known)
     used, gaps = np.zeros(total, dtype=np.int64), np.zeros(total, dtype=np.int64)
@@ -197,7 +197,7 @@ def find_repeats(rows: Table, seams: Table, reach: float, known: Table) -> int:
 
 @kernel
 def put_in_order(values: FloatArray, count: int, chosen: IntArray) -> None:
-    """Put the last of so many numbers of rows where it belongs, by their values, the least first."""
+    """Put the last of so many numbers of rows in its place by their values, the least first."""
     n, k = chosen[count - 1], count - 1
     while k > 0 and values[n] < values[chosen[k - 1]]:
         chosen[k] = chosen[k - 1]
@@ -211,9 +211,9 @@ def spans_left(
     rows: Table, links: Vector, known: Table, first: float, last: float, at: Vector, places: Placements,
     spans: Table,
 ) -> tuple[int, float]:  # fmt: skip
-    """Fill in the spans of the head's way from first to last, m, that repeat nothing before them there.
+    """Fill `spans` with those of the head's way from first to last, m, that repeat nothing before them.
 
-    How many, at most one more than is `known` to repeat, and what places may be off by from those some
+    Returns how many, at most one more than `known` repeats, and the error of places against those some
     rounds before, m. Slot 0 of `at` and `places` is scratch.
     """
     total, length = known.shape[0], 0.0

@@ -17,7 +17,7 @@ IntArray = npt.NDArray[np.int64]
 END_SLACK = 1e-9
 # A bench within this cosine of square to the route counts as folded: its speed ratio is over 1000.
 FOLD_COSINE = 1e-3
-# What rounding leaves of a place, relative to the sizes that it is made from: 2 units.
+# Rounding error of a place, relative to the sizes that it is made from: 2 units.
 ROUNDING = 4.5e-16
 # Safe steps per handle, besides one for each piece: honest searches take under 10, a fold stalls.
 MAX_STEPS = 200
@@ -84,7 +84,7 @@ def step_back(rows: curve.FloatArray, j: int, u: float, reach: float) -> float:
 
 @kernel
 def grain(x: float, y: float, link: float, arc: float) -> float:
-    """How far apart places can be told, m: rounding of coordinates, and of `arc`, |u| in metres."""
+    """The resolution of places, m: rounding of coordinates, and of `arc`, |u| in metres."""
     return ROUNDING * (abs(x) + abs(y) + link + arc)
 
 
@@ -193,7 +193,7 @@ def next_handle(
 
 @kernel
 def folded(rows: curve.FloatArray, front: int, rear: int, link: float) -> Status:
-    """What to call a fold between two rows: the link's length, if an arc is to blame."""
+    """The status of a fold between two rows: LINK_OVER_DIAMETER if an arc is the cause."""
     for j in (front, rear):
         if rows[j, RouteRow.KIND] == CurveKind.ARC and link * abs(rows[j, RouteRow.P]) >= 2.0:
             return Status.LINK_OVER_DIAMETER

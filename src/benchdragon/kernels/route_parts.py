@@ -1,6 +1,6 @@
 """The rows of a route from a short table of its parts, in place or moved to where others end.
 
-Parts are a table of floats as well, one row a curve, its columns named below: what a plan says of it.
+Parts are a table of floats as well, one row a curve as a plan gives it, its columns named below.
 """
 
 import math
@@ -38,9 +38,9 @@ class RoutePart(Numbered):
 
 PART_COLUMNS = len(RoutePart)
 
-# What is greater by no more than this share is as great: of equals the first is meant, on every engine.
+# Values greater by no more than this factor are equal; of equals all engines take the first.
 EQUAL = 1.0 + 1e-9
-# Places at which a route's reach is looked at; a turn has some 1e3.
+# The most places at which a route's reach is sampled; a turn has some 1e3.
 MOST_REACH_PLACES = 1e6
 
 
@@ -278,9 +278,9 @@ def tightest_bend(rows: Table) -> tuple[float, float]:
 
 @entry
 def farthest(rows: Table, first: float, last: float, step: float) -> float:
-    """How far from the origin, m, places lie that stand every `step` m or less from `first` to `last`.
+    """The greatest distance from the origin, m, of places `step` m or less apart, `first` to `last`.
 
-    There are MOST_PLACES at most.
+    There are MOST_REACH_PLACES at most.
     """
     count = math.ceil(min((last - first) / step, MOST_REACH_PLACES)) + 1
     most = 0.0

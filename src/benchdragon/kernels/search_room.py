@@ -1,4 +1,4 @@
-"""Room for a search along a walk in a block of the engine's own memory: made there, and made wider."""
+"""Arrays for a search along a walk in a block of the engine's own memory: made, and enlarged."""
 
 import math
 from typing import NamedTuple
@@ -31,7 +31,7 @@ from benchdragon.kernels.workspace import (
 
 
 class Beginning(Numbered):
-    """What a room begins with, a row of whole numbers, which analysis/tables.py names and explains."""
+    """The sizes that a room begins with, a row of whole numbers, explained in analysis/tables.py."""
 
     A_CELL, AT_FIRST, FIRST_PAIRS, FIRST_MEMBERS, FIRST_DOUBTS, MOST_CELLS, PLACES = range(7)
 
@@ -40,7 +40,7 @@ BEGINNINGS = len(Beginning)
 
 
 class RoomSize(Numbered):
-    """How much room there is, a row of whole numbers."""
+    """The sizes of a room, a row of whole numbers."""
 
     ROUTE_ROWS = 0
     CELLS = 1
@@ -53,18 +53,18 @@ class RoomSize(Numbered):
 
 
 ROOM_SIZES = len(RoomSize)
-# Rooms that turn out too small become so many times as wide as is wanted.
+# Arrays that turn out too small become so many times as large as is needed.
 WIDER = 2
 
 
 class RoomEnding(Numbered):
-    """How making room ended."""
+    """Exit status of making room."""
 
     ROOMY, UNSTEADY, TOO_LONG, TOO_LARGE, NO_MEMORY, FOR_GROUND = range(6)
 
 
 class SearchMemory(Numbered):
-    """The memory of the block that the ground and what a step is searched in lie in."""
+    """The memories of the block for the ground, and for the arrays that a step is searched in."""
 
     GROUND, STEP = 1, 2
 
@@ -80,12 +80,12 @@ MEETING = (
 
 
 class Aim(NamedTuple):
-    """What a search along a walk is after."""
+    """What a search along a walk covers."""
 
     first: float  # head positions, m, between which it is
     last: float
-    reach: float  # distance of benches, m, within which pairs are wanted
-    most: float  # bytes that its tables may take
+    reach: float  # distance of benches, m, within which pairs are sought
+    most: float  # bytes that its tables may take at most
 
 
 @kernel
@@ -97,7 +97,7 @@ def placements(handles: int, count: int) -> Shapes:
 
 @kernel
 def grid(places: int) -> Shapes:
-    """Those of a grid of so many places: see `grid.empty_grid`."""
+    """The shapes of a grid of so many places: see `grid.empty_grid`."""
     buckets = 16
     while buckets < 2 * places:
         buckets *= 2
@@ -106,14 +106,14 @@ def grid(places: int) -> Shapes:
 
 @kernel
 def walks(benches: int, kinds: int) -> Shapes:
-    """Those of a walk but for the rows of its route."""
+    """The shapes of a walk without the rows of its route."""
     row = (benches, ROW)
     return row, (4, benches), row, row, (1, ROW), (4, kinds), (kinds, ROW)
 
 
 @kernel
 def lay_ground(slots: IntArray, slot: int, address: int, sizes: IntVector, groups: int) -> int:
-    """Lay what is known of the route, from a slot and an address on; the bytes that takes."""
+    """Lay out the tables of the route from a slot and an address on; returns the bytes they take."""
     cells, pairs, rows = sizes[RoomSize.CELLS], sizes[RoomSize.ENTRIES], sizes[RoomSize.ROUTE_ROWS]
     boxes = groups * cells + sizes[RoomSize.PARTS]
     return memory.lay(slots, slot, address, (
@@ -127,7 +127,7 @@ def lay_ground(slots: IntArray, slot: int, address: int, sizes: IntVector, group
 
 @kernel
 def ground_bytes(sizes: IntVector, groups: int) -> int:
-    """What counts of that as the memory of a question."""
+    """Bytes of those tables that count as the memory of a question."""
     cells = sizes[RoomSize.CELLS]
     boxes = groups * cells + sizes[RoomSize.PARTS]
     columns = of.HULL_COLUMNS + of.TREE_COLUMNS + 1
@@ -136,7 +136,7 @@ def ground_bytes(sizes: IntVector, groups: int) -> int:
 
 @kernel
 def lay_block(slots: IntArray, slot: int, address: int, benches: int, places: int) -> int:
-    """Lay dragons at steps to come, the crowd and the course of a room; where that ends."""
+    """Lay out chains at steps to come, the crowd and the course of a room; returns where that ends."""
     count = max(2, min(LANES, places // (benches + 1)))
     return address + memory.lay(slots, slot + BLOCK, address, (
         (count, ROW), *placements(benches + 1, count), (benches + 1, count), (benches, of.HULL_COLUMNS),
@@ -146,7 +146,7 @@ def lay_block(slots: IntArray, slot: int, address: int, benches: int, places: in
 
 @kernel
 def searches(handles: int, members: int, pairs: int) -> Shapes:
-    """The shapes of what steps are searched in: see `search.room`."""
+    """The shapes of the arrays that steps are searched in: see `time_of_impact.empty_search`."""
     return (
         (DEPTH, ROW), *placements(handles, DEPTH), (handles, HANDLE_COLUMNS), (members, BENCH_COLUMNS),
         (DEPTH * members, BOX_COLUMNS), (DEPTH * members, ROW), (handles, ROW), (handles, ROW),
@@ -156,7 +156,7 @@ def searches(handles: int, members: int, pairs: int) -> Shapes:
 
 @kernel
 def lay_step(slots: IntArray, slot: int, address: int, sizes: IntVector, benches: int) -> int:
-    """Lay the pairs of a step and what it is searched in; the bytes that takes."""
+    """Lay out the pairs of a step and the arrays that search it; returns the bytes that they take."""
     pairs = sizes[RoomSize.PAIRS]
     return memory.lay(slots, slot + MEETING, address, (
         (pairs, ROW), (pairs, ROW), (pairs, ROW), (pairs, ROW), (benches, ROW), (benches, ROW),
@@ -175,7 +175,7 @@ def group_count(walk: Walk) -> int:
 
 @kernel
 def square_side(walk: Walk, reach: float) -> float:
-    """That of the squares of grids, m: about how far benches are looked for."""
+    """The side of the squares of grids, m: about the range in which benches are searched for."""
     most, sizes = 0.0, walk.kinds.sizes
     for k in range(sizes.shape[1]):
         most = max(most, math.hypot(sizes[0, k], sizes[1, k]))
@@ -207,7 +207,7 @@ def size_workspace(
 
 @kernel
 def make_ground(slots: IntArray, slot: int, sizes: IntVector, groups: int, most: float) -> int:
-    """Make room for a route of which nothing is known, of at most so many bytes; how that ended."""
+    """Make room for a route of which nothing is known, of at most so many bytes; returns the status."""
     if ground_bytes(sizes, groups) > most:
         return RoomEnding.TOO_LARGE
     size = lay_ground(slots, slot, 0, sizes, groups)
@@ -219,7 +219,7 @@ def make_ground(slots: IntArray, slot: int, sizes: IntVector, groups: int, most:
 
 @kernel
 def make_step(block: int, slot: int, sizes: IntVector) -> int:
-    """Make room to search a step in, whose pairs of benches stay known; how that ended."""
+    """Make room to search a step in, whose pairs of benches stay known; returns the status."""
     slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
     room = memory.group_at(Workspace, block + 8 * slot)
     first, second = room.meeting.first, room.meeting.second
@@ -242,7 +242,7 @@ def make_step(block: int, slot: int, sizes: IntVector) -> int:
 
 @kernel
 def empty_grid_again(grid: Grid, side: float) -> None:
-    """Take all out of a grid, whose cells are so wide from now on, m."""
+    """Empty a grid, and set the width of its cells, m."""
     grid.side[0] = side
     for b in range(grid.heads.shape[0]):
         grid.heads[b] = 0
@@ -263,7 +263,7 @@ def begin_in(walk: Walk, room: Workspace, aim: Aim) -> int:
 
 @kernel
 def enlarge(sizes: IntVector, room: Workspace) -> int:
-    """Let sizes be large enough where they were not: FOR_GROUND, or ROOMY for the step at hand."""
+    """Raise sizes that were too small: FOR_GROUND, TOO_LONG, or ROOMY if they were the step's alone."""
     counts, tally, ground = room.ground.counts, room.course.tally, room.ground
     cells, before = sizes[RoomSize.CELLS], ground.middles.shape[0]
     if counts[BoxCount.CELLS] >= cells:
@@ -288,7 +288,7 @@ def enlarge(sizes: IntVector, room: Workspace) -> int:
 
 @kernel
 def begin_workspace(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
-    """Begin a walk in the room at a slot of a block; how that ended."""
+    """Begin a walk in the room at a slot of a block; returns the status."""
     slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
     if slots[Header.OWNED + SearchMemory.GROUND] == 0:
         ending = make_ground(slots, slot, sizes, group_count(walk), aim.most)
@@ -299,7 +299,7 @@ def begin_workspace(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Ai
 
 @kernel
 def grow_workspace(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
-    """Make room where it did not do: for the step at hand, or for the route, which begins anew."""
+    """Enlarge the arrays of the step, or else of the route, which starts again; returns the status."""
     slots = memory.integers_at(block, memory.integers_at(block, memory.HEADER)[Header.SLOTS])
     room = memory.group_at(Workspace, block + 8 * slot)
     ending = enlarge(sizes, room)

@@ -71,7 +71,7 @@ def find_clear_spans(rows: FloatArray, kinds: Kinds, ground: Hierarchy, shortest
 def begin_course(
     rows: FloatArray, ground: Hierarchy, course: SearchProgress, start: float, end: float
 ) -> None:
-    """Let a walk be at its start, nothing known ahead; it goes no farther than the route."""
+    """Put a walk at its start, with nothing known ahead; it ends no later than the route."""
     way, last = course.way, rows.shape[0] - 1
     ground.measures[BoxMeasure.END] = rows[last, RouteRow.S_START] + rows[last, RouteRow.LENGTH]
     way[Course.AT] = way[Course.UPTO] = way[Course.KNOWN] = way[Course.SOUND] = way[
@@ -86,7 +86,7 @@ def begin_course(
 def begin_walk(walk: Walk, room: Workspace, start: float, end: float, reach: float) -> bool:
     """Begin a search from head position start to end, m; False if the dragon cannot stand at start.
 
-    Pairs of benches within `reach`, m, will be named.
+    It finds pairs of benches within `reach`, m.
     """
     rows, benches, kinds = walk.rows, walk.benches, walk.kinds
     ground, block, course = room.ground, room.block, room.course

@@ -25,7 +25,7 @@ def separation(boxes: FloatArray, i: int, j: int, nx: float, ny: float) -> float
 
 @kernel
 def chord_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) -> float:
-    """What the height of a corner of bench i over a face of bench j may leave the straight line by, m.
+    """Bound of how far a corner's height over a face strays from the straight line, m: bench i over j.
 
     The height of a corner P over a face with normal N and foot Y is (P - Y) . N, with second derivative
     at most pull + 2 pace turn + |P - Y| (twist + turn^2).

@@ -1,6 +1,6 @@
 """The bracket of a size: which value is tried next, and when it is narrow enough.
 
-Nothing here walks. Trials say whether a value passes, and roots, near which value a pair just touches.
+No walk is computed here. Trials give a verdict on a value, and roots, near which a pair just touches.
 """
 
 import math
@@ -11,18 +11,18 @@ from benchdragon.kernels.numbered import Numbered
 
 
 class SizeVerdict(Numbered):
-    """How a trial ended."""
+    """The verdict of a trial."""
 
     PASSES, FAILS, UNDECIDED = range(3)
 
 
 class Bracket(Numbered):
-    """What is known, a row of floats."""
+    """The state of the bracket, a row of floats."""
 
     SENSE = 0  # +1 where larger sizes are safer, -1 where smaller ones are
     TOLERANCE = 1  # how wide the bracket may be, m
-    SLACK = 2  # what computed distances may be off by, m
-    STAGE = 3  # what is sought: see kernels/size_search.py
+    SLACK = 2  # the error bound of computed distances, m
+    STAGE = 3  # the goal: see kernels/size_search.py
     SIZE = 4  # on trial, m
     GOOD = 5  # one that passes
     BAD = 6  # one that does not, or the farthest that is of interest
@@ -37,9 +37,9 @@ class Bracket(Numbered):
     GROWN = 15  # sizes tried before one passed
     DOUBTS = 16  # undecided sizes
     VALUE = 17  # the answer
-    AT = 18  # the size at which the pair to go by was seen
+    AT = 18  # the size at which the guiding pair was found
     PHASE = 19  # what the next value answers
-    NOW = 20  # the size of the walk that is asked about
+    NOW = 20  # the size of the walk that is requested
     SECOND_LAST = 21  # of the secant method, the size before
     VALUE_THERE = 22  # and the distance there, m
     SECANTS = 23  # steps taken
@@ -50,8 +50,8 @@ BRACKET_NUMBERS = len(Bracket)
 # How much wider than the tolerance or rounding a bracket may be.
 ULPS = 4.0
 UNIT = 2.3e-16
-# What a size is multiplied by, at most so often, until a walk passes; and how many times smaller (or
-# larger) than that sizes are of interest.
+# The factor by which a size grows, and how often at most, until a walk passes; and how many times
+# smaller (or larger) than that sizes are of interest.
 GROWTH, MOST_GROWTHS, FARTHEST = 1.25, 40, 100.0
 # Roots of a pair that fail one after another, because another pair decides, before halving.
 MOST_FAILURES = 2
@@ -125,7 +125,7 @@ def next_target(state: FloatArray, doubts: FloatArray, rooted: bool) -> None:
 
 @kernel
 def is_closed(state: FloatArray) -> bool:
-    """Whether the bracket is as narrow as wanted, or as doubles allow."""
+    """Whether the bracket is as narrow as required, or as doubles allow."""
     width = abs(state[Bracket.GOOD] - state[Bracket.BAD])
     return state[Bracket.TRIED] > 0.0 and width <= max(
         state[Bracket.TOLERANCE], ULPS * UNIT * state[Bracket.GOOD]
@@ -141,7 +141,7 @@ def add_doubt(state: FloatArray, doubts: FloatArray) -> None:
 
 @kernel
 def take_result(state: FloatArray, doubts: FloatArray, result: int, same: bool) -> None:
-    """Draw the bracket in by how the trial of SIZE ended; `same`: the pair of its root failed again."""
+    """Narrow the bracket by the verdict on SIZE; `same`: the pair of its root failed again."""
     size = state[Bracket.SIZE]
     state[Bracket.TRIALS] += 1.0
     if result == SizeVerdict.UNDECIDED:

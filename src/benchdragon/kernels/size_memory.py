@@ -1,4 +1,4 @@
-"""What a question about a size knows, and where that lies in a block of the engine's own memory."""
+"""The state of a question about a size, and its layout in a block of the engine's own memory."""
 
 import math
 from typing import NamedTuple
@@ -53,15 +53,15 @@ from benchdragon.kernels.workspace import TALLY, Walk, Workspace, copy_walk
 
 
 class SizeGiven(Numbered):
-    """What hosts say of a question, a row of floats."""
+    """What a host passes with a question, a row of floats."""
 
     MARGIN = 0  # distance that benches must keep, m
-    LEAST_OFF = 1  # what computed distances count as off by at least, m
+    LEAST_OFF = 1  # least error that is assumed of computed distances, m
     WIDTH = 2  # parts of a step narrower than this, m, are not halved
     MOST = 3  # chains marched in one step of a search
     ORIGIN_X = 4  # from where the dance is searched, m
     ORIGIN_Y = 5
-    BYTES = 6  # that tables may take
+    BYTES = 6  # that tables may take at most
     SAFER = 7  # +1 where larger sizes are safer, -1 where smaller ones are
     NARROW = 8  # how wide the bracket may be, m
     BEGIN = 9  # where the head of the plan's own walk begins and ends, m
@@ -73,9 +73,9 @@ SIZE_LIMITS = len(SizeGiven)
 
 
 class Thing(Numbered):
-    """What stands on the square, a row each.
+    """Obstacles and the venue's edge, a row each.
 
-    As in kernels/obstacle_memory.py; how many of the corners it has, and what these may be off by, m.
+    As in kernels/obstacle_memory.py; the number of corners, and the error of these, m.
     """
 
     SORT, RADIUS, KEPT_OFF, CORNERS, OFF = range(5)
@@ -85,19 +85,19 @@ THING_COLUMNS = len(Thing)
 
 
 class SizeTold(Told):
-    """What is told of it, a row of floats that begins as kernels/question.py says."""
+    """The result, a row of floats that begins with the columns of `question.Told`."""
 
     MARCHED = 2  # chains, in searches of walks
     RESULT = 3  # of the last trial: PASSES, FAILS or UNDECIDED
     DOING = 4
-    ONE = 5  # 1 if but one trial is wanted
+    ONE = 5  # 1 if a single trial is requested
     LEFT = 6  # chains that may be marched in a step of the walk that is searched
     FIRST = 7  # where its head begins and ends, m
     LAST = 8
-    AT_THING = 9  # the obstacle that is looked at, and whether it is begun
+    AT_THING = 9  # the current obstacle, and whether its search has begun
     BEGUN = 10
-    UNSURE = 11  # 1 if it could not be told whether benches keep from all obstacles
-    # the last size that failed by an obstacle alone, m, which that was, and whether surely
+    UNSURE = 11  # 1 if it is undecided whether benches keep clear of all obstacles
+    # the last size that failed by an obstacle alone, m, the obstacle, and whether that is certain
     BLOCKED = 12
     BLOCKED_BY = 13
     SURELY = 14
@@ -108,17 +108,17 @@ SIZE_FIGURES = len(SizeTold)
 
 
 class SizeStage(Numbered):
-    """What a question is doing."""
+    """The stage of a question."""
 
     IDLE, SEEKING, WAITING, BESIDE, SEARCHING, BROKEN = range(6)
 
 
-# Head positions at which a pair is looked at, at least.
+# The least number of head positions at which a pair is sampled at a time.
 FEWEST = 4
 
 
 class SizeMemory(SearchMemory):
-    """The memory of the block that the rows of the route lie in, and all that keeps its size."""
+    """The memories of the block for the rows of the route, and for all of fixed size."""
 
     ROWS = 0
     OWN = 3
@@ -132,14 +132,14 @@ class Square(NamedTuple):
 
 
 class Sought(NamedTuple):
-    """A search for a size; what stands from `at` to `bench_off` is scratch, of all benches."""
+    """A search for a size; the fields from `at` to `bench_off` are scratch, of all benches."""
 
     walk: Walk
     seams: Table  # (rows, SEAM_COLUMNS)
     room: Workspace
     family: Family
     sizes: IntVector  # of the room
-    beginnings: IntVector  # likewise: see search_room
+    beginnings: IntVector  # of the room at first: see search_room
     at: Vector
     placed: Placements
     still: Placements  # of one slot
@@ -163,7 +163,7 @@ SIZE_WALK_SLOT, SEAMS_SLOT = slot_of(Sought, "walk"), slot_of(Sought, "seams")
 SIZE_ROOM_SLOT, FAMILY_SLOT = slot_of(Sought, "room"), slot_of(Sought, "family")
 BESIDE_SLOT = slot_of(Sought, "beside")
 SIZE_END_SLOT = HEADER + slot_count(Sought)
-# Where it begins in a block, in bytes.
+# The offset of the search in a block, in bytes.
 BASE = 8 * HEADER
 
 
@@ -171,7 +171,7 @@ BASE = 8 * HEADER
 def lay_all(
     slots: IntArray, address: int, family: Family, walk: Walk, square: Square, places: int
 ) -> int:
-    """Lay from an address on all that keeps its size; the bytes that takes."""
+    """Lay out all arrays of fixed size from an address on; returns the bytes that they take."""
     benches, (_four, kinds) = walk.benches.kind.shape[0], walk.kinds.sizes.shape
     fixed = family.numbers[PlanNumber.ROUTE] == RouteKind.FIXED and square.things.shape[0] > 0
     repeats = 4 * walk.rows.shape[0] + REPEATS if fixed else 0
@@ -192,7 +192,7 @@ def lay_all(
 
 @kernel
 def make_route(slots: IntArray, rows: int) -> bool:
-    """Make room for so many rows of the route and their seams, all 0; whether there is memory."""
+    """Make room for so many rows of the route and their seams, all 0; False without memory."""
     drop(slots, SizeMemory.ROWS)
     count = rows * (COLUMNS + SEAM_COLUMNS)
     if not take(slots, SizeMemory.ROWS, 8 * count):
@@ -208,7 +208,7 @@ def make_route(slots: IntArray, rows: int) -> bool:
 
 @kernel
 def make_searches(block: int) -> bool:
-    """Make room for searches of walks about as long as the plan's; whether there is memory."""
+    """Make room for searches of walks about as long as the plan's; False without memory."""
     sought = group_at(Sought, block + BASE)
     limits, sizes = sought.limits, sought.sizes
     drop(integers_at(block, SIZE_END_SLOT), SearchMemory.GROUND)
@@ -233,7 +233,7 @@ def make_searches(block: int) -> bool:
 def fill(
     sought: Sought, family: Family, walk: Walk, square: Square, limits: Vector, beginnings: IntVector
 ) -> None:
-    """Copy what a host says."""
+    """Copy what a host passes."""
     copy_table(sought.square.things, square.things)
     for n in range(square.outlines.shape[0]):
         sought.square.outlines[n, 0] = square.outlines[n, 0] - limits[SizeGiven.ORIGIN_X]

@@ -1,8 +1,8 @@
 """How small or large one size of a plan may be, as a question: `open, seek, step, rows, close`.
 
 All of the search lies in a block of the engine's own memory, which a handle stands for. A host opens
-the question with the numbers of a plan, says what is sought, and steps until it is found, as
-kernels/question.py says. The walk of a size is looked at beside each obstacle, then for contact.
+the question with the numbers of a plan, sets the goal, and steps until it is reached, as in
+kernels/question.py. The walk of a size is searched beside each obstacle, then for contact.
 """
 
 import math
@@ -76,13 +76,13 @@ from benchdragon.kernels.workspace import Course, Walk, WalkTally
 
 
 class SizeQuestionGoal(SizeGoal):
-    """What may be sought besides GROW and BORDER of size_search: how the walk of one size goes."""
+    """Goals besides GROW and BORDER of size_search: the verdict on the walk of one size."""
 
     ALONE = 3
 
 
 class SizeEnding(SizeStep):
-    """How a step ends, besides the endings of size_search and those of kernels/question.py."""
+    """Exit statuses of a step, besides those of size_search and of kernels/question.py."""
 
     TRIED_ALONE = 7
 
@@ -93,9 +93,9 @@ FAR = 10.0
 
 @entry
 def open_size(family: Family, walk: Walk, square: Square, limits: Vector, beginnings: IntVector) -> int:
-    """Open a question about a family, of which `walk` is one; its handle, 0 if there is no memory.
+    """Open a question about a family, of which `walk` is one; returns its handle, 0 without memory.
 
-    What is handed over is copied. See LIMITS, and `search_room.BEGINNINGS`.
+    All is copied. `limits` is a row of `SizeGiven`, `beginnings` of `search_room.Beginning`.
     """
     block = new_block(SIZE_END_SLOT - HEADER)
     if block == 0:
@@ -176,7 +176,7 @@ def walk_of(block: int, size: float) -> tuple[int, float, float]:
 
 @kernel
 def settle(block: int) -> None:
-    """Let the rows of the route be told from where the dance is searched."""
+    """Move the origin of the route's rows to where the dance is searched."""
     sought = group_at(Sought, block + BASE)
     x, y = sought.limits[SizeGiven.ORIGIN_X], sought.limits[SizeGiven.ORIGIN_Y]
     if x != 0.0 or y != 0.0:
@@ -185,7 +185,7 @@ def settle(block: int) -> None:
 
 @kernel
 def hint(block: int) -> float:
-    """Fill GUIDE with a pair that comes near in the walk of NOW; how near less the margin, m."""
+    """Fill GUIDE with a pair that comes near in the walk of NOW; its distance less the margin, m."""
     count, first, last = walk_of(block, group_at(Sought, block + BASE).state[Bracket.NOW])
     sought = group_at(Sought, block + BASE)
     walk, m = sought.walk, sought.meetings
@@ -204,10 +204,10 @@ def hint(block: int) -> float:
 
 @kernel
 def distance(block: int) -> float:
-    """How near the ROOTED pair comes by its meeting in the walk of NOW, less the margin, m.
+    """The distance of the ROOTED pair near its meeting in the walk of NOW, less the margin, m.
 
-    In a walk of another size that is as far from the start, or from the end: whichever is nearer to
-    touching.
+    In a walk of another size that meeting is as far from the start, or from the end: the one nearer to
+    touching is taken.
     """
     count, first, last = walk_of(block, group_at(Sought, block + BASE).state[Bracket.NOW])
     sought = group_at(Sought, block + BASE)
@@ -234,14 +234,14 @@ def distance(block: int) -> float:
 
 @kernel
 def failed_alone(sought: Sought) -> int:
-    """That a walk fails in which no two benches met."""
+    """FAILS, with the record that no two benches met."""
     sought.meetings[KnownMeeting.FAILED, Meet.FRONT] = NO_MEETING
     return SizeVerdict.FAILS
 
 
 @kernel
 def failed_at(sought: Sought, s: float, left: float, i: int, j: int) -> int:
-    """That a walk fails in which benches i and j met."""
+    """FAILS, with the record that benches i and j met."""
     m = sought.meetings
     m[KnownMeeting.FAILED, Meet.S] = s
     m[KnownMeeting.FAILED, Meet.LEFT] = left
@@ -252,7 +252,7 @@ def failed_at(sought: Sought, s: float, left: float, i: int, j: int) -> int:
 
 @kernel
 def standing(sought: Sought, s: float) -> int:
-    """How a dragon passes that stands still with its head at s, m, where `at` says."""
+    """The verdict on a dragon that stands still with its head at s, m, which is in `at`."""
     walk, off, limits = sought.walk, sought.bench_off, sought.limits
     links, sizes, still = walk.benches.links, walk.benches.sizes, sought.still
     place_chain(walk.rows, links, sought.at, 0, 1, still)
@@ -266,7 +266,7 @@ def standing(sought: Sought, s: float) -> int:
 
 @kernel
 def roomy(sought: Sought, ending: int) -> int:
-    """How a walk stands by how making room for it ended: GOES_ON, or UNDECIDED."""
+    """The verdict on a walk by the exit status of making room for it: GOES_ON, or UNDECIDED."""
     figures = sought.figures
     if ending in (RoomEnding.TOO_LARGE, RoomEnding.NO_MEMORY):
         figures[SizeTold.DOING] = SizeStage.BROKEN
@@ -277,7 +277,7 @@ def roomy(sought: Sought, ending: int) -> int:
 
 @kernel
 def aim_of(sought: Sought) -> Aim:
-    """What the search along the walk of NOW is after."""
+    """What the search along the walk of NOW covers."""
     figures, limits = sought.figures, sought.limits
     reach = limits[SizeGiven.MARGIN] + limits[SizeGiven.LEAST_OFF]
     return Aim(figures[SizeTold.FIRST], figures[SizeTold.LAST], reach, limits[SizeGiven.BYTES])
@@ -285,7 +285,7 @@ def aim_of(sought: Sought) -> Aim:
 
 @kernel
 def laid(block: int) -> int:
-    """How the walk of NOW goes, or GOES_ON once it is laid: to be looked at beside obstacles."""
+    """The verdict on the walk of NOW, or GOES_ON once it is laid, to be searched beside obstacles."""
     sought = group_at(Sought, block + BASE)
     figures, times = sought.figures, sought.state[Bracket.NOW] / sought.limits[SizeGiven.PLAN_SIZE]
     if sought.square.things.shape[0] and not 1.0 / FAR <= times <= FAR:
@@ -302,7 +302,7 @@ def laid(block: int) -> int:
 
 @kernel
 def begun(block: int) -> int:
-    """How the walk of NOW goes, or GOES_ON once its search is begun."""
+    """The verdict on the walk of NOW, or GOES_ON once its search is begun."""
     sought = group_at(Sought, block + BASE)
     walk = sought.walk
     limits = sought.limits
@@ -320,7 +320,7 @@ def begun(block: int) -> int:
 
 @kernel
 def searched_on(block: int, left: float) -> int:
-    """How the walk of NOW goes, or MORE, when at most about so many handles may be placed."""
+    """The verdict on the walk of NOW, or MORE, when at most about so many handles may be placed."""
     while True:
         sought = group_at(Sought, block + BASE)
         walk, room, figures, note = sought.walk, sought.room, sought.figures, sought.note
@@ -348,7 +348,7 @@ def searched_on(block: int, left: float) -> int:
 
 @kernel
 def judged(sought: Sought, ending: int) -> int:
-    """How a walk goes whose search ended so."""
+    """The verdict on a walk by the exit status of its search."""
     walk, note, state, last = sought.walk, sought.note, sought.state, sought.figures[SizeTold.LAST]
     rows, end = walk.rows, walk.rows.shape[0] - 1
     if note[Note.OFF] > MOST_OFF:
@@ -369,7 +369,7 @@ def judged(sought: Sought, ending: int) -> int:
 
 @kernel
 def pursued(block: int, value: float) -> int:
-    """Do what the search asks for, whose last question `value` answers, up to a walk or its ending."""
+    """Do what the search requests, `value` answering the request before, up to a walk or the end."""
     figures = group_at(Sought, block + BASE).figures
     while True:
         sought = group_at(Sought, block + BASE)
@@ -387,7 +387,7 @@ def pursued(block: int, value: float) -> int:
 
 @kernel
 def gone_on(block: int, left: float) -> int:
-    """How the walk of NOW goes, or MORE."""
+    """The verdict on the walk of NOW, or MORE."""
     figures, result = group_at(Sought, block + BASE).figures, GOES_ON
     if figures[SizeTold.DOING] == SizeStage.WAITING:
         result = laid(block)
@@ -408,9 +408,9 @@ def gone_on(block: int, left: float) -> int:
 
 @entry
 def step_size(handle: int, left: float) -> int:
-    """Go on for some hundredths of a second; MORE, or how what is sought was found.
+    """Search for some hundredths of a second; returns MORE, or the exit status of the search.
 
-    `left`: about so many handles may be placed. A step ends before each walk, whose size NOW says.
+    `left`: about so many handles may be placed. A step ends before each walk, the size of which is NOW.
     """
     block = recall(handle)
     if block == 0:

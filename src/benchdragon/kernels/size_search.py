@@ -1,9 +1,9 @@
-"""How small or large one size of a plan may be: which walk to try next, and what to look for in it.
+"""The critical size of a plan, by a bracketed secant method on the separation of the active pair.
 
-Where a walk fails, the pair that meets there gives a smooth function of the size, its least distance
-around that moment, whose root is where the search goes next; the answer is the root at which the whole
-walk passes. Nothing here walks: whoever calls does what is asked for, and calls again with what came of
-it, be it the kernels' search of a walk or a test's made-up numbers.
+Where a walk fails, the least distance of the pair that meets there, around that moment, is a smooth
+function of the size; its root is tried next, and the answer is the root at which the whole walk passes.
+No walk is computed here: the caller does what is requested, and calls again with the result, be it of
+the kernels' search of a walk or a test's made-up numbers.
 """
 
 import math
@@ -24,7 +24,7 @@ from benchdragon.kernels.size_bracket import (
 
 
 class SizeGoal(Numbered):
-    """What is sought; the first two go over into the last."""
+    """Goals; the first two go over into the last."""
 
     GROW = 0  # a size that passes, from SIZE on, then the limit beside it
     BORDER = 1  # the limit between GOOD and BAD, which SIZE is
@@ -32,13 +32,13 @@ class SizeGoal(Numbered):
 
 
 class SizeStep(Numbered):
-    """What is asked for, or how the search ended."""
+    """What is requested, or the exit status of the search."""
 
     WALK = 0  # how the walk of NOW goes: PASSES, FAILS or UNDECIDED, with the meeting FAILED if two met
     LOW_PAIR = 1  # the least distance of any pair in the walk of NOW, m, with the meeting GUIDE
-    # that of the pair ROOTED near its meeting in the walk of NOW, m; the meeting moves there
+    # the distance of the pair ROOTED near its meeting in the walk of NOW, m; the meeting moves there
     DISTANCE = 2
-    # Or how the search ended.
+    # Exit statuses of the search.
     FOUND = 3  # the bracket is what it can be
     UNLIMITED = 4  # even BAD passes
     INFEASIBLE = 5  # none passes
@@ -46,12 +46,12 @@ class SizeStep(Numbered):
 
 
 class SizePhase(Numbered):
-    """Where the search stands: what the value that is handed in answers."""
+    """The phase of the search: what the value that is handed in answers."""
 
     OPENED, AFTER_WALK, AFTER_LOW_PAIR, AFTER_FIRST, AFTER_NEXT, AFTER_BELOW = range(6)
 
 
-# A meeting, a row: head position, what is left to the walk's end (m), the two benches or NOBODY.
+# A meeting, a row: head position, what is left to the walk's end (m), the two benches or NO_MEETING.
 NO_MEETING = -1.0
 
 
@@ -62,10 +62,10 @@ class Meet(Numbered):
 
 
 class KnownMeeting(Numbered):
-    """Which meeting is meant.
+    """Rows of the meetings.
 
-    They are that of the last walk that failed, the one to go by, the one of the root; and the pair
-    that was gone by before.
+    They are the meeting of the last walk that failed, the guide of the secant method, and that of the
+    root; and the pair of the guide before.
     """
 
     FAILED, GUIDE, ROOTED, BEFORE = range(4)
@@ -78,7 +78,7 @@ NEARBY = 0.1
 # The secant method: its first step, the least from which a slope is taken, when it has come to rest,
 # and how far it may go at once, all relative; steps at most.
 FIRST_STEP, SHARP, SETTLED, LONGEST_SECANT, MOST_SECANTS = 1e-5, 1e-7, 1e-15, 1.1, 40
-# How near to a root of a pair, as a share of the bracket's width, counts likewise.
+# A distance from a root of a pair, as a share of the bracket's width, that counts as at rest, too.
 AT_REST = 1e-4
 
 
@@ -98,21 +98,21 @@ def same_pair(meetings: FloatArray, one: int, two: int) -> bool:
 
 @kernel
 def ask(state: FloatArray, phase: int, task: int, size: float) -> int:
-    """Ask for a task in the walk of a size."""
+    """Request a task in the walk of a size."""
     state[Bracket.PHASE], state[Bracket.NOW] = phase, size
     return task
 
 
 @kernel
 def ask_for_target(state: FloatArray, doubts: FloatArray, rooted: bool) -> int:
-    """Ask how the walk of the next size goes."""
+    """Request the verdict on the walk of the next size."""
     next_target(state, doubts, rooted)
     return ask(state, SizePhase.AFTER_WALK, SizeStep.WALK, state[Bracket.SIZE])
 
 
 @kernel
 def ask_for_guide(state: FloatArray, meetings: FloatArray, size: float) -> int:
-    """Ask which pair to go by from now on, seen in the walk of a size."""
+    """Request the pair that guides the search from now on, in the walk of a size."""
     copy_meeting(meetings, KnownMeeting.GUIDE, KnownMeeting.BEFORE)
     state[Bracket.AT], meetings[KnownMeeting.GUIDE, Meet.FRONT] = size, NO_MEETING
     return ask(state, SizePhase.AFTER_LOW_PAIR, SizeStep.LOW_PAIR, size)
@@ -120,7 +120,7 @@ def ask_for_guide(state: FloatArray, meetings: FloatArray, size: float) -> int:
 
 @kernel
 def ask_for_root(state: FloatArray, doubts: FloatArray, meetings: FloatArray) -> int:
-    """Ask for the first distance on the way to the root of the pair to go by, if there is one."""
+    """Request the first distance on the way to the root of the guiding pair, if there is one."""
     if meetings[KnownMeeting.GUIDE, Meet.FRONT] == NO_MEETING:
         return ask_for_target(state, doubts, False)
     copy_meeting(meetings, KnownMeeting.GUIDE, KnownMeeting.ROOTED)
@@ -135,7 +135,7 @@ def after_next(state: FloatArray, doubts: FloatArray, there: float) -> int:
     if not (abs(fb) < math.inf and b > 0.0):
         return ask_for_target(state, doubts, False)
     if fb == fa or state[Bracket.SECANTS] >= MOST_SECANTS:
-        state[Bracket.ROOT] = b  # where there is no distance but for rounding
+        state[Bracket.ROOT] = b  # where the distance is 0 up to rounding
         rooted = abs(fb) <= state[Bracket.SLACK] and abs(state[Bracket.SLOPE]) > 0.0
         return ask_for_target(state, doubts, rooted)
     if abs(b - a) > SHARP * abs(a):
@@ -184,7 +184,7 @@ def after_failure(state: FloatArray, doubts: FloatArray, meetings: FloatArray) -
 
 @kernel
 def after_low_pair(state: FloatArray, doubts: FloatArray, meetings: FloatArray, least: float) -> int:
-    """Go by the nearest or deepest pair, `least` metres; by the one met first if that was before."""
+    """Let the nearest or deepest pair guide, `least` metres; the one met first if it did before."""
     if not least <= NEARBY:
         meetings[KnownMeeting.GUIDE, Meet.FRONT] = NO_MEETING
     failed = state[Bracket.TRIED] > 0.0 and state[Bracket.AT] == state[Bracket.BAD]
@@ -198,7 +198,7 @@ def after_low_pair(state: FloatArray, doubts: FloatArray, meetings: FloatArray, 
 
 @kernel
 def ended(state: FloatArray, doubts: FloatArray, meetings: FloatArray) -> int:
-    """How the search ended: the pair that decides is the one that met in the walk of BAD; or NARROW."""
+    """The exit status: the pair that decides is the one that met in the walk of BAD; or NARROW."""
     over = is_over(state, doubts)
     if not over and state[Bracket.TRIALS] < bracket.MOST_TRIALS:
         return SizeGoal.NARROW
@@ -256,9 +256,9 @@ def after_walk(state: FloatArray, doubts: FloatArray, meetings: FloatArray, resu
 
 @kernel
 def next_task(state: Vector, doubts: Vector, meetings: Table, value: float) -> int:
-    """What is asked for next, in the walk of size NOW, or how the search ended.
+    """The next request, in the walk of size NOW, or the exit status of the search.
 
-    `value` answers what was asked for before: how a walk went, or a distance less the margin wanted, m,
+    `value` answers the request before: a verdict on a walk, or a distance less the required margin, m,
     NaN or infinite if there is no such walk. `doubts` holds the sizes that could not be decided. A
     search begins with PHASE 0, STAGE, SIZE (with GOOD, BAD and TRIED for a border), and no meetings.
     """

@@ -1,4 +1,4 @@
-"""Whether benches keep from what stands on the square, in the walk of a size that is tried."""
+"""Whether benches keep clear of obstacles and of the venue's edge, in the walk of a size on trial."""
 
 import math
 
@@ -29,13 +29,13 @@ from benchdragon.kernels.size_memory import (
 from benchdragon.kernels.time_of_impact import Goal
 from benchdragon.kernels.walk_search import HANDLES_A_CALL, WalkEnding
 
-# How a walk stands that is to be searched on.
+# No verdict on a walk yet: it is to be searched on.
 GOES_ON = -2
 
 
 @kernel
 def begin_square(sought: Sought) -> None:
-    """Begin to look at obstacles, the first of them next: where the route of NOW leads back."""
+    """Begin with the first obstacle, and find where the route of NOW leads back."""
     walk, figures, reach = sought.walk, sought.figures, 0.0
     figures[SizeTold.AT_THING] = figures[SizeTold.BEGUN] = figures[SizeTold.UNSURE] = figures[
         SizeTold.KNOWN
@@ -49,7 +49,7 @@ def begin_square(sought: Sought) -> None:
 
 @kernel
 def begin_thing(block: int) -> bool:
-    """Begin to look at the obstacle at hand; whether there is memory."""
+    """Begin the search beside the current obstacle; False without memory."""
     sought = group_at(Sought, block + BASE)
     figures, limits, asked, walk = sought.figures, sought.limits, sought.asked, sought.walk
     n, things, corner = int(figures[SizeTold.AT_THING]), sought.square.things, 0
@@ -72,7 +72,7 @@ def begin_thing(block: int) -> bool:
 
 @kernel
 def stepped(block: int, left: float) -> int:
-    """How a step of the search beside the obstacle at hand ended."""
+    """Step the search beside the current obstacle; returns its exit status."""
     figures = group_at(Sought, block + BASE).figures
     if figures[SizeTold.BEGUN] == 0.0:
         if not begin_thing(block):
@@ -93,7 +93,7 @@ def stepped(block: int, left: float) -> int:
 def looked_beside(block: int, left: float) -> int:
     """GOES_ON once no bench comes near an obstacle in the walk of NOW, FAILS where one does; or MORE.
 
-    Or UNDECIDED where there is no memory. What cannot be told is UNSURE: then no such walk passes.
+    Or UNDECIDED without memory. An obstacle that is undecided sets UNSURE: then no such walk passes.
     """
     sought = group_at(Sought, block + BASE)
     figures = sought.figures

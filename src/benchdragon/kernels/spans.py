@@ -1,4 +1,4 @@
-"""Which of a way is new, on a route of which parts repeat: see kernels/rounds.py."""
+"""The new parts of a way, on a route of which parts repeat: see kernels/rounds.py."""
 
 import math
 
@@ -9,17 +9,17 @@ from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.local_minima import head_where_tail
 from benchdragon.kernels.numbered import Numbered
 
-# What is searched beyond a whole round, m: more than rounding moves where one ends.
+# The way that is searched beyond a whole round, m: more than rounding moves its end.
 BEYOND_ROUND = 1e-6
-# What is left out is at least so many times as long as the benches: a search that begins anew costs.
+# A part that is left out is at least so many times as long as the benches: restarts have their cost.
 WORTH = 2.0
-# What one bench beside something that stands still may be off by of itself, m: roundings of its place,
-# a thousandfold where it is all but folded.
+# The error of one bench beside an obstacle, m: roundings of its place, a thousandfold where it is all
+# but folded.
 PLACED = 1e-10
 
 
 class RepeatSpan(Numbered):
-    """A repeat: the route from LOW to HIGH, m, is what it was PERIOD before, but for MISSED, m."""
+    """A repeat: the route from LOW to HIGH, m, is what it was PERIOD before, up to MISSED, m."""
 
     LOW, HIGH, PERIOD, MISSED = range(4)
 
@@ -38,9 +38,9 @@ def begin_repeats(
     rows: FloatArray, links: Vector, repeats: FloatArray, at: Vector, places: Placements,
     begun: FloatArray,
 ) -> int:  # fmt: skip
-    """Fill begun with the repeats that benches of these links have anything of; how many.
+    """Fill `begun` with the repeats that spare benches of these links some way; returns how many.
 
-    Those come first that leave out most; what is left out for one before is left out once.
+    Those that spare most come first; one whose part an earlier one spares is left out.
     """
     count, length = 0, 0.0
     for i in range(links.shape[0]):
@@ -72,9 +72,9 @@ def new_spans(
     begun: FloatArray, count: int, length: float, first: float, last: float, skips: FloatArray,
     spans: FloatArray,
 ) -> tuple[int, float]:  # fmt: skip
-    """Fill spans with those of a way from first to last, m, that repeat nothing before them there.
+    """Fill `spans` with those of a way from first to last, m, that repeat nothing before them there.
 
-    How many, and what places may be off by from those some rounds before, m. `skips` is scratch.
+    Returns how many, and the error of places against those some rounds before, m. `skips` is scratch.
     """
     skipped, missed = 0, 0.0
     for n in range(count):

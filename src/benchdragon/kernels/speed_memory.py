@@ -1,4 +1,4 @@
-"""What a question about greatest values knows, and where that lies in the engine's own memory."""
+"""The state of a question about greatest values, and its layout in the engine's own memory."""
 
 from typing import NamedTuple
 
@@ -29,14 +29,14 @@ from benchdragon.kernels.speed_search import (
 
 
 class SpeedGiven(Numbered):
-    """What hosts say of a question, a row of floats."""
+    """What a host passes with a question, a row of floats."""
 
     EXTENT = 0  # of the dragon, m
     HEAD = 1  # m/s: up to which a head speed is sought; 0 if none is
-    MOST_CELLS = 2  # times links, that are made at a time: the way is searched in windows of so many
+    MOST_CELLS = 2  # times links, made at a time: the way is searched in windows of so many
     FIRST_OPEN = 3  # parts of the way that there is room for at first
     MOST_OPEN = 4  # handles times parts that may wait; more are left, and the bracket stays wider
-    BUDGET = 5  # handles placed, or cells made, between two looks at the clock
+    BUDGET = 5  # handles placed, or cells made, between two readings of the clock
     CELL_COST = 6  # of a cell, in handles bounded
     COARSE_STEP = 7  # that cells bound, as a share of the shortest link
     MOST_LOSS = 8  # of the coarse bound from the head to the tail, as a share
@@ -47,9 +47,9 @@ SPEED_NUMBERS = len(SpeedGiven)
 
 
 class SpeedTold(Told):
-    """What is told of a question, a row of floats.
+    """The result of a question, a row of floats that begins with the columns of `question.Told`.
 
-    It is of the greatest value, or of that of the limit that decides.
+    It is about the greatest value, or about that of the limit that decides.
     """
 
     VALUE = 2
@@ -66,12 +66,12 @@ class SpeedTold(Told):
     DECIDES = 13  # the quantity whose limit that is; -1 if none
     QUANTITY = 14  # that is sought now
     SHARE = 15  # of all that is done
-    GIVEN_UP = 16  # 1 if that took more work than it may: the bracket is left open
+    GIVEN_UP = 16  # 1 if that took more work than it may: the bracket has no upper end
     LOW = 17  # the window, m
     HIGH = 18
-    # And what hosts need not know: the limit of the quantity at hand, what may be spent, what a cell
-    # may lose, parts that may wait, the bracket's gap at first and by what share it was closed; from
-    # where to where the way at hand leads, m.
+    # Internal: the limit of the current quantity, the work that may be spent, the loss of a cell, the
+    # parts that may wait, the bracket's gap at first and the share by which it was closed; where the
+    # current way begins and ends, m.
     LIMIT, LEFT, LOSS, MOST_ROWS, GAP, CLOSED_BY, BEGIN, END = range(19, 27)
 
 
@@ -79,9 +79,9 @@ SPEED_FIGURES = len(SpeedTold)
 
 
 class SpeedState(Numbered):
-    """Where a question stands, a row of whole numbers.
+    """The state of a question, a row of whole numbers.
 
-    What is next, the first stretch behind the way at hand, its window and windows, chains placed for
+    What is next, the first stretch behind the current way, its window and windows, chains placed for
     quantities before, how many of them there are in all, and were sought.
     """
 
@@ -92,7 +92,7 @@ SPEED_STATE = len(SpeedState)
 
 
 class SpeedMemory(Numbered):
-    """The memory of the block that parts that wait, cells, and all that keeps its size lie in."""
+    """The memories of the block for parts that wait, for cells, and for all of fixed size."""
 
     HEAP, CELL, OWN = range(3)
 
@@ -135,7 +135,7 @@ def errors(rows: int, handles: int, slots: int) -> Shapes:
 
 @kernel
 def lay_all(slots: IntArray, address: int, rows: int, benches: int, kinds: int, stretches: int) -> int:
-    """Lay from an address on all that keeps its size; the bytes that takes."""
+    """Lay out all arrays of fixed size from an address on; returns the bytes that they take."""
     handles, borders = benches + 1, 2 * (kinds + 1)
     part, one, two = (CHAIN_SLOTS, PART_FACTS), (handles, CHAIN_SLOTS), (2, borders)
     return memory.lay(slots, memory.HEADER, address, (
@@ -156,7 +156,7 @@ def lay_all(slots: IntArray, address: int, rows: int, benches: int, kinds: int, 
 
 @kernel
 def lay_heap(block: int, address: int, rows: int) -> None:
-    """Lay room for so many parts that wait."""
+    """Lay out room for so many parts that wait."""
     slots = memory.integers_at(block, SPEED_END_SLOT)
     slots[Header.OWNED + SpeedMemory.HEAP] = address
     memory.lay(slots, HEAP_SLOT, address, ((rows, PART_FACTS), (rows, PART_FACTS)))
@@ -164,7 +164,7 @@ def lay_heap(block: int, address: int, rows: int) -> None:
 
 @kernel
 def lay_cells(block: int, address: int, rows: int, kinds: int) -> None:
-    """Lay room for cells with so many borders."""
+    """Lay out room for cells with so many borders."""
     slots, row = memory.integers_at(block, SPEED_END_SLOT), (rows, ROW)
     slots[Header.OWNED + SpeedMemory.CELL] = address
     memory.lay(slots, CELLS_SLOT, address, (row, row, row, row, (rows, kinds)))

@@ -38,25 +38,25 @@ from benchdragon.kernels.swept_boxes import EDGE
 
 # First steps of the head that chains bound, as a share of the shortest link.
 FIRST_CHAIN_STEP = 0.1
-# The longest and the shortest cells, likewise.
+# The longest and the shortest cells, as shares of the shortest link.
 COARSE_CELL, FINEST_CELL = 0.4, 0.0125
-# What a cell may lose, as a share, where no handle is faster than the head at any of so many places, as
-# then the least loss hides that all along.
+# The loss of a cell that is allowed, as a share, if no handle is faster than the head at so many
+# places, as then the least loss hides that all along.
 LEAST_LOSS, LOSS_SAMPLES = 1e-9, 4
-# What a handle that is bounded costs, in handles placed.
+# The cost of a handle that is bounded, in handles placed.
 BOUNDED = 4.0
 # Rounding of a speed that was seen, relative: some 1e-14 after 200 benches, room for ten times as much.
 SPEED_ROUNDING = 1e-13
 
 
 class SpeedStage(Numbered):
-    """What a question is doing: the last two let samples, or all of the window, wait."""
+    """The stage of a question: in the last two samples, or all of the window, wait."""
 
     BEGUN, CUTTING, SAMPLED, WHOLE = range(4)
 
 
 class SpeedEnding(Numbered):
-    """How a step ends besides those of kernels/question.py; ON: it has not."""
+    """Exit statuses of a step besides those of kernels/question.py; ON: it goes on."""
 
     ON, DONE, FALLEN = range(3)
 
@@ -66,10 +66,10 @@ def open_peak(
     rows: Table, links: Vector, kinds: Vector, group: IntVector, drives: peak.Drives,
     tolerances: Vector, limits: Vector, numbers: Vector,
 ) -> int:  # fmt: skip
-    """Open a question about quantities with a tolerance; its handle, 0 if there is no memory.
+    """Open a question about quantities with a tolerance; returns its handle, 0 without memory.
 
-    `kinds`: the links, each once, the shortest first. Limits are infinite where there is none. What is
-    handed over is copied.
+    `kinds`: the links, each once, the shortest first. Limits are infinite where there is none. All is
+    copied.
     """
     block = memory.new_block(SPEED_END_SLOT - memory.HEADER)
     if block == 0:
@@ -233,7 +233,7 @@ def find_spans(asked: SpeedAsked) -> bool:
     for i in range(benches + 1):
         for k in range(LOSS_SAMPLES):
             most = max(most, places.ratio[i, k])
-    # Where nobody is faster than the head nothing may be lost on the way to the tail.
+    # Where no handle is faster than the head, nothing may be lost on the way to the tail.
     figures[SpeedTold.LOSS] = (
         LEAST_LOSS
         if most <= 1.0 + numbers[SpeedGiven.ALIKE]
@@ -328,7 +328,7 @@ def wait(block: int, phase: int, by_cells: int) -> int:
 
 @kernel
 def sought(block: int) -> int:
-    """Look through what waits until the bracket is closed, or too much waits."""
+    """Process the parts that wait until the bracket is closed, or too many wait."""
     asked = memory.group_at(SpeedAsked, block + BASE)
     figures, notes, shortest = asked.figures, asked.notes, asked.kinds.links[0, 0]
     q = int(figures[SpeedTold.QUANTITY])
@@ -368,7 +368,7 @@ def sought(block: int) -> int:
 
 @kernel
 def given_up(asked: SpeedAsked) -> int:
-    """Leave a bracket open that takes too much work; MORE where nothing is seen: the host says so."""
+    """Give up a bracket that takes too much work, without an upper end; MORE if no value was seen."""
     if asked.notes[SpeedNote.SEEN] < 0.0:
         return QuestionEnding.MORE
     asked.notes[SpeedNote.UPPER], asked.figures[SpeedTold.GIVEN_UP] = math.inf, 1.0
@@ -388,7 +388,7 @@ def head_speed(quantity: int, limit: float, most: float) -> float:
 
 @kernel
 def settle(asked: SpeedAsked) -> None:
-    """Tell what the search of a quantity found; of a head speed only if its limit is exceeded there."""
+    """Report what the search of a quantity found; for a head speed only if it exceeds its limit."""
     figures, notes, q = asked.figures, asked.notes, int(asked.figures[SpeedTold.QUANTITY])
     asked.state[SpeedState.SOUGHT] += 1
     most = max(notes[SpeedNote.UPPER], notes[SpeedNote.SEEN])
@@ -409,7 +409,7 @@ def settle(asked: SpeedAsked) -> None:
     place_chain(asked.rows, asked.links, asked.batch.at, 0, 1, places)
     if (
         q == DriveRate.SPEEDS
-    ):  # the first that comes to it but for rounding: on one arc all are equally fast
+    ):  # the first that attains it up to rounding: on one arc all are equally fast
         for i in range(places.ratio.shape[0]):
             fast = max(fast, places.ratio[i, 0])
         row = 0
@@ -422,7 +422,7 @@ def settle(asked: SpeedAsked) -> None:
 
 @kernel
 def tell(asked: SpeedAsked, all_done: bool) -> None:
-    """Tell how far the question is: how narrow brackets are, of the first to the tolerance."""
+    """Report the progress: how narrow brackets are, of the first width to the tolerance."""
     figures, ways, q = asked.figures, asked.drives.ways, int(asked.figures[SpeedTold.QUANTITY])
     figures[SpeedTold.PLACED] = asked.state[SpeedState.BEFORE] + asked.counts[SpeedCount.EVALUATIONS]
     lower, whole = asked.notes[SpeedNote.SEEN], ways[ways.shape[0] - 1, 1] - ways[0, 0]
@@ -447,9 +447,9 @@ def tell(asked: SpeedAsked, all_done: bool) -> None:
 
 @entry
 def step_peak(handle: int, left: float) -> int:
-    """Go on for some hundredths of a second; MORE, or how that ended.
+    """Search for some hundredths of a second; returns MORE, or the exit status.
 
-    `left`: so many handles may be placed; where more are, what was seen is told, with no upper end.
+    `left`: so many handles may be placed; if more are needed, what was seen gets no upper bound.
     """
     block = memory.recall(handle)
     if block == 0:

@@ -1,9 +1,9 @@
 """The greatest of a quantity over a walk: branch and bound over the head's place, best bound first.
 
-Parts of the head's way wait in a heap by what bounds them. The one with the greatest bound is looked at
-first: long parts by the cells of the route (bench_cells.py), short ones by chains at their ends and at
-places in between, whose values are what is seen. Only the links that may still exceed it go with a
-part. The search is over when no bound is above what is seen by more than is asked for.
+Parts of the head's way wait in a heap by their upper bounds. The greatest is processed first: long
+parts by the cells of the route (bench_cells.py), short ones by chains at their ends and at places in
+between, whose values are what is seen. Only the links that may still exceed it go with a part. The
+search is over when no bound exceeds the greatest value seen by more than the tolerance.
 """
 
 import math
@@ -30,10 +30,10 @@ class PartSpan(Numbered):
 
 
 class PartFact(Numbered):
-    """What is known of a part that waits, whole numbers.
+    """Facts about a part that waits, whole numbers.
 
     The stretch of the drive that it belongs to, the links that may exceed what is seen, and whether
-    the cells are to be asked of it (1) or chains (0).
+    cells (1) or chains (0) bound it next.
     """
 
     STRETCH, LINKS, BY_CELLS = range(3)
@@ -43,17 +43,17 @@ PART_FACTS = len(PartFact)
 
 
 class PartCut(Numbered):
-    """What a batch says of a part besides: the first of its slots, and into how many it is cut."""
+    """Facts about a part of a batch besides: the first of its slots, and into how many it is cut."""
 
     SLOT, PIECES = 0, 1
 
 
 class SpeedNote(Numbered):
-    """What is known, a row of floats."""
+    """The state of a search, a row of floats."""
 
     SEEN = 0  # the greatest value at any chain; -1 before the first
     WHERE = 1  # the head's position there, m
-    UPPER = 2  # at most what was put aside
+    UPPER = 2  # upper bound of the parts that were given up
     SURE = 3  # a value that is exactly reached or exceeded
     # the greatest value seen where rounding hides no handle's side of a jump, if sides matter
     SIDED = 4
@@ -63,7 +63,7 @@ SPEED_NOTES = len(SpeedNote)
 
 
 class SpeedCount(Numbered):
-    """What is counted, a row of whole numbers."""
+    """Counts of a search, a row of whole numbers."""
 
     OPEN = 0  # parts that wait
     ROW = 1  # the handle or bench that was seen
@@ -73,22 +73,22 @@ class SpeedCount(Numbered):
 
 SPEED_COUNTS = len(SpeedCount)
 
-# Chains that are placed at a time, and the parts of a step that is looked at again.
+# Chains that are placed at a time, and the parts into which a step is cut that is bounded again.
 CHAIN_SLOTS, STEP_SHARES = 16, 2
 # Parts that a long way is cut into at most, and a step of the cells at least.
 MOST_PART_PIECES, CELL_SHARES = CHAIN_SLOTS - 1, 4
-# What rounding may add to the length of a step, as a share.
+# The rounding error of a step's length, as a share.
 LENGTH_ROUNDING = 1.0 + 1e-9
-# What is never greater than this, in SI units, counts as nothing: with what rounding adds 1e-9.
+# Values up to this, in SI units, count as nothing: with the rounding errors 1e-9.
 NOTHING = 0.999e-9
 # The bracket's width where a limit is kept, as a share of the value, and of the limit at most.
 ROUGHLY, LITTLE = 1e-2, 1e-2
-# What a bound on a handle by cells costs, in handles placed.
+# The cost of a bound on a handle by cells, in handles placed.
 CELL_COST = 0.125
 
 
 class SpeedAim(NamedTuple):
-    """What is asked, and the longest steps, m, that cells and chains bound."""
+    """The goal of a search, and the longest steps, m, that cells and chains bound."""
 
     quantity: int
     tolerance: float
@@ -113,7 +113,7 @@ class Heap(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """Parts that are looked at together."""
+    """Parts that are processed together."""
 
     parts: Table  # as in the heap, (CHAIN_SLOTS, 3)
     marks: IntTable
@@ -123,7 +123,7 @@ class Batch(NamedTuple):
 
 
 class Chains(NamedTuple):
-    """Chains in slots, and what bounds on them are worked out in."""
+    """Chains in slots, and the scratch of bounds on them."""
 
     places: Placements
     change: Table  # of `chain.rates`
@@ -140,7 +140,7 @@ def believed(notes: FloatArray) -> float:
 
 @kernel
 def enough(seen: float, tolerance: float, limit: float) -> float:
-    """What no bound need be drawn tighter than; before anything is seen all must be."""
+    """The value that bounds need not fall below; before anything is seen no bound is good enough."""
     if seen < 0.0:
         return seen
     if seen > limit:
@@ -152,7 +152,7 @@ def enough(seen: float, tolerance: float, limit: float) -> float:
 
 @kernel
 def before(parts: FloatArray, i: int, j: int) -> bool:
-    """Whether part i is to be looked at before part j; of equal bounds the first on the way."""
+    """Whether part i is processed before part j; of equal bounds the first on the way comes first."""
     if parts[i, PartSpan.BOUND] == parts[j, PartSpan.BOUND]:
         return parts[i, PartSpan.START] < parts[j, PartSpan.START]
     return parts[i, PartSpan.BOUND] > parts[j, PartSpan.BOUND]
@@ -184,7 +184,7 @@ def push(
 
 @kernel
 def take(heap: Heap, counts: IntArray, batch: Batch, n: int) -> None:
-    """Take the first part off the heap, as number n of the batch."""
+    """Take the first part off the heap, to be number n of the batch."""
     parts, marks, i = heap.parts, heap.marks, 0
     for k in range(PART_FACTS):
         batch.parts[n, k], batch.marks[n, k] = parts[0, k], marks[0, k]
@@ -211,7 +211,7 @@ def square_at(squares: FloatArray, n: int, share: float) -> float:
 
 @kernel
 def set_drive(drives: Drives, n: int, a: float, b: float, drive: FloatArray) -> None:
-    """Fill in the head's drive from a to b, m, on stretch n."""
+    """Fill `drive` with that of the head from a to b, m, on stretch n."""
     start, length = drives.ways[n, 0], drives.ways[n, 1] - drives.ways[n, 0]
     from_share, to_share = 0.0, 1.0
     if length > 0.0:
@@ -230,7 +230,7 @@ def ends_apart(a: float, b: float) -> bool:
 
 @kernel
 def divide(heap: Heap, counts: IntArray, batch: Batch, step: float) -> None:
-    """Cut the batch's first part, of more than so many steps, m, and let the pieces wait as it did."""
+    """Cut the batch's first part, longer than so many steps, m, and let the pieces wait as it did."""
     a, b = batch.parts[0, PartSpan.START], batch.parts[0, PartSpan.END]
     pieces = int(min(math.ceil((b - a) / step), MOST_PART_PIECES))
     for k in range(pieces):
@@ -246,7 +246,7 @@ def look_by_cells(
     cells: Cells, group: IntArray, aim: SpeedAim, drives: Drives, heap: Heap, batch: Batch,
     notes: FloatArray, counts: IntArray,
 ) -> None:  # fmt: skip
-    """Bound steps of the batch's first part by cells, and let wait what they leave open."""
+    """Bound steps of the batch's first part by cells, and let those wait that stay undecided."""
     a = batch.parts[0, PartSpan.START]
     b = batch.parts[0, PartSpan.END]
     stretch = batch.marks[0, PartFact.STRETCH]
@@ -267,7 +267,7 @@ def look_by_cells(
 
 @kernel
 def pieces_of(a: float, b: float, step: float) -> int:
-    """Into how many a part from a to b, m, is cut that chains look at."""
+    """The number of pieces into which a part from a to b, m, is cut for chains."""
     if b - a > step * LENGTH_ROUNDING:
         return math.ceil((b - a) / step)
     return STEP_SHARES if ends_apart(a, b) else 1
@@ -327,8 +327,8 @@ def keep(
 ) -> None:  # fmt: skip
     """Let the piece of the batch's part n that begins in slot t wait, if it may exceed what is seen.
 
-    `most` bounds its handles as they were computed; exactly they may do more by what `off` says of its
-    two ends, which no looking closer takes away.
+    `most` bounds its handles as they were computed; exactly they may do more by the errors `off` at its
+    two ends, which no refinement takes away.
     """
     wanted = enough(believed(notes), aim.tolerance, aim.limit)
     bound, settled, links = 0.0, 0.0, -1
@@ -391,7 +391,7 @@ def look_by_chains(
     n: int,
     chains: Chains, notes: FloatArray, counts: IntArray,
 ) -> None:  # fmt: skip
-    """Bound the pieces of the batch's part n, whose chains are placed, and let wait what is open."""
+    """Bound the pieces of the batch's part n, whose chains are placed; let the undecided ones wait."""
     first, stretch, drive = batch.slots[n, PartCut.SLOT], batch.marks[n, PartFact.STRETCH], batch.drive
     scratch = chains.scratch
     for t in range(first, first + batch.slots[n, PartCut.PIECES]):
@@ -406,11 +406,11 @@ def seek_peak(
     rows: Table, links: Vector, group: IntVector, cells: Cells, aim: SpeedAim, drives: Drives,
     heap: Heap, batch: Batch, chains: Chains, notes: Vector, counts: IntVector, budget: int,
 ) -> Ended:  # fmt: skip
-    """Look through the parts that wait; notes and counts receive what was found.
+    """Process the parts that wait; notes and counts receive what was found.
 
-    To be called again, after MORE (about so many handles as `budget` were placed) as it is, after ROOM
-    with a larger heap. What waits then bounds the quantity, with notes[UPPER]. FALLEN: the chain cannot
-    stand at one of the batch's positions.
+    Call it again, after MORE (about so many handles as `budget` were placed) as it is, after ROOM with
+    a larger heap. What waits then bounds the quantity, with notes[UPPER]. FALLEN: the chain has no
+    place at one of the batch's positions.
     """
     spent, wanted = 0.0, enough(believed(notes), aim.tolerance, aim.limit)
     while counts[SpeedCount.OPEN] > 0 and heap.parts[0, PartSpan.BOUND] > wanted:

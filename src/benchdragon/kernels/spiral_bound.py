@@ -17,7 +17,7 @@ from benchdragon.kernels.links import link_of
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.swept_boxes import SQUARE
 
-# What is left below the pitch, m: far above the rounding of these few formulas.
+# The allowance below the pitch, m: far above the rounding of these few formulas.
 SPARE_PITCH = 1e-9
 # Radii are sought up to this, m, and so often is their range halved; any that is safe will do.
 FARTHEST_RADIUS, RADIUS_HALVINGS = 1e6, 30
@@ -36,7 +36,7 @@ class Shape(NamedTuple):
 
 @kernel
 def shape_of(sizes: FloatArray, group: IntArray, g: int, room: float) -> Shape:
-    """That of the benches of group g, of sizes (4, kinds), each with `room` metres all round."""
+    """The shape of the benches of group g, of sizes (4, kinds), each with `room` metres all round."""
     shape = Shape(math.inf, 0.0, 0.0, 0.0)
     for k in range(sizes.shape[1]):
         if group[k] == g:
@@ -80,7 +80,7 @@ def follows_outside(shape: Shape, b: float, radius: float) -> bool:
 
 @kernel
 def reaches(shape: Shape, b: float, radius: float) -> tuple[float, float]:
-    """How far it reaches, m, above excess 0 and below, with both handles outside `radius`.
+    """How far a shape reaches, m, above excess 0 and below, with both handles outside `radius`.
 
     Along the line of the handles the excess is convex, with second derivative at most `bend`, and
     0 at both handles. `shift` bounds how far apart the foot of the centre and their middle lie,
@@ -159,7 +159,7 @@ def clear_part(rows: FloatArray, j: int, theta: float, way: float) -> tuple[floa
 
 @kernel
 def clear_spans(rows: Table, ahead: Shape, behind: Shape, between: float, spans: Table) -> int:
-    """Fill spans, (rows, 2), with parts of a route, m, in which two benches cannot meet; how many.
+    """Fill spans, (rows, 2), with parts of a route, m, where two benches cannot meet; returns how many.
 
     One of `ahead` and, with a link of at least `between` metres in between, one of `behind` keep apart
     by the room in their shapes while their front handles are both in the same part. They also follow

@@ -1,10 +1,10 @@
-"""How placing a handle, making a turn, fitting a line and a call of a long search end."""
+"""Exit statuses of placing a handle, making a turn, fitting a line, and a call of a long search."""
 
 from enum import IntEnum
 
 
 class Status(IntEnum):
-    """How the search for a handle ended; anything but `OK` leaves NaN behind it."""
+    """Exit status of the search for a handle; anything but `OK` leaves NaN behind it."""
 
     OK = 0
     BEFORE_ROUTE = 1  # the head stands behind everything that the route offers
@@ -27,7 +27,7 @@ class TurnStatus(IntEnum):
 
 
 class Ended(IntEnum):
-    """How a call of a long search ended, all of which lies in the caller's arrays."""
+    """Exit status of a call of a long search, all of which lies in the caller's arrays."""
 
     DONE = 0
     MORE = 1  # the budget is spent: to be called again

@@ -1,8 +1,8 @@
 """A dragon whose handles do not keep to the route: each walks beside it, links stay rigid.
 
-Handle i walks on the curve that runs aside[i] metres to the left of the route. Its place there is told
-by the place (row, u) of the route beside which it stands; its tangent is the route's, its curvature
-k / (1 - aside k). So everything that is known of chains on a route holds for it (see `step_bounds`).
+Handle i walks on the curve that runs aside[i] metres to the left of the route. Its tangent is the
+route's, its curvature k / (1 - aside k), and its place is given by the place (row, u) of the route
+beside it. So everything that is known of chains on a route holds for it (see kernels/motion_bounds.py).
 """
 
 import math
@@ -128,8 +128,8 @@ def place_beside(
 ) -> bool:  # fmt: skip
     """Place the chain in slot t with its head at at[t], on the route if `aside` is empty, else beside.
 
-    Beside it, it is followed on from slot `near`; where that is t, or fails, from where it would stand
-    on the route.
+    A chain beside the route is followed on from slot `near`; where that is t, or fails, from where it
+    would stand on the route.
     """
     if aside.shape[0] and near != t and place_perturbed(rows, links, aside, at, near, t, out):
         return True
@@ -139,7 +139,7 @@ def place_beside(
 
 @entry
 def place_along(rows: Table, links: Vector, aside: Vector, at: Vector, out: Placements) -> int:
-    """Place chains with their heads at all of `at`, in order; how many can stand until one cannot."""
+    """Place chains with their heads at all of `at`, in order; how many stand before one cannot."""
     for t in range(at.shape[0]):
         if not place_beside(rows, links, aside, at, max(t - 1, 0), t, out):
             return t

@@ -29,7 +29,7 @@ STRAY_LENGTH = 10.0
 SPREAD = STRAY_LENGTH / math.sqrt(2.0)
 TO_A_SPREAD, LATTICE_REACH = 2, 14
 LATTICE = SPREAD / TO_A_SPREAD
-# What makes the deviation of the sum 1.
+# The factor that makes the deviation of the sum 1.
 SCALE = (TO_A_SPREAD * math.sqrt(math.pi)) ** -0.5
 # Arcs are between points so far apart, m, or nearer where the curvature changes: by so much in a
 # metre, 1/m, an arc keeps within 1e-5 m of the line meant. Points nearer than LEAST_PART to one another
@@ -39,7 +39,7 @@ ARC_LENGTH, ARC_CHANGE, LEAST_PART, BEHIND = 2.0, 3e-3, 1e-3, 1.0
 
 @kernel
 def noise_count(way: float) -> int:
-    """How many numbers a line wants whose head ends so far on, m."""
+    """The number of noise values that a line needs whose head ends at `way`, m."""
     return int(way / LATTICE) + 2 * LATTICE_REACH + 2
 
 
@@ -52,9 +52,9 @@ def fill_noise(seed: int, dance: int, out: FloatArray) -> None:
 
 @kernel
 def offset_at(noise: FloatArray, back: float) -> tuple[float, float]:
-    """How far to the left the line lies, in standard deviations, `back` metres before the head's end.
+    """The line's offset to the left, in standard deviations, `back` metres before the head's end.
 
-    And how fast that changes along the route, 1/m.
+    The second result is its change along the route, 1/m.
     """
     n, x, value, slope = math.floor(back / LATTICE), back / LATTICE, 0.0, 0.0
     for k in range(1, 2 * LATTICE_REACH + 1):
@@ -80,7 +80,7 @@ def before(rows: FloatArray, s: float, low: float) -> float:
 
 @kernel
 def lay_points(rows: FloatArray, low: float, end: float, out: FloatArray, most: int) -> int:
-    """Points from `low` to `end`, m, to fit arcs between, joints among them; how many, up to `most`.
+    """Points from `low` to `end`, m, to fit arcs between, and joints; returns how many, up to `most`.
 
     They fill `out` if there are as many as it holds.
     """
@@ -161,7 +161,7 @@ def lay_line(
 ) -> None:
     """Fill the rows of the line beside a route, one and two for each two points, and `along`.
 
-    That is where each point lies along the line, m. `stray`: the standard deviation of its offset, m.
+    `along`: each point's position on the line, m. `stray`: the standard deviation of its offset, m.
     """
     last = points.shape[0] - 1
     begun = beside(rows, points[0], noise, stray, points[last] - points[0])

@@ -33,8 +33,8 @@ SHORT = 1.0 - 1e-8
 MOST_CHORD_PIECES = 200
 # Route positions are sure to this, m; a handle so near a border counts for both cells.
 EDGE = 1e-7
-# More than this no distance may be off by, m: cells of the route leave out what is farther apart than
-# is asked for by EDGE.
+# The greatest error of a distance that is allowed, m: cells of the route leave out pairs that are
+# farther apart than the reach by EDGE.
 MOST_OFF = 0.25 * EDGE
 
 
@@ -180,7 +180,7 @@ def first_behind(s: FloatArray, t: int, ahead: float, start: int, end: int) -> i
 
 @kernel
 def add_pair(first: IntArray, second: IntArray, since: int, found: int, i: int, j: int) -> int:
-    """Note the pair (i, j) unless it stands there since number `since`; how many there are then."""
+    """Record pair (i, j) unless it is there since number `since`; returns the number of pairs."""
     for p in range(since, min(found, first.shape[0])):
         if second[p] == j:
             return found

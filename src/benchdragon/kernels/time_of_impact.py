@@ -2,8 +2,8 @@
 
 Continuous collision detection over an interval of the head's route position. The leftmost part of the
 interval is opened first; pairs of benches that a lower bound of their separation shows apart all
-through it (kernels/separation_bounds.py) are culled, and while any are left the part is bisected.
-Nothing is passed over because it was only looked at: a contact is never told too late.
+through it (kernels/separation_bounds.py) are culled, and while any are left the part is bisected. No
+part is passed over because of samples alone: a contact is never reported too late.
 """
 
 import math
@@ -25,7 +25,7 @@ from benchdragon.kernels.stray_chain import bound_beside, place_beside
 
 
 class Goal(Numbered):
-    """What a search is after."""
+    """The goals of a search."""
 
     FIRST_TOUCH = 0  # the first head position at which a pair is nearer than the margin
     TOUCH_END = 1  # after a touch, the first at which no pair is
@@ -33,29 +33,29 @@ class Goal(Numbered):
 
 
 class Ending(Numbered):
-    """How a search ended."""
+    """Exit status of a search."""
 
     CLEAR = 0  # the step is clear; TOUCH_END: touched throughout; LEAST: the bracket is closed
     FOUND = 1  # LEAST: benches overlap
     GRAZE = 2  # in the bracket a pair comes so near the margin that rounding hides on which side
     STUCK = 3  # too many evaluations; up to the bracket's lower end all is as for CLEAR
     FALLEN = 4  # the chain cannot stand at some place of the head
-    # How a part of the step is judged, besides CLEAR, FOUND and GRAZE.
-    UNSURE = 5  # only rounding is left to tell
-    SPLIT = 6  # its halves must be looked at
+    # Classes of a part of the step, besides CLEAR, FOUND and GRAZE.
+    UNSURE = 5  # rounding alone decides
+    SPLIT = 6  # its halves must be searched
 
 
 class Note(Numbered):
-    """What a search knows, a row of floats."""
+    """The state of a search, a row of floats."""
 
     LOWER = 0  # head position: as for CLEAR up to here, unless infinite
     UPPER = 1  # head position at which FOUND is sure, or at which LEAST was seen
     PAIR = 2  # number of the pair
     EVALUATIONS = 3  # chains marched
     NEAREST = 4  # LEAST: the least distance seen, m
-    LOWEST = 5  # LEAST: no pair alive comes nearer in the part at hand, m
+    LOWEST = 5  # LEAST: no pair alive comes nearer in the current part, m
     FLOOR = 6  # LEAST: no pair comes nearer in the parts that were given up, m
-    OFF = 7  # what computed distances that mattered may be off by, m, at most
+    OFF = 7  # the largest error bound of distances that decided, m
 
 
 NOTES = len(Note)
@@ -68,16 +68,16 @@ class Chain(NamedTuple):
     """The benches that are searched, and what they walk on.
 
     Handle i walks aside[i] metres to the left of the route; all on it if `aside` is empty. Links are
-    those of the benches up to the last member. What stands still counts as members after these.
-    `seams` are those of `rounding.find_seams`; without any, computed places count as exact.
+    those of the benches up to the last member. Obstacles count as members after these. `seams` are
+    those of `rounding.find_seams`; without any, computed places count as exact.
     """
 
     rows: Table
     links: Vector
     aside: Vector
     sizes: Table
-    members: IntVector  # benches that are looked at, from 0, ascending
-    standing: Table  # boxes that stand still, (obstacles, BOX_COLUMNS)
+    members: IntVector  # benches that are searched, from 0, ascending
+    standing: Table  # boxes of obstacles, (obstacles, BOX_COLUMNS)
     seams: Table
 
 
@@ -89,11 +89,11 @@ class Pairs(NamedTuple):
 
 
 class Limits(NamedTuple):
-    """How near is near, and when to stop.
+    """The margin, and when to stop.
 
-    `slack`, m, is the least that distances count as off by, however small the bound on their rounding
-    is, so that grazes end; for LEAST it is how far below the least distance seen the bound may lie.
-    Parts of at most `width` metres are not halved; `most` evaluations are made.
+    `slack`, m, is the least error that is assumed of distances, however small the bound on their
+    rounding is, so that grazes end; for LEAST it is how far below the least distance seen the bound may
+    lie. Parts of at most `width` metres are not halved; `most` evaluations are made.
     """
 
     margin: float
@@ -103,14 +103,14 @@ class Limits(NamedTuple):
 
 
 class Search(NamedTuple):
-    """What one search works on: open right ends in slots 1.., the left end in slot 0."""
+    """The arrays of one search: open right ends in slots 1.., the left end in slot 0."""
 
     at: Vector  # head positions, (DEPTH,)
     places: Placements
     handles: Table  # scratch, (handles, HANDLE_COLUMNS)
     sweeps: Table  # (members, BENCH_COLUMNS)
     boxes: Table  # (DEPTH * members, BOX_COLUMNS), slot by slot
-    off: Vector  # what any point of these may be off by, m, (DEPTH * members,)
+    off: Vector  # error bounds of any point of these, m, (DEPTH * members,)
     lanes: Vector  # scratch of these, (handles,) either
     errors: Vector
     alive: IntTable  # pairs not yet shown to keep apart in the part up to a slot, (DEPTH, pairs)
@@ -134,8 +134,8 @@ def number_members(
 ) -> int:  # fmt: skip
     """Fill members with the benches of pairs, ascending, and mine, other with the pairs by members.
 
-    Gives how many members there are. Pair p is benches first[p] < second[p]. `place` is scratch, one
-    for each bench, all -1, as it is left.
+    Returns the number of members. Pair p is benches first[p] < second[p]. `place` is scratch, one for
+    each bench, all -1, as it is left.
     """
     last, count = 0, 0
     for p in range(first.shape[0]):
@@ -154,7 +154,7 @@ def number_members(
 
 @kernel
 def open_step(search: Search, pairs: int, start: float, end: float) -> int:
-    """Open the step from head position start to end; the slot of its end, 0 if there is no pair."""
+    """Open the step from head position start to end; returns the slot of its end, 0 without pairs."""
     search.at[0], search.at[1] = start, end
     activate_pairs(search, pairs)
     return min(pairs, 1)
@@ -180,7 +180,7 @@ def evaluate_slot(chain: Chain, search: Search, slot: int, near: int) -> bool:
 
 @kernel
 def member_count(chain: Chain) -> int:
-    """Benches that are looked at, and what stands still."""
+    """The number of members: benches that are searched, and boxes of obstacles."""
     return chain.members.shape[0] + chain.standing.shape[0]
 
 
@@ -199,9 +199,9 @@ def box_slot(chain: Chain, search: Search, slot: int) -> None:
 
 @kernel
 def bound_rounding(chain: Chain, search: Search, slot: int) -> None:
-    """Bound what the members' places at a slot may be off by.
+    """Bound the errors of the members' places at a slot.
 
-    Seen from the row of the head, or where something stands still from the route's first.
+    They are seen from the row of the head, or beside obstacles from the route's first.
     """
     rows, seams, sizes, places, still = (
         chain.rows, chain.seams, chain.sizes, search.places, chain.standing,
@@ -224,7 +224,7 @@ def bound_rounding(chain: Chain, search: Search, slot: int) -> None:
 
 @kernel
 def bound_members(chain: Chain, search: Search, top: int) -> None:
-    """Bounds on the benches' motion over the part from slot 0 to slot top."""
+    """Bound the benches' motion over the part from slot 0 to slot top."""
     rows, links, aside = chain.rows, chain.links, chain.aside
     if aside.shape[0] == 0:
         bound_handles(rows, links, search.places, 0, top, search.handles)
@@ -273,7 +273,7 @@ def end_distance(search: Search, slot: int, members: int, i: int, j: int) -> flo
 
 @kernel
 def separation_error(search: Search, top: int, count: int, i: int, j: int, slack: float) -> float:
-    """What the distance of members i and j may be off by at the part's ends, m; not below slack."""
+    """Error bound of the distance of members i and j at the part's ends, m; not below slack."""
     off, end = search.off, top * count
     return max(slack, off[i] + off[j], off[end + i] + off[end + j])
 
@@ -284,7 +284,7 @@ def cull_separated(
 ) -> float:
     """Leave alive the pairs that may come as near as `wanted` in the part; the least bound of them.
 
-    With a slack they are left alive that may exactly come so near, whatever rounding has made of them.
+    With a slack, pairs are left alive whose exact distance may come so near, whatever the rounding.
     """
     h, kept, lowest = search.handles[0, HandleBound.PATH], 0, math.inf
     for n in range(search.kept[top]):
@@ -308,7 +308,7 @@ def cull_separated(
 def classify_first_contact(
     search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
-    """How the part up to slot `top` stands for FIRST_TOUCH."""
+    """Classify the part up to slot `top` for FIRST_TOUCH."""
     margin, past = limits.margin, math.inf
     for n in range(search.kept[top]):
         p = search.alive[top, n]
@@ -341,7 +341,7 @@ def classify_first_contact(
 def classify_contact_end(
     search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
-    """How the part stands for TOUCH_END: one pair must stay near, by its travel or by its faces."""
+    """Classify the part for TOUCH_END: one pair must stay near, by its travel or by its faces."""
     margin, freed = limits.margin, math.inf
     nearest, held, rounding = math.inf, False, False
     for p in range(pairs.first.shape[0]):
@@ -372,7 +372,7 @@ def classify_contact_end(
 def classify_least(
     search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
-    """How the part stands for LEAST; the least distance seen may fall."""
+    """Classify the part for LEAST; the least distance seen may fall."""
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         for slot in (0, top):
@@ -391,7 +391,7 @@ def classify_least(
 def classify_interval(
     search: Search, goal: int, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
-    """How the part up to slot `top` stands for the goal."""
+    """Classify the part up to slot `top` for the goal."""
     if goal == Goal.FIRST_TOUCH:
         return classify_first_contact(search, top, count, pairs, limits, note)
     if goal == Goal.TOUCH_END:
@@ -406,8 +406,8 @@ def bisect(
 ) -> int:  # fmt: skip
     """Search a step that was begun for `goal`, whose chains before slot `ready` were placed.
 
-    How it ended; `note` receives what was found. For LEAST note[NEAREST] and note[FLOOR] hold what
-    earlier steps found; otherwise `note` is fresh.
+    Returns the exit status; `note` receives what was found. For LEAST note[NEAREST] and note[FLOOR]
+    hold what earlier steps found; otherwise `note` is fresh.
     """
     count, handles = member_count(chain), chain.links.shape[0] + 1
     evaluations, note[Note.LOWER] = 0, math.inf
@@ -443,7 +443,7 @@ def bisect(
 
 @kernel
 def close(search: Search, goal: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray) -> int:
-    """How a search ended that came to the end of its step, which is the left end now."""
+    """The exit status of a search that reached the end of its step, which is the left end now."""
     if goal == Goal.FIRST_TOUCH:
         for p in range(pairs.first.shape[0]):
             i, j = pairs.first[p], pairs.second[p]

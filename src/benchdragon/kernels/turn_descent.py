@@ -1,8 +1,8 @@
 """Downhill among turns, step by step: the best one by slopes of all peaks within a range of trust.
 
-At each step what is sought and what is limited are taken for straight lines of the unknowns, each peak
-for one of its own; how far limits are exceeded counts HARD times. The best point of these lines within
-a range is an interior-point method's. It is taken where that makes the turn better, else the range is
+At each step the goal and the limits are taken for linear functions of the unknowns, each peak for one
+of its own; the excess over limits counts HARD times. The best point of these lines within a range is
+found by an interior-point method. It is taken where that makes the turn better, else the range is
 narrowed. At a limit or where peaks meet, such steps close in on the best turn as Newton's do.
 """
 
@@ -19,7 +19,7 @@ from benchdragon.kernels.turn_trial import lay_trial, look, narrow
 
 # How much a limit counts that is exceeded by all of itself: more than what exceeding it may gain.
 HARD = 30.0
-# Those of a turn, and two more.
+# Unknowns of a step: those of a turn, and two more.
 STEP_UNKNOWNS = turn_peaks.UNKNOWNS + 2
 
 
@@ -90,7 +90,7 @@ DESCENT_STATE = len(DescentState)
 
 @kernel
 def merit(trial: Trial) -> float:
-    """What is to be small: what is sought, and HARD times what exceeds a limit most."""
+    """What is to be small: what is sought, and HARD times the greatest excess over a limit."""
     return greatest(trial, True) + HARD * max(greatest(trial, False), 0.0)
 
 
@@ -139,7 +139,7 @@ def set_slopes(trial: Trial, descent: Descent) -> None:
 
 @kernel
 def see_again(trial: Trial, descent: Descent) -> None:
-    """Look at known peaks, near their places, in a turn that is hardly another."""
+    """Evaluate known peaks again, near their places, in a turn that differs little."""
     rows = trial.rows[: trial.counts[TurnCount.ROUTE]]
     for n in range(int(descent.state[DescentState.KNOWN])):
         for k in range(turn_peaks.PEAK_COLUMNS):
@@ -150,7 +150,7 @@ def see_again(trial: Trial, descent: Descent) -> None:
 
 @kernel
 def draw_lines(trial: Trial, descent: Descent) -> int:
-    """Fill what a step must keep, and begin within it; how many lines that are."""
+    """Fill the lines that a step must keep to, and begin within them; returns how many there are."""
     x, z, lines, known, trust = (
         descent.x, descent.move, descent.lines, descent.known, descent.state[DescentState.TRUST],
     )  # fmt: skip

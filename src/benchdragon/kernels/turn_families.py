@@ -43,16 +43,16 @@ TURN_CLOSED = 1e-12
 SLOPE_STEP = 1e-7
 # Pieces shorter than this, m, are left out, and curvatures below it, 1/m, are straight.
 NEGLIGIBLE = 1e-9
-# An arc this near to a full turn, rad, is none.
+# An arc this near to a full turn, rad, has length 0.
 FULL_TURN = 2.0 * math.pi - 1e-12
 # Routes of turns go on so far before the turn, and so far behind it beyond the dragon's length, m.
 LEAD, TRAIL = 100.0, 1000.0
-# How far apart places on a turn are looked at for its reach, m.
+# The distance of places at which a turn is sampled for its reach, m.
 REACH_LOOK = 0.02
 
 
 class Bridge(NamedTuple):
-    """What a turn leads to, from (0, 0) along the x axis: a point, m, and how much it turns by, rad."""
+    """The end of a turn, from (0, 0) along the x axis: a point, m, and the angle turned by, rad."""
 
     x: float
     y: float
@@ -77,7 +77,7 @@ def spiral_curvature(pitch: float, radius: float) -> float:
 
 @kernel
 def bridge_between(pitch: float, entry_radius: float, exit_radius: float) -> Bridge:
-    """What a turn between the spirals at these radii leads to."""
+    """The bridge of a turn between the spirals at these radii."""
     k = pitch / (2.0 * math.pi)
     a, b = entry_radius / k, exit_radius / k
     # The outward spiral is the inward one turned by half a turn, walked the other way.
@@ -170,7 +170,7 @@ def line_between(swing: float, x: float, y: float, arcs: FloatArray) -> TurnStat
 
 @kernel
 def circle_between(swing: float, x: float, y: float, arcs: FloatArray) -> TurnStatus:
-    """As `line_between` where an arc of curvature arcs[1] does: the shorter of both ways, or none."""
+    """As `line_between` with an arc of curvature arcs[1]: the shorter of both ways, if there is one."""
     first, bend, last = arcs[0, TurnPiece.START], arcs[1, TurnPiece.START], arcs[2, TurnPiece.START]
     far, a, b = math.hypot(x, y), 1.0 / bend - 1.0 / first, 1.0 / last - 1.0 / bend
     if not abs(abs(a) - abs(b)) <= far <= abs(a) + abs(b) or a == 0.0 or b == 0.0 or far == 0.0:
@@ -193,7 +193,7 @@ def circle_between(swing: float, x: float, y: float, arcs: FloatArray) -> TurnSt
 
 @kernel
 def swept(turn: float, bend: float) -> float:
-    """Length, m, of an arc of this curvature that turns by `turn`, rad, but for full turns."""
+    """Length, m, of an arc of this curvature that turns by `turn`, rad, up to full turns."""
     full = math.copysign(2.0 * math.pi, bend)
     angle = turn - full * math.floor(turn / full)
     return 0.0 if abs(angle) > FULL_TURN else angle / bend
@@ -210,7 +210,7 @@ def set_bends(arcs: FloatArray, ratio: float) -> None:
 def eased(
     bridge: Bridge, easing: Easing, ratio: float, arcs: FloatArray, pieces: FloatArray
 ) -> tuple[int, TurnStatus]:
-    """Fill `pieces` from the arcs (two if there is a ratio), eased if that is wanted."""
+    """Fill `pieces` from the arcs (two if there is a ratio), eased if `easing` has a length."""
     if easing.length > 0.0:
         turn = 0.0
         for n in range(2 if ratio > 0.0 else ARCS):
@@ -233,7 +233,7 @@ def eased(
 
 @kernel
 def lay_pieces(easing: Easing, ratio: float, arcs: FloatArray, pieces: FloatArray) -> int:
-    """Fill `pieces` with the arcs, and clothoids before, between and after them; how many."""
+    """Fill `pieces` with the arcs, and clothoids before, between and after them; returns how many."""
     if ratio > 0.0:
         set_bends(arcs, ratio)
     count = 0
@@ -296,7 +296,7 @@ def slopes(
     bridge: Bridge, easing: Easing, ratio: float, arcs: FloatArray, pieces: FloatArray,
     n: int, x: float, y: float, turn: float,
 ) -> tuple[float, float, float]:  # fmt: skip
-    """How what is missed, (x, y, turn) now, changes with length n of `arcs`, per metre."""
+    """The change of what `missed` returns, (x, y, turn) now, with length n of `arcs`, per metre."""
     length = arcs[n, TurnPiece.LENGTH]
     arcs[n, TurnPiece.LENGTH] = length + SLOPE_STEP
     x1, y1, turn1 = missed(bridge, easing, ratio, arcs, pieces)
@@ -308,7 +308,7 @@ def slopes(
 def missed(
     bridge: Bridge, easing: Easing, ratio: float, arcs: FloatArray, pieces: FloatArray
 ) -> tuple[float, float, float]:
-    """By what the pieces end beside the bridge's end, m, and by how much they turn too far, rad."""
+    """The pieces' end less the bridge's, along x and y, m, and in the angle turned by, rad."""
     x, y, heading = 0.0, 0.0, 0.0
     for n in range(lay_pieces(easing, ratio, arcs, pieces)):
         length = pieces[n, TurnPiece.LENGTH]

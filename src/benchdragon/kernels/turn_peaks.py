@@ -1,6 +1,6 @@
-"""How a turn that is tried compares with its limits: its figures, and the peaks that are noted of them.
+"""How a turn on trial compares with its limits: its figures, and the peaks that are recorded of them.
 
-Each peak counts by itself, as what is greatest of all has edges where one peak takes over from another.
+Each peak counts by itself, as the greatest of all has edges where one peak takes over from another.
 """
 
 from typing import NamedTuple
@@ -16,11 +16,11 @@ RATES = len(DriveRate)
 
 
 class TurnMeasure(DriveRate):
-    """What a turn is judged by.
+    """The figures of a turn.
 
-    The rates of drive come first, with the head at 1 m/s; then how near benches come to one another
-    and to obstacles (less than nothing, and less what they must keep, m), how far the turn reaches
-    from the middle, m, how it bends, 1/m, its length, and the whole way in the disc, m.
+    The rates of drive come first, with the head at 1 m/s; then how near benches come to one another and
+    to obstacles (less than nothing, and less what they must keep, m), how far the turn reaches from the
+    middle, m, how it bends, 1/m, its length, and the whole way in the disc, m.
     """
 
     APART, BESIDE, REACH, BEND, LONG, WAY = range(5, 11)
@@ -34,15 +34,15 @@ UNKNOWNS = 6
 class ArcFamily(Numbered):
     """Families of turns.
 
-    They differ in what stands between the joints' radii and the clothoids' length in the unknowns: the
-    logarithm of the ratio; two radii; a radius, a curvature and a radius.
+    They differ in the unknowns between the joints' radii and the clothoids' length: the logarithm of
+    the ratio; two radii; a radius, a curvature and a radius.
     """
 
     TWO_ARCS, LINE_BETWEEN, ARC_BETWEEN = range(3)
 
 
 class TurnGiven(Numbered):
-    """What is told of a question, a row of floats; NaN for clothoids whose length is an unknown."""
+    """What a host passes with a question, a row of floats; EASE is NaN if it is an unknown."""
 
     FAMILY, EASE, PITCH, DISC, NARROWEST, LONGEST, LONGEST_WAY, HEAD, MARGIN, SOUGHT = range(10)
     LIMIT = 10  # the greatest that is allowed of each rate, infinite where anything is
@@ -54,14 +54,14 @@ TURN_GIVEN = TurnGiven.LIMIT + RATES
 class PeakRow(Numbered):
     """A peak of what a turn is judged by.
 
-    A peak: what of, of which bench or handle (or obstacle and bench), where, how great; as `measured`.
+    What it is of, which bench or handle (or obstacle and bench), its place, value and `measured` value.
     """
 
     KIND, ONE, TWO, PLACE, VALUE, MEASURE = range(6)
 
 
 PEAK_COLUMNS = len(PeakRow)
-# Peaks that are noted at most, and of which so many are kept whose measure is so near the greatest.
+# The most peaks that are recorded, and that are kept of those whose measure is so near the greatest.
 MOST_NOTED, MOST_KEPT, NEAR_GREATEST = 256, 48, 0.08
 
 
@@ -75,7 +75,7 @@ TURN_COUNTS = len(TurnCount)
 
 
 class Trial(NamedTuple):
-    """Turns that are tried, the last one laid, and what it came to."""
+    """Turns on trial, the last one laid, and its peaks."""
 
     told: Vector
     low: Vector  # ranges of the unknowns
@@ -104,7 +104,7 @@ class Trial(NamedTuple):
 
 @kernel
 def exceeding(trial: Trial, kind: int, value: float) -> float:
-    """By what share a figure exceeds its limit; of distances, of a bench's width."""
+    """The share by which a figure exceeds its limit; of distances, the share of a bench's width."""
     told = trial.told
     if kind < RATES:
         power = 1.0 if kind <= DriveRate.TURNING else 2.0  # of the head's speed
@@ -122,7 +122,7 @@ def exceeding(trial: Trial, kind: int, value: float) -> float:
 
 @kernel
 def measured(trial: Trial, kind: int, value: float) -> float:
-    """How great what is sought is, in numbers of about 1; of others, what exceeds their limits."""
+    """The measure of what is sought, about 1; of others, the share by which they exceed a limit."""
     told, factor = trial.told, trial.factors[kind]
     if kind != told[TurnGiven.SOUGHT]:
         apart = kind in (TurnMeasure.APART, TurnMeasure.BESIDE)
@@ -137,7 +137,7 @@ def measured(trial: Trial, kind: int, value: float) -> float:
 
 @kernel
 def note(trial: Trial, kind: int, one: int, two: int, s: float, value: float) -> None:
-    """Note a peak, in the place of the least one if there is no room."""
+    """Record a peak, in the place of the least one if there is no room."""
     peaks, counts, measure = trial.peaks, trial.counts, measured(trial, kind, value)
     if kind != trial.told[TurnGiven.SOUGHT] and not measure > -2.0 * NEAR_GREATEST:
         return
@@ -160,7 +160,7 @@ def note(trial: Trial, kind: int, one: int, two: int, s: float, value: float) ->
 
 @kernel
 def greatest(trial: Trial, sought: bool) -> float:
-    """The greatest measure noted: of what is sought, or of what is limited, -1 or more."""
+    """The greatest measure recorded: of what is sought, or of what is limited, -1 or more."""
     most = -1.0
     for n in range(trial.counts[TurnCount.NOTED]):
         if (trial.peaks[n, PeakRow.KIND] == trial.told[TurnGiven.SOUGHT]) == sought:
@@ -170,7 +170,7 @@ def greatest(trial: Trial, sought: bool) -> float:
 
 @kernel
 def keep_greatest(trial: Trial) -> None:
-    """Forget peaks that are far less than the greatest, and all but MOST_KEPT."""
+    """Drop peaks that are far less than the greatest, and all but MOST_KEPT."""
     peaks, counts, kept = trial.peaks, trial.counts, 0
     best, worst = greatest(trial, True), max(greatest(trial, False), 0.0)
     for n in range(counts[TurnCount.NOTED]):
@@ -187,7 +187,7 @@ def keep_greatest(trial: Trial) -> None:
 
 @kernel
 def rank(trial: Trial, n: int) -> float:
-    """How worth keeping a peak is: what is sought comes first."""
+    """The rank of a peak for being kept: what is sought comes first."""
     first = MOST_NOTED if trial.peaks[n, PeakRow.KIND] == trial.told[TurnGiven.SOUGHT] else 0
     return first + trial.peaks[n, PeakRow.MEASURE]
 

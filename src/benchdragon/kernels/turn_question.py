@@ -1,8 +1,8 @@
 """The best turn of a family, as a question: `open, seek, step, read, close`.
 
-A search begins with points that are strewn evenly over all of the unknowns' ranges, each the same in
-every search. From the best few of them it goes downhill, and then, with closer looks, from the best of
-where that ends. Given a point, it goes downhill from there alone.
+A search begins with samples spread evenly over the ranges of all unknowns, the same in every search.
+From the best few of them it goes downhill, and then, with finer evaluation, from the best of where that
+ends. Given a point, it goes downhill from there alone.
 """
 
 import math
@@ -24,40 +24,39 @@ from benchdragon.kernels.turn_families import ARCS, MOST_TURN_PIECES
 from benchdragon.kernels.turn_peaks import PeakRow, Trial, TurnCount, exceeding, greatest
 from benchdragon.kernels.turn_trial import figures_of, look
 
-# Points that are strewn for each unknown with a range, the best of them that are gone on from, how far
-# apart those are, as a share of ranges, and what a limit counts that is exceeded by all of itself.
+# Samples for each unknown with a range; how many of the best start a descent; the least distance of
+# these, as a share of ranges; the weight of a limit that is exceeded by all of itself.
 STREWN, STARTS, STARTS_APART, SOFT = 300, 8, 0.1, 3.0
-# How closely rates are looked at, as a share of the shortest link: everywhere, downhill; how far lines
-# are trusted at first, downhill and from a given point; how many steps that takes at most.
+# The step at which rates are evaluated, as a share of the shortest link; the range of trust at first;
+# the most steps: of the first descents, and of the last, finer one.
 RATE_STEPS, TRUST, MOST_DESCENT_STEPS = (0.125, 0.06), (0.05, 0.01), (20, 60)
 # Handles placed in one step of the question, at least.
 WORK = 100_000
 
 
 class TurnSought(Numbered):
-    """What is sought: the best of all, or the best near a point."""
+    """The goal: the best turn of all, or the best near a point."""
 
     ALL, NEAR = 0, 1
 
 
 class TurnStage(Numbered):
-    """What a question is doing."""
+    """The stage of a question."""
 
     STREWING, DOWNHILL, CLOSELY, ENDED = range(4)
 
 
 class TurnEnding(Numbered):
-    """How a step ends when all is done."""
+    """Exit status of a step when all is done."""
 
     DONE = 1
 
 
 class TurnTold(Told):
-    """What is told, a row of floats that begins as kernels/question.py says.
+    """The result, a row of floats that begins with the columns of `question.Told`.
 
-    By what share of them limits are exceeded at most (infinite: there is no turn), how many turns were
-    tried, and what share of the search is done; besides, what is done now, and how many points or
-    steps of it.
+    The greatest share by which limits are exceeded (infinite: there is no turn), the turns tried, and
+    the share of the search that is done; besides, the stage, and how many points or steps of it.
     """
 
     EXCEEDS, TRIED, SHARE, DOING, NUMBER = range(2, 7)
@@ -67,7 +66,7 @@ TURN_FIGURES = len(TurnTold)
 
 
 class TurnAsked(NamedTuple):
-    """A question: what is told, what is found, and all that searches need."""
+    """A question: what a host passes, the result, and all that searches need."""
 
     trial: Trial
     descent: Descent
@@ -80,7 +79,7 @@ BASE, TURN_END_SLOT = 8 * memory.HEADER, memory.HEADER + memory.slot_count(TurnA
 
 @kernel
 def lay_asked(slots: IntArray, address: int, x: int, benches: int, boxes: int, obstacles: int) -> int:
-    """Lay all of a question from an address on; the bytes that takes."""
+    """Lay out all of a question from an address on; returns the bytes that it takes."""
     few, slot_count, point = min(turn_trial.FEW, benches), turn_trial.LOOK_SLOTS, (x, ROW)
     return memory.lay(slots, memory.HEADER, address, (
         (turn_peaks.TURN_GIVEN, ROW), point, point, (turn_peaks.TURN_MEASURES, ROW), (4, benches),
@@ -103,11 +102,12 @@ def open_turn(
     told: Vector, low: Vector, high: Vector, sizes: Table, links: Vector, standing: Table,
     border: IntVector, keep: Table,
 ) -> int:  # fmt: skip
-    """Open a question about turns with unknowns from low to high; its handle, 0 without memory.
+    """Open a question about turns with unknowns from low to high; returns its handle, 0 without memory.
 
     `told` is a row of TurnGiven, sizes (4, benches) and links are those of the first MORE benches.
     `standing` has the boxes of all obstacles, border[o] the first of each and last their number, `keep`
-    (obstacles, 2) what benches keep from each, m, and 1 if its inside is forbidden, -1 if its outside.
+    (obstacles, 2) the distance that benches keep from each, m, and 1 if its inside is forbidden, -1 if
+    its outside.
     """
     block = memory.new_block(TURN_END_SLOT - memory.HEADER)
     if block == 0:
@@ -176,9 +176,9 @@ def step_turn(handle: int, left: float) -> int:
 
 @entry
 def read_turn(handle: int, figures: Vector, x: Vector, seen: Vector) -> bool:
-    """Fill what was found: the unknowns, and the greatest that is seen by each TurnMeasure.
+    """Fill what was found: the unknowns, and the greatest value seen of each TurnMeasure.
 
-    What is not seen is NaN. False if there is no such question.
+    It is NaN if none was seen. False if there is no such question.
     """
     block = memory.recall(handle)
     if block == 0:
@@ -200,7 +200,7 @@ def read_turn(handle: int, figures: Vector, x: Vector, seen: Vector) -> bool:
 
 @entry
 def judge_turn(handle: int, exact: Vector, exceeds: Vector) -> bool:
-    """Fill by what share the exact figures of a turn, by TurnMeasure, exceed their limits.
+    """Fill the shares by which the exact figures of a turn, by TurnMeasure, exceed their limits.
 
     NaN where a figure is. False if there is no such question.
     """
@@ -214,7 +214,7 @@ def judge_turn(handle: int, exact: Vector, exceeds: Vector) -> bool:
 
 @kernel
 def spread(unknowns: int) -> float:
-    """Whose powers, upside down, spread points evenly: the root of y^(unknowns + 1) = y + 1."""
+    """The root of y^(unknowns + 1) = y + 1, whose inverse powers spread points evenly."""
     y = 2.0
     for _ in range(60):
         y = (1.0 + y) ** (1.0 / (unknowns + 1))
@@ -223,7 +223,7 @@ def spread(unknowns: int) -> float:
 
 @kernel
 def strew(asked: TurnAsked) -> None:
-    """Try the next point, and go downhill from the best after the last of them."""
+    """Try the next sample; after the last of them, go on downhill from the best."""
     trial, x, figures = asked.trial, asked.descent.x, asked.figures
     free = 0
     for k in range(x.shape[0]):
@@ -246,7 +246,7 @@ def strew(asked: TurnAsked) -> None:
 
 @kernel
 def enlist(asked: TurnAsked, worth: float) -> None:
-    """Take x for a start instead of one near it that is worth less, or instead of the worst."""
+    """Make x a start instead of one near it that is worse, or instead of the worst."""
     trial, x, starts = asked.trial, asked.descent.x, asked.starts
     place, unknowns = STARTS - 1, x.shape[0]
     for n in range(STARTS):
@@ -278,7 +278,7 @@ def sort_starts(starts: Table) -> None:
 
 @kernel
 def go_down(asked: TurnAsked) -> None:
-    """Go one step downhill; at the end of a way to the next start, or to a closer look."""
+    """Go one step downhill; at the end of a descent go on to the next start, or to finer evaluation."""
     figures, descent, trial, starts = asked.figures, asked.descent, asked.trial, asked.starts
     fine = 1 if figures[TurnTold.DOING] == TurnStage.CLOSELY else 0
     start = int(figures[TurnTold.NUMBER]) // (MOST_DESCENT_STEPS[1] + 2)

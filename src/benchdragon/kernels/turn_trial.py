@@ -1,7 +1,7 @@
-"""A turn that is tried, laid on the ground: its figures along it, for a search of the best.
+"""A turn on trial, laid on the ground: its figures along it, for a search of the best.
 
-A turn's figures are judged by looking along it: where one is greatest among its neighbours is a peak
-(kernels/turn_peaks.py), whose place is then narrowed. Only the first benches are looked at: later ones
+A turn's figures are sampled along it: where one is greatest among its neighbours is a peak
+(kernels/turn_peaks.py), whose place is then narrowed. Only the first benches are evaluated: later ones
 walk through as they do.
 """
 
@@ -38,14 +38,14 @@ from benchdragon.kernels.turn_peaks import (
 
 # Rows of a trial's route at most.
 MOST_ROWS = 64
-# Benches whose rates are looked at, and whose distances: one turn farther out is some 17 benches away.
+# Benches whose rates are evaluated, and whose distances: one turn farther out is some 17 benches away.
 FEW, MORE = 16, 40
-# Head positions that are looked at in one block, and at most; how far apart they are for distances, as
-# a share of the shortest link, and places for the turn's reach, m.
+# Head positions that are sampled in one block, and at most; the step at which distances of benches are
+# sampled, as a share of the shortest link, and that for the turn's reach, m.
 LOOK_SLOTS, MOST_LOOKS, CLEAR_SHARE, REACH_STEP = 64, 4096, 0.35, 0.1
-# What a handle at a place costs in handles, with its rates.
+# The cost of a handle at a place in handles placed, with its rates.
 JUDGED = 2
-# What is told of a turn on which the dragon cannot stand.
+# The figure of a turn on which the dragon cannot stand.
 HOPELESS = 1e4
 # How often a place is narrowed by the golden section to some 1e-10 m.
 SECTION, NARROWED = 0.6180339887498949, 44
@@ -53,7 +53,7 @@ SECTION, NARROWED = 0.6180339887498949, 44
 
 @kernel
 def shape_figure(trial: Trial, kind: int, n: int) -> float:
-    """How piece n bends, or how long the turn laid is, or the whole way."""
+    """The curvature of piece n, the length of the turn laid, or the whole way."""
     pieces, length = trial.pieces, 0.0
     if kind == TurnMeasure.BEND:
         return max(abs(pieces[n, TurnPiece.START]), abs(pieces[n, TurnPiece.END]))
@@ -68,7 +68,7 @@ def shape_figure(trial: Trial, kind: int, n: int) -> float:
 
 @kernel
 def lay_trial(trial: Trial, x: FloatArray) -> bool:
-    """Lay the turn of these unknowns; whether there is one."""
+    """Lay the turn of these unknowns; False if there is none."""
     told, pieces, links = trial.told, trial.pieces, trial.links
     trial.counts[TurnCount.ROUTE] = 0
     ease = told[TurnGiven.EASE] if told[TurnGiven.EASE] == told[TurnGiven.EASE] else x[x.shape[0] - 1]
@@ -99,7 +99,7 @@ def lay_trial(trial: Trial, x: FloatArray) -> bool:
 
 @kernel
 def distance_beside(trial: Trial, obstacle: int) -> float:
-    """How near the bench in `boxes` is to the boxes of an obstacle, m; minus that on the wrong side."""
+    """The distance of the bench in `boxes` from an obstacle, m; minus that on the wrong side."""
     boxes, least = trial.boxes, math.inf
     first, last = trial.border[obstacle], trial.border[obstacle + 1]
     x, y, around = boxes[0, Box.CX], boxes[0, Box.CY], half_diagonal(boxes, 0)
@@ -145,7 +145,7 @@ def figure_at(trial: Trial, rows: FloatArray, kind: int, one: int, two: int, s: 
 
 @kernel
 def shortfall(trial: Trial, kind: int, one: int, two: int) -> float:
-    """How much nearer benches of the chain alone are than nothing, or than obstacles allow, m."""
+    """How far the distance of benches of the lone chain falls short of 0, or an obstacle's limit, m."""
     x, y, counts = trial.alone.x, trial.alone.y, trial.counts
     if kind == TurnMeasure.BESIDE:
         place_box(trial.sizes, two, 0, x, y, 0, trial.boxes, 0)
@@ -185,7 +185,7 @@ def judges(trial: Trial, kind: int) -> bool:
 
 @kernel
 def look_at_rates(trial: Trial, rows: FloatArray, first: float, last: float, step: float) -> bool:
-    """Note peaks of rates with the head from first to last, m; whether the dragon can stand there."""
+    """Record peaks of rates with the head from first to last, m; whether the dragon can stand there."""
     places, at, latest = trial.places, trial.at, trial.latest
     handles = places.x.shape[0]
     links, count, curved = trial.links[: handles - 1], looks(first, last, step), False
@@ -211,13 +211,13 @@ def look_at_rates(trial: Trial, rows: FloatArray, first: float, last: float, ste
 
 @kernel
 def looks(first: float, last: float, step: float) -> int:
-    """How many places are looked at from first to last, m, about a step apart."""
+    """The number of samples from first to last, m, about a step apart."""
     return int(min(math.ceil((last - first) / step) + 2, MOST_LOOKS))
 
 
 @kernel
 def note_rates(trial: Trial, rows: FloatArray, t: int, before: float) -> None:
-    """Note peaks of rates at the place before that of slot t, m."""
+    """Record peaks of rates at the place before that of slot t, m."""
     places, latest = trial.places, trial.latest
     handles = places.x.shape[0]
     for kind in range(RATES):
@@ -238,7 +238,7 @@ def look_along(
     trial: Trial, rows: FloatArray, kind: int, one: int, two: int, first: float, last: float,
     step: float,
 ) -> float:  # fmt: skip
-    """Note peaks of a figure from first to last, m; the greatest that is seen."""
+    """Record peaks of a figure from first to last, m; returns the greatest sample."""
     count, before, value, at, i, j = looks(first, last, step), -math.inf, -math.inf, first, one, two
     most = -math.inf
     for n in range(count + 1):
@@ -303,7 +303,7 @@ def measures(links: FloatArray) -> tuple[float, float]:
 
 @kernel
 def look_apart(trial: Trial, rows: FloatArray) -> float:
-    """Note where benches come near one another; minus the least distance that is seen, m."""
+    """Record where benches come near one another; minus the least sampled distance, m."""
     first, last = rows[1, RouteRow.S_START], rows[rows.shape[0] - 1, RouteRow.S_START]
     whole, shortest = measures(trial.links)
     return look_along(
@@ -313,7 +313,7 @@ def look_apart(trial: Trial, rows: FloatArray) -> float:
 
 @kernel
 def figures_of(trial: Trial, x: FloatArray, seen: FloatArray) -> None:
-    """Fill what the turn of these unknowns comes to as far as it is seen without rates: see KINDS."""
+    """Fill the figures of the turn of these unknowns that need no rates, sampled: see `TurnMeasure`."""
     if lay_trial(trial, x):
         rows = trial.rows[: trial.counts[TurnCount.ROUTE]]
         trial.counts[TurnCount.NOTED] = 0
@@ -333,7 +333,7 @@ def figures_of(trial: Trial, x: FloatArray, seen: FloatArray) -> None:
 
 @kernel
 def look_at_distances(trial: Trial, rows: FloatArray) -> None:
-    """Note where benches come near one another, and obstacles."""
+    """Record where benches come near one another, and obstacles."""
     first = rows[1, RouteRow.S_START]
     last = rows[rows.shape[0] - 1, RouteRow.S_START]
     few = trial.places.x.shape[0] - 1
@@ -348,10 +348,10 @@ def look_at_distances(trial: Trial, rows: FloatArray) -> None:
 
 @kernel
 def look(trial: Trial, x: FloatArray, step: float, whole: bool) -> bool:
-    """Note what the turn of these unknowns comes to; whether the dragon can walk through it.
+    """Record the peaks of the turn of these unknowns; whether the dragon can walk through it.
 
-    Rates are looked at each `step` of the shortest link. Peaks are narrowed if the `whole` is wanted;
-    else distances are looked at only where all other limits are kept.
+    Rates are evaluated each `step` of the shortest link. With `whole`, peaks are narrowed; otherwise
+    distances are sampled only where all other limits are kept.
     """
     if not lay_trial(trial, x):
         return False

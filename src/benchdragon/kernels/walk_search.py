@@ -1,7 +1,7 @@
 """A whole search along a walk in one call: prepared stride by stride, searched step by step.
 
-For dragons whose handles keep to the route. A call ends when something is found, when the walk is
-clear to its end, when more room is wanted, or to let others work: it is then called again.
+For dragons whose handles keep to the route. A call ends when something is found, when the walk is clear
+to its end, when arrays are too small, or to let others work: it is then called again.
 """
 
 from benchdragon.kernels import time_of_impact as steps
@@ -17,17 +17,17 @@ from benchdragon.kernels.workspace import Course, SearchProgress, Walk, WalkTall
 
 
 class WalkEnding(Ending):
-    """How a call ended, besides MORE and the ways of kernels/time_of_impact.py.
+    """Exit status of a call, besides MORE and those of kernels/time_of_impact.py.
 
     CLEAR is of the whole walk.
     """
 
-    CROWDED = 9  # likewise, with the room that its counts say
-    ASTRAY = 10  # it cannot be shown that all benches follow past SOUND
+    CROWDED = 9  # call again, with room for what its counts say
+    ASTRAY = 10  # past SOUND not all benches are certified to follow
 
 
 class WalkGoal(Goal):
-    """What a call may be after, besides the goals of kernels/time_of_impact.py."""
+    """Goals of a call, besides those of kernels/time_of_impact.py."""
 
     SEEK = 3
 
@@ -36,15 +36,15 @@ class WalkGoal(Goal):
 WIDTH_ROUNDINGS = 4.0
 # Handles placed in one call: some hundredths of a second.
 HANDLES_A_CALL = 200_000
-# What a call of a search costs, and a handle of a chain that is searched, in handles placed; and what
-# a bench at a border of a cell does, and a pair of parts.
+# The cost of a call of a search, and of a handle of a chain that is searched, in handles placed; and
+# that of a bench at a border of a cell, and of a pair of parts.
 CALL, SEARCHED = 1_000, 8
 BOX_WORK, PARTNER_WORK = 64.0, 16.0
 
 
 @kernel
 def work_done(room: Workspace, benches: int) -> float:
-    """What it took to come to know the route and to place dragons so far, in handles placed."""
+    """The work of boxing the route and of placing dragons so far, in handles placed."""
     counts = room.ground.counts
     known = BOX_WORK * counts[BoxCount.BORDERS] + PARTNER_WORK * counts[BoxCount.ENTRIES]
     return known + float(room.course.tally[WalkTally.CHAINS] * benches)
@@ -64,14 +64,14 @@ def left_end_is_placed(search: steps.Search, course: SearchProgress, chain: step
 def search_open_step(
     walk: Walk, room: Workspace, goal: int, limits: steps.Limits, note: FloatArray
 ) -> int:
-    """Search the rest of the step at hand; how that ended, or CROWDED."""
+    """Search the rest of the current step; returns the exit status, or CROWDED."""
     search, course, meeting = room.search, room.course, room.meeting
     way, tally, count = course.way, course.tally, course.tally[WalkTally.PAIRS]
     first, second = meeting.first[:count], meeting.second[:count]
     mine, other, members = meeting.mine[:count], meeting.other[:count], meeting.members
     found = steps.number_members(first, second, members, meeting.place, mine, other)
     handles, start = members[found - 1] + 2, way[Course.STEP_START]
-    # As many as in the step before, if not far more: then the left end need not be placed anew.
+    # As many as in the step before, if not far more: then the left end need not be placed again.
     if search.at[0] == start and handles <= tally[WalkTally.PLACED] <= 2 * handles:
         handles = tally[WalkTally.PLACED]
     if (
@@ -100,10 +100,10 @@ def search_walk(
     walk: Walk, room: Workspace, goal: int, margin: float, slack: float, width: float, most: int,
     note: Vector,
 ) -> int:  # fmt: skip
-    """Search a walk on from where its course stands, for `goal`; how that ended.
+    """Search a walk on from where its course stands, for `goal`; returns the exit status.
 
-    After FOUND or GRAZE the step goes on at note[UPPER]. note[PAIR] becomes the first bench times
-    their number plus the second, from 0; the rest of `note` is that of `search.bisect`. For SEEK each
+    After FOUND or GRAZE the step goes on at note[UPPER]. note[PAIR] becomes the first bench times their
+    number plus the second, from 0; the rest of `note` is that of `time_of_impact.bisect`. For SEEK each
     step is FOUND in which pairs may come within reach.
     """
     way, tally, spent = room.course.way, room.course.tally, note[Note.EVALUATIONS]

@@ -22,7 +22,7 @@ class Course(Numbered):
     UPTO = 2  # the route is known up to here
     KNOWN = 3  # cells name all pairs up to here
     SOUND = 4  # all benches surely follow up to here
-    STEP_START = 5  # of the step at hand
+    STEP_START = 5  # of the current step
     STEP_END = 6
 
 
@@ -30,12 +30,12 @@ COURSE = len(Course)
 
 
 class WalkTally(Numbered):
-    """What is counted of it, a row of whole numbers."""
+    """Counts of a walk, a row of whole numbers."""
 
     SLOT = 0  # the next step of the block
     SLOTS = 1  # steps in it
     BENCHES = 2  # in it
-    PAIRS = 3  # of the step at hand
+    PAIRS = 3  # of the current step
     PLACED = 4  # handles in slot 0 of the search
     CHAINS = 5  # placed in blocks
 
@@ -110,7 +110,7 @@ class SearchProgress(NamedTuple):
 
 
 class Workspace(NamedTuple):
-    """What a search along a walk works on: see kernels/search_room.py."""
+    """The arrays of a search along a walk: see kernels/search_room.py."""
 
     ground: Hierarchy
     grids: Grids
