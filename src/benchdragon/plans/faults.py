@@ -83,7 +83,7 @@ def fault_of(
 ) -> Fault:
     """One validation error of `data`, which should be a `model`, in the language in use.
 
-    Of `settings`, keys that were set besides, a half one is told the whole: pitch, route.pitch.
+    Of `settings`, keys that were set besides, a half one is named in full: pitch, route.pitch.
     """
     path = [str(step) for step in error["loc"]]
     where = ".".join(step for i, step in enumerate(path) if not _is_tag(path, i, data))
