@@ -4,6 +4,7 @@ import io
 import re
 from pathlib import Path
 
+import numpy as np
 import pypdfium2
 import pytest
 from playwright.sync_api import Locator, Page, expect
@@ -143,6 +144,23 @@ def test_ways_out_are_told_from_the_widths_that_the_plan_says(
     for name, told in zip(names, WAYS[language], strict=True):
         expect(rows.filter(has_text=name).get_by_role("cell")).to_have_text([told])
     expect(shown(page)).to_contain_text("Fire Safety Journal")
+
+
+def test_the_tail_s_greatest_speed_is_told_with_its_bench_and_its_time(
+    pages: Pages, file: Path, report: Report
+) -> None:
+    annex = shown(annex_of(pages, file, "en"))
+    row = annex.get_by_role("row").filter(has_text="greatest speed among them that was seen")
+    told = row.get_by_role("cell").inner_text()
+    found = re.fullmatch(r"([0-9.]+) m/s: (the head|bench \d+), ([0-9:]+) to ([0-9:]+)", told)
+    assert found is not None, told
+    times = np.linspace(report.start, report.end, 2001)
+    speeds = report.walk.motion(times).speed[:, :-1]
+    last = speeds[:, -10:].max(axis=0)
+    assert float(found[1]) == pytest.approx(last.max(), abs=0.011)
+    assert float(found[1]) >= last.max() - 1e-3
+    bench = int(found[2].removeprefix("bench ").replace("the head", "1"))
+    assert speeds[:, bench - 1].max() == pytest.approx(last.max(), abs=1e-3)
 
 
 def test_what_the_plan_does_not_say_is_a_blank_that_is_named(pages: Pages, tmp_path: Path) -> None:

@@ -107,11 +107,28 @@ function theTail(said, { dragon, ground }) {
       [_("item"), _("as the plan says")],
       [
         [_("benches"), _("{first} to {last}", { first: said.called(first), last: said.called(dragon.count) })],
+        [_("greatest speed among them that was seen"), tailSpeed(said, first)],
         [_("who stands at the tail, and who holds it back"), null],
       ],
       "facts",
     ),
   ); // prettier-ignore
+}
+
+/** How fast the last benches go, and which of them when. @param {Sayings} said @param {number} first number of the first of them */
+function tailSpeed(said, first) {
+  const walked = said.briefing.benches
+    .slice(first - 1)
+    .flatMap(({ bench, stretches }) => stretches.map((/** @type {any} */ one) => ({ ...one, bench })));
+  const { bench, start, end, speeds } = walked.reduce((one, other) =>
+    other.speeds[1] > one.speeds[1] ? other : one,
+  );
+  return _("{speed} m/s: {bench}, {start} to {end}", {
+    speed: decimalsTowards(speeds[1], 2, true),
+    bench: said.called(bench),
+    start: said.clock.tell(start),
+    end: said.clock.tell(end),
+  });
 }
 
 /** The facts of the event. @param {Sayings} said @param {AnnexFacts} facts */
