@@ -1,5 +1,7 @@
 """What readers draw: pictures of their own, and into axes of a figure of theirs."""
 
+import subprocess
+import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -147,3 +149,18 @@ def test_the_ground_covered_and_its_line_are_drawn_as_they_are() -> None:
     for patch, shape in zip(panel.patches, (area.polygon, area.spectators), strict=True):
         box = patch.get_path().get_extents().extents
         assert np.allclose(box, shape.bounds)
+
+
+def test_a_figure_of_ones_own_in_our_style_draws_chinese() -> None:
+    """In a process that has drawn nothing yet, where no font of ours is known."""
+    script = (
+        "import warnings; warnings.simplefilter('error')\n"
+        "import matplotlib; matplotlib.use('agg')\n"
+        "import matplotlib.pyplot as plt, benchdragon as bd\n"
+        "with bd.picture_style():\n"
+        "    figure, panel = plt.subplots()\n"
+        "    panel.set_xlabel('螺距 (m)')\n"
+        "    figure.canvas.draw()\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")

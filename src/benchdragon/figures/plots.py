@@ -53,8 +53,7 @@ def _on(ax: Axes | None, width: float, height: float) -> Iterator[Axes]:
             yield panel
         return
     of_kind("ax", ax, Axes)
-    package_signs()
-    with matplotlib.rc_context(STYLE):
+    with picture_style():
         yield ax
 
 
@@ -72,6 +71,7 @@ def picture_style() -> AbstractContextManager[None]:
         ...     plt.rcParams["font.family"][0]
         'Noto Sans SC'
     """
+    package_signs()
     return matplotlib.rc_context(STYLE)
 
 
