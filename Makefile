@@ -133,7 +133,7 @@ queries: .venv/engine
 	$(BIN)/python benchmarks/queries.py run --write $(if $(RIVALS),--python $(RIVALS)/bin/python --node-folder $(RIVALS))
 
 # The moving picture of README and manual, and the manual's pictures of contact, to be committed.
-DANCE := animate turn --set dragon.benches=50 --start -10 --end 80 --speed-up 15 --fps 5 --size 400x340 -o dance.gif
+DANCE := view turn --set dragon.benches=50 --start -10 --end 80 --speed-up 15 --fps 5 --size 400x340 -o dance.gif
 picture: .venv/demo
 	cd docs/en && ../../$(BIN)/benchdragon $(DANCE) --lang en --force
 	cd docs/zh && ../../$(BIN)/benchdragon $(DANCE) --lang zh --force

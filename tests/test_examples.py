@@ -65,7 +65,7 @@ LESS = {
     "benchdragon margins": "--draws 3 --set dragon.benches=60",
     "benchdragon check spiral-in --set disc.radius=4.5": "--set dragon.benches=60",
     "benchdragon check examples/01_parade.dragon.toml --prove": "--set walk.end=185",
-    "benchdragon animate turn": "--fps 4",
+    "benchdragon view turn -o out/turn.mp4": "--fps 4",
     f"{TURN} --prove": "--within 3",
 }
 
@@ -116,7 +116,7 @@ def test_a_readme_is_read_at_once_and_leads_to_what_is_there(name: str) -> None:
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_the_moving_picture_is_small_and_what_the_readme_says_draws_it(language: str) -> None:
     (readme,) = (name for name in READMES if ("zh" in name) == (language == "zh"))
-    said = re.search(r"`benchdragon (animate [^`]+)`", (ROOT / readme).read_text("utf-8"))
+    said = re.search(r"`benchdragon (view [^`]+)`", (ROOT / readme).read_text("utf-8"))
     assert said is not None
     words = said[1].split()
     asked = dict(pairwise(words))

@@ -53,7 +53,7 @@ VERBS = (
     (
         0,
         [
-            "animate",
+            "view",
             "turn",
             *PLAN,
             "--end",

@@ -403,13 +403,16 @@ def test_a_sign_that_cannot_be_drawn_is_named_once_in_a_plain_sentence(
     assert err == "Note: no font here has the signs 𠮷 (U+20BB7)\n"
 
 
+LOOKS = ".html, .mp4, .gif, .png, .svg, .pdf"
+
+
 @pytest.mark.parametrize(
     ("words", "ending"),
     [
-        ("view turn -o x.txt", ".html"),
-        ("view turn -o html", ".html"),
-        ("view turn -o x.html.gz", ".html"),
-        ("animate turn -o x", ".mp4, .gif, .png, .svg, .pdf"),
+        ("view turn -o x.txt", LOOKS),
+        ("view turn -o html", LOOKS),
+        ("view turn -o x.html.gz", LOOKS),
+        ("view turn -o x", LOOKS),
         ("solve speed turn --pace -o x.json", ".toml"),
         ("solve turn turn -o x.html", ".toml"),
     ],

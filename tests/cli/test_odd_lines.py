@@ -35,7 +35,6 @@ LINES = {
     "verify": ["verify", "certificate.json"],
     "view": ["view", "PLAN", "-o", "x.html"],
     "planner": ["planner", "PLAN", "-o", "x.html"],
-    "animate": ["animate", "PLAN", "-o", "x.png"],
     "area": ["area", "PLAN", "-o", "x.dxf"],
     "timetable": ["timetable", "PLAN"],
     "sheets": ["sheets", "PLAN", "--only", "overview", "-o", "x.html"],
@@ -115,10 +114,10 @@ MORE = [
     ["area", "turn", "-o", "x.svg", "--scale", "200"],
     ["area", "turn", "-o", "x.svg", "--scale", "1:0"],
     ["area", "turn", "-o", "x.svg", "--scale", "1:x"],
-    ["animate", "turn"], ["animate", "turn", "-o", "x.avi"], ["animate", "turn", "-o", ".png"],
-    ["animate", "turn", "-o", "x.png", "--sheet", "0x0"],
-    ["animate", "turn", "-o", "x.png", "--size", "1"],
-    ["animate", "turn", "-o", "x.png", "--span", "9"], ["animate", "turn", "-o", "x.png", "--fps", "9"],
+    ["view", "turn", "-o", "x.avi"], ["view", "turn", "-o", ".png"],
+    ["view", "turn", "-o", "x.png", "--sheet", "0x0"],
+    ["view", "turn", "-o", "x.png", "--size", "1"],
+    ["view", "turn", "-o", "x.png", "--span", "9"], ["view", "turn", "-o", "x.png", "--fps", "9"],
     ["motion", "turn", "--at", "3", "--only", "-1"], ["motion", "turn", "--at", "3", "--only", "x,"],
     ["motion", "turn", "--at", "0..9", "-o", "x", "--format", "exe"],
     ["motion", "turn", "--at", "3", "-o", ""],
@@ -163,10 +162,7 @@ def odd_lines() -> list[list[str]]:
     lines += [[*with_plan(verb, "turn"), "--set", text] for verb in WITH_PLAN for text in SETTINGS]
     lines += [["motion", "turn", "--at", text] for text in TIMES]
     lines += [
-        [*with_plan(verb, "turn"), option, text]
-        for verb in ("view", "animate")
-        for option in ("--start", "--end")
-        for text in TIMES
+        [*with_plan("view", "turn"), option, text] for option in ("--start", "--end") for text in TIMES
     ]
     return [*lines, *MORE, *wrong_options()]
 
@@ -233,7 +229,7 @@ def as_json(line: list[str]) -> list[str]:
         ["motion", "spiral-in", "--at", "900", "--keep-going"],
         ["check", "spiral-in", "--set", "walk.end=9", "--set", "dragon.benches=3"],
         ["check", "spiral-in", "--set", "walk.end=9", "--set", "dragon.benches=3", "-o", "out"],
-        ["animate", "turn", "-o", "x.png", "--set", "dragon.benches=3"],
+        ["view", "turn", "-o", "x.png", "--set", "dragon.benches=3"],
         ["doctor"],
     ],
 )

@@ -70,9 +70,9 @@ PASSED = str(Path(__file__).parents[1] / "cases" / "field" / "F16.dragon.toml")
 SURVEY = ["survey", str(Path(__file__).parents[2] / "examples" / "11_drawn_walk.dragon.toml")]
 VIEW = ["view", "spiral-in", *SHORT, "-o", "dance.html"]
 PLANNER = ["planner", "spiral-in", *SHORT, "-o", "planner.html"]
-STILL = ["animate", "spiral-in", *SHORT, "-o", "still.png", "--size", "320x180"]
+STILL = ["view", "spiral-in", *SHORT, "-o", "still.png", "--size", "320x180"]
 SHEET = [*STILL, "--sheet", "2x1"]
-FILM = ["animate", "spiral-in", *SHORT, "-o", "film.gif", "--size", "320x180", "--end", "0.3"]
+FILM = ["view", "spiral-in", *SHORT, "-o", "film.gif", "--size", "320x180", "--end", "0.3"]
 AREA = ["area", "spiral-in", *SHORT]
 TIMES = ["timetable", "spiral-in", *SHORT]
 DRAWN = [*AREA, "-o", "area.svg"]
@@ -278,20 +278,14 @@ CASES: dict[str, Case] = {
     "area --brackets": Case(AREA, ["--brackets"]),
     "timetable --set": Case(TIMES, ["--set", "cues.clock=18:30"]),
     "timetable --json": Case(TIMES, ["--json"]),
-    "animate --set": Case(STILL, ["--set", "dragon.width=0.5"]),
-    "animate --output": Case(STILL, ["-o", "still.svg"]),
-    "animate --start": Case(STILL, ["--start", "1"]),
-    "animate --end": Case(SHEET, ["--end", "1"]),
-    "animate --speed-up": Case(FILM, ["--speed-up", "0.5"]),
-    "animate --fps": Case(FILM, ["--fps", "10"]),
-    "animate --at": Case(STILL, ["--at", "1"]),
-    "animate --sheet": Case(STILL, ["--sheet", "2x1"]),
-    "animate --size": Case(STILL, ["--size", "400x200"]),
-    "animate --theme": Case(STILL, ["--theme", "dark"]),
-    "animate --follow": Case(STILL, ["--follow", "2"]),
-    "animate --span": Case([*STILL, "--follow", "2"], ["--span", "20"]),
-    "animate --force": Case(STILL, ["--force"], STILL),
-    "animate --json": Case(STILL, ["--json"]),
+    "view --speed-up": Case(FILM, ["--speed-up", "0.5"]),
+    "view --fps": Case(FILM, ["--fps", "10"]),
+    "view --at": Case(STILL, ["--at", "1"]),
+    "view --sheet": Case(STILL, ["--sheet", "2x1"]),
+    "view --size": Case(STILL, ["--size", "400x200"]),
+    "view --theme": Case(STILL, ["--theme", "dark"]),
+    "view --follow": Case(STILL, ["--follow", "2"]),
+    "view --span": Case([*STILL, "--follow", "2"], ["--span", "20"]),
     "reproduce --output": Case(REPRODUCE, ["-o", "elsewhere"]),
     "reproduce --force": Case(REPRODUCE, ["--force"]),
     "reproduce --docs": Case(REPRODUCE, ["--docs", "pages"]),
@@ -505,6 +499,8 @@ def test_an_option_has_an_effect(outcome: Come, known: dict[str, Outcome], name:
         (ROWS, "expected --vary or --points, and not both"),
         (SWEEP[:2], "expected a PLAN and -o DIR, or --status DIR"),
         ([*STILL, "--span", "3"], "--span goes with --follow alone"),
+        ([*VIEW, "--theme", "dark"], "--theme does not go with .html"),
+        ([*VIEW, "--at", "3"], "--at does not go with .html"),
         ([*STILL, "--end", "3"], "--end does not go with .png"),
     ],
 )

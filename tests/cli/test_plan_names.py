@@ -17,7 +17,6 @@ TAKING = [
 BESIDE = {
     "view": ["-o", "a.html"],
     "planner": ["-o", "a.html"],
-    "animate": ["-o", "a.png"],
     "sweep": ["--vary", "route.pitch=1,2", "-o", "a"],
     "area": ["-o", "a.svg"],
 }

@@ -142,7 +142,7 @@ def test_a_gif_takes_the_place_of_mp4_where_no_ffmpeg_is(
 ) -> None:
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     monkeypatch.setenv("PATH", str(tmp_path))
-    arguments = ["animate", "turn", "-o", str(tmp_path / "turn.mp4"), "--start", "0", "--end", "1.1"]
+    arguments = ["view", "turn", "-o", str(tmp_path / "turn.mp4"), "--start", "0", "--end", "1.1"]
     arguments += ["--size", "320x180", "--fps", "30"]
     assert run([*arguments, "--quiet"]) == 0
     captured = capsys.readouterr()
@@ -212,7 +212,7 @@ def test_ctrl_c_ends_with_130_and_leaves_nothing(tmp_path: Path) -> None:
         "import signal, sys; from benchdragon.cli.main import run\n"
         # A background job of a shell is born deaf to SIGINT.
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-        f"sys.exit(run(['animate', 'turn', '-o', {str(path)!r}, '--quiet']))"
+        f"sys.exit(run(['view', 'turn', '-o', {str(path)!r}, '--quiet']))"
     )
     with subprocess.Popen([sys.executable, "-c", script], stderr=subprocess.PIPE) as process:
         while not list(tmp_path.iterdir()):
@@ -388,7 +388,7 @@ def test_stills_and_sheets_are_as_large_as_asked_and_hold_the_plans_name(
 ) -> None:
     for extra in (["--at", "14"], ["--sheet", "3x2"]):
         path = tmp_path / f"{extra[0][2:]}.{kind}"
-        arguments = ["animate", "turn", "-o", str(path), "--size", "640x360", *extra]
+        arguments = ["view", "turn", "-o", str(path), "--size", "640x360", *extra]
         assert run([*arguments, "--quiet", "--lang", spoken]) == 0
         if kind == "png":
             with Image.open(path) as image:
@@ -410,7 +410,7 @@ def test_several_instants_make_several_stills(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "turn.png"
-    arguments = ["animate", "turn", "-o", str(path), "--at", "-5,0,0:14.5,0", "--size", "320x180"]
+    arguments = ["view", "turn", "-o", str(path), "--at", "-5,0,0:14.5,0", "--size", "320x180"]
     assert run([*arguments, "--json", "--quiet"]) == 0
     answer = json.loads(capsys.readouterr().out)
     names = ["turn--5s.png", "turn-0s.png", "turn-14.5s.png"]
@@ -471,7 +471,7 @@ def test_what_cannot_be_is_refused_in_one_sentence(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], arguments: str, sentence: str
 ) -> None:
     name, *options = arguments.split()
-    assert run(["animate", "turn", "-o", str(tmp_path / name), *options, "--quiet"]) == 2
+    assert run(["view", "turn", "-o", str(tmp_path / name), *options, "--quiet"]) == 2
     said = capsys.readouterr().err
     assert said.startswith(f"Error: {sentence}")
     assert said.count("\n") == 1

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.animate import animate
 from benchdragon.cli.answers import about
 from benchdragon.cli.area import area
 from benchdragon.cli.atlas import atlas
@@ -214,7 +213,7 @@ def doctor(as_json: bool, quiet: bool) -> int:
 program.titled = {
     N_("Plans"): (new, plan, planner, formations, schema, survey),
     N_("Judge"): (check, solve, margins, verify),
-    N_("Look"): (motion, view, animate, area),
+    N_("Look"): (view, area, motion),
     N_("Papers"): (sheets, timetable),
     N_("Research"): (sweep, atlas),
     N_("Contest"): (starter, compare, reproduce),

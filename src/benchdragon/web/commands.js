@@ -40,7 +40,7 @@ const FILES = [
     text: () => _("all papers as PDF: sheets, overview, timetable, chalk plan, permit annex"),
     command: `sheets ${PLAN_FILE} -o ${NAME}-papers.html --pdf ${NAME}-papers`,
   },
-  { text: () => _("film"), command: `animate ${PLAN_FILE} -o ${NAME}.mp4` },
+  { text: () => _("film"), command: `view ${PLAN_FILE} -o ${NAME}.mp4` },
 ];
 
 /** Put text where it can be pasted from. @param {string} text @param {HTMLElement} shown where it stands on the page */
