@@ -442,7 +442,7 @@ def test_a_sheet_has_a_panel_and_a_clock_for_each_instant() -> None:
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        ("a.avi", "-o: expected a name that ends in .mp4, .gif, .png, .svg, .pdf, not a.avi"),
+        ("a.avi", "-o: expected a name that ends in .html, .mp4, .gif, .png, .svg, .pdf, not a.avi"),
         ("a.mp4 --size 33", "--size: expected two whole numbers with an x between, not '33'"),
         ("a.mp4 --size 1921x1080", "a size is two even numbers from 64 to 4096, not 1921x1080"),
         ("a.mp4 --size 99999x2", "a size is two even numbers from 64 to 4096, not 99999x2"),

@@ -213,7 +213,7 @@ def doctor(as_json: bool, quiet: bool) -> int:
 program.titled = {
     N_("Plans"): (new, plan, planner, formations, schema, survey),
     N_("Judge"): (check, solve, margins, verify),
-    N_("Look"): (view, area, motion),
+    N_("Watch"): (view, area, motion),
     N_("Papers"): (sheets, timetable),
     N_("Research"): (sweep, atlas),
     N_("Contest"): (starter, compare, reproduce),

@@ -68,7 +68,7 @@ if TYPE_CHECKING:
 )
 @take("force", "json", "shared")
 def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """The dance to look at: a page that plays it, a film, a still, or a sheet of stills.
+    """The dance as a page that plays it, a film, a still, or a sheet of stills.
 
     The name of the file says which. turn.html is one file for any browser, which needs no network and
     no program: send it to a phone and open it there. turn.mp4 or turn.gif is a film; turn.png, turn.svg
