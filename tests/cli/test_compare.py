@@ -28,7 +28,7 @@ def test_a_right_workbook_ends_with_0(
     assert ("AGREES\n  all numbers agree\n" if spoken == "en" else "一致\n  所有数值都一致\n") in out
     assert "100.0 %" in out
     assert out.splitlines()[-1] == ("Points: 100 of 100" if spoken == "en" else "得分：100（满分 100）")
-    assert len(out.splitlines()) == 10
+    assert len(out.splitlines()) == 7
 
 
 def test_a_wrong_workbook_ends_with_1_and_its_mistake(

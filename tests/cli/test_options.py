@@ -309,7 +309,9 @@ CASES: dict[str, Case] = {
 # What these say comes after minutes of work: tests/paper/test_reproduce.py runs them.
 ELSEWHERE = {f"reproduce --{name}" for name in ("json", "explain", "lang", "quiet")}
 # These want a workbook: tests/cli/test_compare.py gives them.
-ELSEWHERE |= {f"compare --{name}" for name in ("as", "tolerance", "json", "lang", "quiet")}
+ELSEWHERE |= {
+    f"compare --{name}" for name in ("as", "tolerance", "literature", "json", "lang", "quiet")
+}
 # These want a sweep: tests/cli/test_atlas.py gives them.
 ELSEWHERE |= {f"atlas --{name}" for name in ("output", "force", "json", "lang", "quiet")}
 # Where it opens a browser: tests/planner/test_page.py gives it.

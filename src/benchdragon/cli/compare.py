@@ -9,7 +9,7 @@ import click
 
 from benchdragon.cli.answers import UNSAFE
 from benchdragon.cli.console import print_json, print_rows, print_written
-from benchdragon.cli.options import output_option, take, verb
+from benchdragon.cli.options import flag, output_option, take, verb
 from benchdragon.cli.parsing import NUMBER, check_ending
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
@@ -41,7 +41,7 @@ def starter(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
 
 
 @verb("compare result1.xlsx pitch=0.45")
-@click.argument("given", metavar="FILE|TASK=NUMBER", nargs=-1, required=True)
+@click.argument("given", metavar="FILE|TASK=NUMBER", nargs=-1)
 @click.option(
     "--as",
     "result",
@@ -54,10 +54,12 @@ def starter(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
     default=1e-6,
     help=N_("How far off a cell may be, in metres, and in metres per second."),
 )
+@flag("--literature", N_("What papers and public programs answer, and the mistake behind each number."))
 @take("json", "shared")
 def compare(
-    given: tuple[str, ...], result: "Result | None", tolerance: float, as_json: bool, quiet: bool
-) -> int:
+    given: tuple[str, ...], result: "Result | None", tolerance: float, literature: bool,
+    as_json: bool, quiet: bool,
+) -> int:  # fmt: skip
     """Grade anyone's result1, result2 or result4, and numbers: errors, and the mistake behind them.
 
     FILE is an .xlsx workbook in the layout of the contest's templates; each cell is compared with the
@@ -66,6 +68,11 @@ def compare(
     are empty.
     """
     del quiet
+    if literature == bool(given):
+        raise InputError(_("compare wants a FILE, TASK=NUMBER, or --literature alone"))
+    if literature:
+        _print_literature(as_json)
+        return 0
     from benchdragon.paper.compare import compare as compared
     from benchdragon.paper.compare import points
 
@@ -81,6 +88,21 @@ def compare(
         _print_graded(found)
         click.echo(_("Points: {points} of 100").format(points=points(score)))
     return 0 if agrees else UNSAFE
+
+
+def _print_literature(as_json: bool) -> None:
+    """All claims of the literature, a row each."""
+    from benchdragon.paper.literature import SOURCES, claims
+
+    if as_json:
+        rows = [{**asdict(one), "command": one.command} for one in claims()]
+        print_json({"claims": rows})
+        return
+    columns = (_("source"), _("finding"), _("task"), _("said"), _("exact"))
+    told = [(one.source.who, one.finding, one.task, one.said, f"{one.exact:.9f}") for one in claims()]
+    print_rows(_("What papers and public programs answer"), columns, told, words=2)
+    places = [(one.who, one.where, _(one.note) if one.note else "") for one in SOURCES]
+    print_rows(_("Where the numbers stand"), (_("source"), _("where"), _("remark")), places, words=3)
 
 
 def _print_graded(found: "Sequence[Comparison | Grade]") -> None:

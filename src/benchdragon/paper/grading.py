@@ -18,8 +18,9 @@ from benchdragon.i18n import _
 from benchdragon.model.arrays import as_list
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Walk
+from benchdragon.paper import wrong_numbers
 from benchdragon.paper.compare import points
-from benchdragon.paper.traversal import traversed_pitch
+from benchdragon.paper.wrong_numbers import Wrong
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import smallest_pitch
@@ -28,12 +29,8 @@ from benchdragon.solve.size import smallest_pitch
 WANTED, MOST = 6, 12
 # Figures to which an answer is that of a known mistake.
 SAME = 5
-# Steps in which contact, and pitches, are mostly sought, s and m; no walk lasts so long, s.
-TIME_STEPS, PITCH_STEPS, NEVER = (10.0, 5.0, 2.0, 1.0, 0.5, 0.1, 0.01), (1e-2, 1e-3, 1e-4), 1e6
 
 Numbers = tuple[float, ...]
-# What a known mistake leads to, and the mistake in words.
-Wrong = tuple[float, str]
 
 
 @dataclass(frozen=True)
@@ -99,11 +96,11 @@ def grade(task: str, answer: npt.ArrayLike) -> Grade:
     if len(given) != len(wanted):
         text = _("answer must be as many numbers as the task {task} asks for: {wanted}, not {count}")
         raise InputError(text.format(task=task, wanted=len(wanted), count=len(given)))
-    count = min(_agreeing(*pair) for pair in zip(given, wanted, strict=True))
+    count = min(figures_agreeing(*pair) for pair in zip(given, wanted, strict=True))
     return Grade(task, count, _finding(given, count, wrong(wanted[0])))
 
 
-def _agreeing(given: float, wanted: float) -> int:
+def figures_agreeing(given: float, wanted: float) -> int:
     """How many significant figures agree."""
     off = abs(given - wanted)
     if not math.isfinite(off):
@@ -119,7 +116,7 @@ def _finding(given: Numbers, count: int, wrong: Iterator[Wrong]) -> str:
     if count >= WANTED:
         return _("figures that agree: {count}").format(count=count)
     for value, text in wrong:
-        if _agreeing(given[0], value) >= SAME:
+        if figures_agreeing(given[0], value) >= SAME:
             return text
     text = _("figures that agree: {count}, of {wanted} that are required")
     return text.format(count=count, wanted=WANTED)
@@ -128,34 +125,6 @@ def _finding(given: Numbers, count: int, wrong: Iterator[Wrong]) -> str:
 def _none(_exact: float) -> Iterator[Wrong]:
     """No mistake is known that leads to another number."""
     yield from ()
-
-
-def _wrong_contact(exact: float) -> Iterator[Wrong]:
-    text = _("it is the first moment after it in steps of {step} s: what lies between two was not seen")
-    for step in TIME_STEPS:
-        yield math.ceil(exact / step) * step, text.format(step=f"{step:g}")
-    plan = read_plan("spiral-in")
-    yield plan.span(plan.build())[1], _("the walk ends then: the test for contact never fires")
-
-
-def _wrong_pitch(_exact: float) -> Iterator[Wrong]:
-    text = _("contact was checked only when the head reaches the disc")
-    for step in PITCH_STEPS:
-        yield traversed_pitch(read_plan("question-3"), step, NEVER, first=0.42).value, text
-
-
-def _wrong_length(_exact: float) -> Iterator[Wrong]:
-    yield 2.0 * read_plan("turn").value("disc.radius"), _("it is the straight way across the disc")
-
-
-def _wrong_speed(_exact: float) -> Iterator[Wrong]:
-    plan = read_plan("turn")
-    limit = plan.value("limits.speed")
-    for step in (1.0, 0.1):
-        seen = plan.motion(np.arange(*plan.span(plan.build()), step)).speed.max()
-        text = _("speeds were evaluated in steps of {step} s: the peak lies between two of them")
-        yield limit / float(seen), text.format(step=f"{step:g}")
-    yield limit, _("it is the limit itself: handles behind the head are faster than it in the turn")
 
 
 def _coil() -> Walk:
@@ -185,10 +154,10 @@ def _turn(**turn: float) -> Plan:
 
 # Each task: the numbers that answer it, and what known mistakes lead to.
 TASKS: dict[str, tuple[Callable[[], Numbers], Callable[[float], Iterator[Wrong]]]] = {
-    "contact": (lambda: _value(first_contact(read_plan("spiral-in"))), _wrong_contact),
-    "pitch": (lambda: _value(smallest_pitch(read_plan("question-3"))), _wrong_pitch),
-    "turn-length": (lambda: (TwoArcTurn(1.7, 4.5).length,), _wrong_length),
-    "head-speed": (lambda: _value(greatest_head_speed(read_plan("turn"))), _wrong_speed),
+    "contact": (lambda: _value(first_contact(read_plan("spiral-in"))), wrong_numbers.contacts),
+    "pitch": (lambda: _value(smallest_pitch(read_plan("question-3"))), wrong_numbers.pitches),
+    "turn-length": (lambda: (TwoArcTurn(1.7, 4.5).length,), wrong_numbers.lengths),
+    "head-speed": (lambda: _value(greatest_head_speed(read_plan("turn"))), wrong_numbers.speeds),
     "link": (lambda: (2.6 - 2.0 * 0.2,), _none),
     "chord": (_chord, _none),
     "head": (_head, _none),
