@@ -256,7 +256,8 @@ def test_benches_that_touch_are_hatched(
             look_at(page, bench, 150.0)
             # Closer than stripes are wide, wherever these lie among the dots of the screen.
             ends = [on_screen(page, bench, along, -0.1) for along in (-0.28, 0.28)]
-            found = np.array(pixels(page, np.linspace(*ends, 161).tolist()))
+            line = np.linspace(ends[0], ends[1], 161)
+            found = np.array(pixels(page, line.tolist()))
             red = (np.abs(found - [230, 0, 76]).max(axis=1) < 40).sum()
             black = (found.max(axis=1) < 60).sum()
             hatched = bool(red > 3 and black > 3)

@@ -15,6 +15,11 @@ from tests.plans.test_roster import ADDRESSES, NO_ADDRESSES, addressed
 ROOT = Path(__file__).parents[2]
 pytestmark = pytest.mark.skipif(node() is None, reason="no Node here to run the page's modules in")
 
+# Entrances as they may be written, and as they may not.
+ENTRANCES: list[Any] = [
+    [[20, 3, "4 m"], [1, 2]], [[20]], [[20, 3, 0]], [[20, 3, -1.5]], [[20, 3, 4, 5]],
+    [[1, 2], [20, 3, "wide"]], [20, 3], [[]], [["x", 3, -1]],
+]  # fmt: skip
 # Plans with something special in them, that random plans seldom have.
 SPECIAL: dict[str, dict[str, Any]] = {
     "a cue in lines": {
@@ -29,10 +34,7 @@ SPECIAL: dict[str, dict[str, Any]] = {
     },
     **{
         f"entrances {places}": {"event": {"entrances": places}, "venue": {"rectangle": [40, 30]}}
-        for places in (
-            [[20, 3, "4 m"], [1, 2]], [[20]], [[20, 3, 0]], [[20, 3, -1.5]], [[20, 3, 4, 5]],
-            [[1, 2], [20, 3, "wide"]], [20, 3], [[]], [["x", 3, -1]],
-        )
+        for places in ENTRANCES
     },
     "cues alone": {"cues": {"tempo": 100}},
     "the usual bar": {"cues": {"bar": 4}},

@@ -156,6 +156,7 @@ def test_rounds_that_are_wished_are_danced_where_they_fit(rounds: int) -> None:
     start, end = often.plan.span(walk)
     times = np.linspace(start, end, 2001)
     points = walk.route.point(walk.head_position(times))
+    assert often.plan.route.at is not None
     inside = np.hypot(*(points - often.plan.route.at).T) < 0.9 * often.plan.value("disc.radius")
     assert np.count_nonzero(np.diff(inside.astype(int)) == 1) == rounds - inside[0]
 

@@ -113,7 +113,7 @@ def test_what_is_no_list_of_values_is_refused(values: Any) -> None:
 
 
 def test_values_in_steps_may_be_said_as_on_the_command_line() -> None:
-    said = {"a.b": "0.45..0.5..0.01", "a.c": [1, 2]}
+    said: dict[str, Any] = {"a.b": "0.45..0.5..0.01", "a.c": [1, 2]}
     assert grid_points(said) == grid_points({**parse_vary(["a.b=0.45..0.5..0.01"]), "a.c": [1, 2]})
     assert grid_points(said).columns[0] == (0.45, 0.46, 0.47, 0.48, 0.49, 0.5)
     with pytest.raises(InputError, match=r"expected KEY=FIRST\.\..*, not 'a\.b=0\.45\.\.0\.5'"):
