@@ -176,7 +176,7 @@ SOURCES = (
 
 
 def claims() -> list[Claim]:
-    """Every number of every source, judged; each mistake is made anew."""
+    """Every number of every source, judged; each mistake is computed."""
     exact = {task: TASKS[task][0]()[0] for task in QUESTIONS}
     wrong = {task: list(TASKS[task][1](exact[task])) for task in QUESTIONS}
     return [

@@ -16,7 +16,7 @@ from benchdragon.plans.schema import Plan, read_plan
 # Steps in which contact, and pitches, are mostly sought, s and m; of the head's angle, rad.
 TIME_STEPS = (10.0, 5.0, 4.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.01)
 DISC_STEPS, PITCH_STEPS, ANGLE_STEPS = (1e-2, 1e-3, 1e-4), (2e-3, 5e-5), (0.1, 0.01)
-# Times looked at on the whole way in, s; angles near the disc, rad, and how far back from it they go.
+# Times sampled on the whole way in, s; angles near the disc, rad, and how far back from it they go.
 SEEN_EACH, SEEN_ANGLE, LAST_ANGLES = (10.0, 1.0), 0.02, 2.0
 # Pitches between which a flag is bisected, m, how often, and benches that can touch there.
 PITCHES, HALVINGS, NEAR = (0.40, 0.50), 34, 60
