@@ -27,7 +27,7 @@ from benchdragon.solve.size import smallest_pitch
 
 # Significant figures that are required, and the most that are counted.
 WANTED, MOST = 6, 12
-# Figures to which an answer is that of a known mistake.
+# Figures to which an answer is that of a known mistake, if that explains it better than the truth does.
 SAME = 5
 
 Numbers = tuple[float, ...]
@@ -116,7 +116,7 @@ def _finding(given: Numbers, count: int, wrong: Iterator[Wrong]) -> str:
     if count >= WANTED:
         return _("figures that agree: {count}").format(count=count)
     for value, text in wrong:
-        if figures_agreeing(given[0], value) >= SAME:
+        if figures_agreeing(given[0], value) >= max(SAME, count + 1):
             return text
     text = _("figures that agree: {count}, of {wanted} that are required")
     return text.format(count=count, wanted=WANTED)
