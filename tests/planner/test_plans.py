@@ -74,6 +74,12 @@ SPECIAL: dict[str, dict[str, Any]] = {
             {"kind": "beat", "place": [6, 2]},
         ]},
     },
+    "a place in a round that the walk does not reach": {
+        "route": {"kind": "turn", "rounds": 3},
+        "dragon": {"benches": 40},
+        "walk": {"start": 0, "end": 20},
+        "cues": {"cue": [{"kind": "note", "round": 3, "place": [6, 2]}]},
+    },
     "a round too many": {"cues": {"cue": [{"kind": "note", "round": 2}]}},
     "a place far away": {"cues": {"cue": [{"kind": "note", "place": [90, 0]}]}},
     "a cue at nothing": {"cues": {"cue": [{"kind": "note"}]}},

@@ -205,6 +205,13 @@ def test_cues_at_places_that_cannot_be_are_refused(cue: dict[str, Any], text: st
         dance({"kind": "note", **cue}).moments()
 
 
+def test_a_place_in_a_round_that_the_walk_does_not_reach_is_refused() -> None:
+    data = dance({"kind": "note", "round": 3, "place": [6.0, 2.0]}).said()
+    data["walk"] = {"start": 0.0, "end": 20.0}
+    with pytest.raises(PlanError, match=r"cues\.cue\.0\.round: the walk ends before round 3 begins"):
+        checked(data, "dance").build()
+
+
 def test_searches_of_one_coil_refuse_rounds_and_others_know_them() -> None:
     plan = dance()
     for question in ("pitch", "disc"):

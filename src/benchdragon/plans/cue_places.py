@@ -47,6 +47,9 @@ def heads_of(cues: Sequence[CueTable], route: Route, first: float, last: float) 
         span = first, last
         if cue.round is not None:
             span = begun[cue.round - 1], min([last, *begun[cue.round : cue.round + 1]])
+        if cue.place is not None and span[0] > last:
+            text = _("the walk ends before round {round} begins").format(round=cue.round)
+            raise KeyedError([Fault(f"{key}.round", text)])
         at = span[0] if cue.place is None else _nearest(cue.place, route.rows, span, f"{key}.place")
         found.append(max(at - first, 0.0))
     return found

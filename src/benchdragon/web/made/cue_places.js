@@ -28,6 +28,10 @@ export function headsOf(cues, route, first, last) {
     if ((cue.round != null)) {
       span = [py.at(begun, (cue.round - 1)), py.min([last, ...py.iter(py.slice(begun, cue.round, (cue.round + 1)))])];
     }
+    if (((cue.place != null) && (py.at(span, 0) > last))) {
+      text = py.filled(_("the walk ends before round {round} begins"), { round: cue.round });
+      throw new KeyedError([new Fault(`${py.str(key)}.round`, text)]);
+    }
     at = ((cue.place == null) ? py.at(span, 0) : _nearest(cue.place, route.rows, span, `${py.str(key)}.place`));
     py.append(found, py.max(py.sub(at, first), 0.0));
   }
