@@ -40,7 +40,8 @@ ROOT = Path(__file__).parents[2]
 SMALL = ("dragon.benches=8", "route.pitch=1.2", "route.start_turn=4", "walk.end=12")
 SQUARE = ("venue.rectangle=[40, 30]", 'obstacle=[{kind="circle", centre=[12, 9], radius=1}]')
 # One with all that the annex tells of, one that comes to the edge of its square, one without a square
-# that halts, one in which imprecise people come too near, one that coils round free ground.
+# that halts, one in which imprecise people come too near, one that coils round free ground, one whose
+# first and last bench alone are long.
 PLANS = {
     "said": (
         "spiral-in", *SMALL, *SQUARE, "event.spectators=2500",
@@ -57,6 +58,10 @@ PLANS = {
         "spiral-in", "dragon.benches=24", "route.pitch=0.6", "route.start_turn=3.5", "walk.end=6",
     ),
     "street": (str(ROOT / "examples/11_drawn_walk.dragon.toml"), "dragon.benches=12"),
+    "ends": (
+        "spiral-in", *SMALL[1:3], "walk.end=4",
+        "dragon.bench=[{length=3}, {length=2.2, count=8}, {length=3}]",
+    ),
 }  # fmt: skip
 # Two lines about the same ground differ by what either may err, m, and posts along them by more.
 APART, ALONG = 0.1, JOINED + 0.1
