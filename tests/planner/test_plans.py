@@ -80,6 +80,12 @@ SPECIAL: dict[str, dict[str, Any]] = {
         "walk": {"start": 0, "end": 20},
         "cues": {"cue": [{"kind": "note", "round": 3, "place": [6, 2]}]},
     },
+    "a place of a walk that begins before its route": {
+        "route": {"kind": "formation", "name": "three-plum-blossoms", "waist": 4.441},
+        "dragon": {"benches": 6},
+        "walk": {"speed": 0.5, "start": -65},
+        "cues": {"cue": [{"kind": "beat", "place": [3.9, -8.1]}]},
+    },
     "a round too many": {"cues": {"cue": [{"kind": "note", "round": 2}]}},
     "a place far away": {"cues": {"cue": [{"kind": "note", "place": [90, 0]}]}},
     "a cue at nothing": {"cues": {"cue": [{"kind": "note"}]}},

@@ -31,7 +31,15 @@ from benchdragon.cli.console import (
 from benchdragon.cli.formations import formations
 from benchdragon.cli.help import HelpfulGroup, sentence, translated
 from benchdragon.cli.new import new
-from benchdragon.cli.options import files_option, folder_option, only_with, plan_to_walk, take, verb
+from benchdragon.cli.options import (
+    HELP,
+    files_option,
+    folder_option,
+    only_with,
+    plan_to_walk,
+    take,
+    verb,
+)
 from benchdragon.cli.parsing import (
     PICTURE_FORMATS,
     TABLE_FORMATS,
@@ -87,7 +95,7 @@ PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
 
 @click.group(
     cls=HelpfulGroup,
-    context_settings={"help_option_names": ["-h", "--help"]},
+    context_settings=HELP,
     help=N_("Where every handle of a bench dragon is, and how fast, on any route."),
 )
 @click.version_option(

@@ -40,9 +40,13 @@ class NamedPath(click.Path):
 FILE, FOLDER = NamedPath(folder=False), NamedPath(folder=True)
 
 
+# A command keeps the option that shows its help from the first call, also from one without its group.
+HELP = {"help_option_names": ["-h", "--help"]}
+
+
 def verb(example: str, **more: str) -> Callable[[Command], click.Command]:
     """A verb of the command line with an example; its help is what the function says of itself."""
-    return click.command(cls=Verb, example=example, **more)
+    return click.command(cls=Verb, example=example, context_settings=HELP, **more)
 
 
 def together(*options: Decorator) -> Decorator:

@@ -72,7 +72,8 @@ def _away(place: Point, rows: FloatArray, ways: Sequence[float]) -> list[float]:
 
 def _nearest(place: Point, rows: FloatArray, span: tuple[float, float], key: str) -> float:
     """Where between two places of a route it is nearest to a point, m; of several the first."""
-    low, high = span
+    low = max(span[0], rows.tolist()[0][RouteRow.S_START])  # before it there is no route
+    high = max(span[1], low)
     count = max(2, min(MOST_SAMPLES, math.ceil((high - low) / STEP)))
     step = (high - low) / count
     ways = [low + step * n for n in range(count)] + [high]
@@ -82,7 +83,7 @@ def _nearest(place: Point, rows: FloatArray, span: tuple[float, float], key: str
         n for n in range(count + 1)
         if away[n] <= near and away[n] <= min(away[max(n - 1, 0)], away[min(n + 1, count)])
     ]  # fmt: skip
-    ends = [_descended(place, rows, ways[n], step, span) for n in lows]
+    ends = [_descended(place, rows, ways[n], step, (low, high)) for n in lows]
     best = min(distance for distance, _way in ends)
     if best > BESIDE:
         text = _("the head comes no nearer to that place than {away} m").format(away=f"{best:.1f}")

@@ -52,14 +52,15 @@ function _away(place, rows, ways) {
 }
 function _nearest(place, rows, span, key) {
   let away, best, count, ends, high, low, lows, near, step, text, ways;
-  [low, high] = py.list(span);
+  low = py.max(py.at(span, 0), py.at(py.at(py.tolist(rows), 0), 2));
+  high = py.max(py.at(span, 1), low);
   count = py.max(2, py.min(MOST_SAMPLES, py.ceil((py.sub(high, low) / STEP))));
   step = (py.sub(high, low) / count);
   ways = py.add(py.list(py.range(count)).map((n) => py.add(low, (step * n))), [high]);
   away = _away(place, rows, ways);
   near = py.add(py.min(away), step);
   lows = py.list(py.range((count + 1))).flatMap((n) => ((((py.at(away, n) <= near) && (py.at(away, n) <= py.min(py.at(away, py.max((n - 1), 0)), py.at(away, py.min((n + 1), count)))))) ? [n] : []));
-  ends = py.list(lows).map((n) => _descended(place, rows, py.at(ways, n), step, span));
+  ends = py.list(lows).map((n) => _descended(place, rows, py.at(ways, n), step, [low, high]));
   best = py.min(py.list(ends).map(([distance, _way]) => distance));
   if ((best > BESIDE)) {
     text = py.filled(_("the head comes no nearer to that place than {away} m"), { away: `${py.format(best, `.1f`)}` });
