@@ -21,6 +21,7 @@ from benchdragon.plans.answers import QUESTIONS, Question, count_in, wished
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
+    from benchdragon.solve.proposal import Proposal
     from benchdragon.solve.wishes import Wishes
 
 
@@ -115,21 +116,26 @@ def new(output: Path, force: bool, as_json: bool, quiet: bool, **options: Any) -
             return NO_SOLUTION
         given |= _asked_again(said, under=found.under, benches=found.benches)
     write_whole(output, _text(found.plan, wishes, given))
-    lines = proposal_lines(found, wishes, again)
     warn_of_lost(before, output)
-    if as_json:
-        from benchdragon.analysis.records import verdict_of
+    printed = _print_as_json if as_json else _print_proposed
+    printed(found, proposal_lines(found, wishes, again), output)
+    return 0
 
-        verdict = verdict_of(found.report).model_dump(mode="json")
-        print_json({**verdict, "proposed": lines, **about(found.plan, [])}, [output])
-        return 0
+
+def _print_as_json(found: "Proposal", lines: list[str], output: Path) -> None:
+    from benchdragon.analysis.records import verdict_of
+
+    verdict = verdict_of(found.report).model_dump(mode="json")
+    print_json({**verdict, "proposed": lines, **about(found.plan, [])}, [output])
+
+
+def _print_proposed(found: "Proposal", lines: list[str], output: Path) -> None:
     click.echo(_("Proposed:"))
     for line in lines:
         click.echo(f"  {line}")
     print_report(found.report)
     print_files([output])
     _print_next(output)
-    return 0
 
 
 def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:
