@@ -6,7 +6,18 @@ import numpy as np
 
 from benchdragon.kernels.arrays import IntTable, Table, Vector
 from benchdragon.kernels.bench_walks import LEVEL_DISTANCES, NOBODY, BenchRow, Known, Line
-from benchdragon.kernels.box import Box, boxes_at, corner, nearest_corner, nearest_each, offset, set_box
+from benchdragon.kernels.box import (
+    BOX_COLUMNS,
+    Box,
+    box_gap,
+    boxes_at,
+    centres,
+    corner,
+    nearest_corner,
+    offset,
+    radii,
+    set_box,
+)
 from benchdragon.kernels.box import box_distance as apart
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import FloatArray
@@ -14,6 +25,7 @@ from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.local_minima import local_minimum
 from benchdragon.kernels.nearness import foot
 from benchdragon.kernels.numbered import Numbered
+from benchdragon.kernels.route import IntArray
 
 # How far away other benches are searched for, m: over the walk, and at its end for those beside.
 REACH, BESIDE_REACH = 1.5, 1.5
@@ -161,16 +173,56 @@ def see_near(
     the nearest pair, at most `reach`, m; NaN if the dragon cannot be placed. x and y are (handles,
     times).
     """
-    count, last = sizes.shape[1], times.shape[0]
-    distance, partner = np.empty((last, count)), np.empty((last, count), dtype=np.int64)
-    for t in range(last):
-        least[t] = reach
+    count = sizes.shape[1]
+    boxes = np.empty((count, BOX_COLUMNS))
+    cx, cy, squares, radius = np.empty(count), np.empty(count), np.empty(count), np.empty(count)
+    widest = radii(sizes, radius)
+    pair = np.zeros(2, dtype=np.int64)  # what was nearest at the time before is likely to be so again
+    for t in range(times.shape[0]):
         if x[count, t] != x[count, t]:
             least[t] = math.nan
             continue
-        nearest_each(sizes, x, y, t, reach, -math.inf, distance, partner)
+        boxes_at(sizes, x, y, t, boxes)
+        centres(boxes, cx, cy)
+        least[t] = reach
+        if pair[0] < pair[1]:
+            least[t] = min(reach, apart(boxes, pair[0], pair[1]))
+        most = least[t]
         for k in range(count):
-            least[t] = min(least[t], distance[t, k])
-            if distance[t, k] < near[k, Neighbour.NEAR]:
-                near[k, Neighbour.NEAR], near[k, Neighbour.WHEN] = distance[t, k], times[t]
-                near[k, Neighbour.NUMBER] = partner[t, k] + 1
+            most = max(most, min(near[k, Neighbour.NEAR], reach))
+        for i in range(2, count):
+            for j in range(i - 1):  # without a branch, so that it becomes SIMD
+                squares[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2
+            far = (radius[i] + widest + max(most, 0.0)) ** 2
+            for j in range(i - 1):
+                if squares[j] <= far:
+                    see_pair(boxes, i, j, most, times[t], near, least[t : t + 1], pair)
+
+
+@kernel
+def see_pair(
+    boxes: FloatArray, i: int, j: int, most: float, time: float, near: FloatArray, least: FloatArray,
+    pair: IntArray,
+) -> None:  # fmt: skip
+    """Update rows i and j of `near` at a time, s, and the least distance then, m, with its pair.
+
+    Distances above `most`, m, do not count.
+    """
+    most = min(most, max(near[i, Neighbour.NEAR], near[j, Neighbour.NEAR], least[0]))
+    if box_gap(boxes, j, i) > most:
+        return
+    distance = apart(boxes, j, i)
+    if distance > most:
+        return
+    if distance <= least[0]:
+        least[0], pair[0], pair[1] = distance, j, i
+    keep_nearer(near, i, j, distance, time)
+    keep_nearer(near, j, i, distance, time)
+
+
+@kernel
+def keep_nearer(near: FloatArray, k: int, other: int, distance: float, time: float) -> None:
+    """Update the row of bench k with bench `other`, if that is nearer than any before."""
+    if distance < near[k, Neighbour.NEAR]:
+        near[k, Neighbour.NEAR], near[k, Neighbour.WHEN] = distance, time
+        near[k, Neighbour.NUMBER] = other + 1
