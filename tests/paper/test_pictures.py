@@ -15,9 +15,11 @@ from benchdragon.figures.contact import clearance_picture
 from benchdragon.figures.style import LEAST_TEXT, PAGE_WIDTH
 from benchdragon.paper.evidence_figures import first_seen, latest_step
 from benchdragon.paper.report import report
-from benchdragon.paper.reproduce import PICTURES, all_figures
+from benchdragon.paper.reproduce import PICTURES, TURNING, all_figures
 from benchdragon.paper.results import CONTACT_STEPS, Results
 from benchdragon.paper.traversal import first_overlap
+from benchdragon.paper.turn_figures import TIMED_HANDLES, turn_speeds_picture
+from benchdragon.plans.schema import read_plan
 
 pytestmark = pytest.mark.xdist_group("paper")
 
@@ -84,6 +86,20 @@ def test_the_greatest_ratio_is_marked_in_both_panels(
         assert drawn == pytest.approx(peak, abs=1e-9)
     assert "1.6048" in words(figure)
     assert "handles 3 to 7" in words(figure)
+
+
+def test_speeds_in_the_turn_are_drawn_at_their_extremes_with_the_joints_named() -> None:
+    motion = read_plan("turn").motion(np.arange(*TURNING))
+    over, along = turn_speeds_picture(motion).axes
+    for line, handle in zip(over.lines, TIMED_HANDLES, strict=False):
+        assert np.array_equal(line.get_xydata(), np.c_[motion.times, motion.speed[:, handle]])
+    joints = {text.get_text(): text.get_position()[0] for text in over.texts}
+    assert joints == pytest.approx({"$A$": 0.0, "$C$": 9.080830, "$B$": 13.621245}, abs=1e-6)
+    lowest, highest, later = (np.asarray(line.get_ydata()) for line in along.lines)
+    assert (lowest.min(), highest.max()) == (motion.speed.min(), motion.speed.max())
+    assert len(lowest) == len(highest) == len(later) == 224
+    assert words(along.figure).count("t = ") == 3
+    assert "t = 14.48 s" in words(along.figure)
 
 
 def test_the_papers_third_figure_carries_its_letters(figures: dict[str, Figure]) -> None:

@@ -212,19 +212,22 @@ def route_points(route: Route, start: float, end: float) -> FloatArray:
     return route.point(route_positions(start, end))
 
 
-def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> Figure:
+def speed_map(motion: Motion, title: str = "") -> Figure:
     """Speed of all handles over time, as a map: time to the right, handle 0 (the head) on top.
 
-    Lines show when each handle passes the route positions `joints`, m. Where a few instants are far
-    faster or slower than the rest, the colours tell the rest apart, and the extremes are named.
+    Where a few instants are far faster or slower than the rest, the colours tell the rest apart, and
+    the extremes are named.
     """
     with drawn_panel(0.85 * PAGE_WIDTH, 3.3, title) as (figure, panel):
-        draw_speeds(panel, motion, joints)
+        draw_speeds(panel, motion)
         return figure
 
 
 def draw_speeds(panel: Axes, motion: Motion, joints: Sequence[float] = ()) -> None:
-    """Draw a map of speeds, with its scale beside it: see `speed_map`."""
+    """Draw a map of speeds, with its scale beside it: see `speed_map`.
+
+    Lines show when each handle passes the route positions `joints`, m.
+    """
     panel.grid(False)
     times = cell_edges(motion.times)
     handles = np.arange(motion.x.shape[1] + 1) - 0.5

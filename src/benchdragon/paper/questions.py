@@ -121,7 +121,15 @@ def _fourth_question(found: Results) -> Iterable[Block]:
     captions = _("Positions in the second part, m."), _("Speeds in the second part, m/s.")
     yield from _tables("turn", *captions, found.turn_motion, MOTION_TIMES)
     yield Picture("turn-dragon", _("The dragon turning: the paper's Fig 4."))
-    yield Picture("turn-speeds", _("Speeds of all handles while the dragon turns."))
+    yield Picture(
+        "turn-speeds",
+        _(
+            "Speeds while the dragon turns: above of some handles, with the times at which the head is "
+            "at A, C and B; below of all handles when the slowest is slowest, when the fastest is "
+            "fastest, and later. Those before A are nearly as fast as one another, those past B "
+            "nearly as fast as the head."
+        ),
+    )
 
 
 def _better_turns(found: Results) -> Iterable[Block]:

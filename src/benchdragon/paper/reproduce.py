@@ -41,6 +41,7 @@ from benchdragon.paper.turn_figures import (
     construction_picture,
     front_picture,
     ratio_picture,
+    turn_speeds_picture,
     turns_picture,
 )
 from benchdragon.plans.routes import TurnRoute
@@ -50,9 +51,9 @@ from benchdragon.solve.size import smallest_pitch
 from benchdragon.solve.tolerance import CASES
 
 TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
-# Times, s, over which the greatest speed ratio is drawn (from, to, step), how far about its greatest
-# value it is enlarged, and how long before the contact the separating axes are drawn.
-RATIO_TIMES, CLOSE, BEFORE_CONTACT = (-10.0, 60.0, 0.02), 0.6, 2.5
+# Times, s, over which speeds in the turn are drawn (from, to, step), how far about its greatest
+# ratio it is enlarged, and how long before the contact the separating axes are drawn.
+TURNING, CLOSE, BEFORE_CONTACT = (-10.0, 60.0, 0.02), 0.6, 2.5
 PICTURE_KINDS = ("png", "svg", "pdf")
 PICTURES = (
     "spiral-dragon", "spiral-speeds", "contact", "clearance", "pitch", "turn-disc",
@@ -189,16 +190,14 @@ def _turn_figures(found: Results) -> dict[str, Figure]:
     points = [(allowed_speed(best), best.way, best.length) for best in found.different]
     walk, middle = motion.walk, found.turn_greatest_at
     close = walk.motion(np.linspace(middle - CLOSE, middle + CLOSE, 801))
-    limit = plan.limits.speed or math.nan
+    limit, turning = plan.limits.speed or math.nan, walk.motion(np.arange(*TURNING))
     return {
         "turn-disc": construction_picture(found.two_arcs),
         "turn-dragon": dragon_picture(motion, "", at, disc),
-        "turn-speeds": speed_map(motion, "", walk.route.joints[1:-1].tolist()),
+        "turn-speeds": turn_speeds_picture(turning),
         "turn-better": turns_picture([paper, better[found.told], better[-1]], disc),
         "turn-front": front_picture(points, (fastest, turn.length)),
-        "turn-ratio": ratio_picture(
-            walk.motion(np.arange(*RATIO_TIMES)), close, found.head_speed, limit
-        ),
+        "turn-ratio": ratio_picture(turning, close, found.head_speed, limit),
     }
 
 

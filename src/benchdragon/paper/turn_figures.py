@@ -38,6 +38,8 @@ FRAME, POINT_STEP = 1.35, 0.02
 TANGENT = 2.2
 # Handles whose speed ratios are drawn one by one about the greatest; ratios that agree so well are one.
 NEAR_HANDLES, SAME = 8, 1e-6
+# Speeds while the dragon turns: of these handles, over these times, s; and of all at this time, s.
+TIMED_HANDLES, TIMED, ALONG = (0, 1, 8, 223), (-5.0, 35.0), 50.0
 
 
 @dataclass(frozen=True)
@@ -213,6 +215,37 @@ def front_picture(front: Sequence[tuple[float, float, float]], paper: tuple[floa
         panel.set_ylabel(_("length (m)"))
         panel.set_title(_("Shortest turns that were found"))
         panel.legend(framealpha=0.9)
+        return figure
+
+
+def turn_speeds_picture(motion: Motion) -> Figure:
+    """Speeds of some handles over time, joints of the route marked, and of all handles at some times.
+
+    Args:
+        motion: at times that hold TIMED and ALONG, s, on a spiral, a turn of two arcs and a spiral.
+    """
+    times, speeds = motion.times, np.asarray(motion.speed)
+    lowest, highest = (int(find(speeds)) // speeds.shape[1] for find in (np.argmin, np.argmax))
+    with drawn_panels(PAGE_WIDTH, 4.9, "", 2, 1) as (figure, (over, along)):
+        for (colour, _mark, dashes), handle in zip(SERIES, TIMED_HANDLES, strict=False):
+            name = _("handle {number}").format(number=handle)
+            over.plot(times, speeds[:, handle], color=colour, ls=dashes, lw=1.2, label=name)
+        top = over.get_xaxis_transform()
+        for s, letter in zip(motion.walk.route.joints[1:-1], "ACB", strict=True):
+            passed = float(s) - motion.walk.start
+            over.axvline(passed, color=ROUTE, lw=0.8)
+            over.text(passed, 1.02, f"${letter}$", transform=top, ha="center")
+        over.set(xlim=TIMED, xlabel=_("time (s)"))
+        for (colour, _mark, dashes), at in zip(
+            SERIES, (lowest, highest, int(np.argmin(np.abs(times - ALONG)))), strict=False
+        ):
+            name = _("t = {t} s").format(t=f"{times[at]:.2f}")
+            along.plot(speeds[at], color=colour, ls=dashes, lw=1.2, label=name)
+        along.set(xlim=(0, speeds.shape[1] - 1), xlabel=_("handle (0: the head's front)"))
+        for panel in (over, along):
+            panel.set_ylabel(_("speed (m/s)"))
+            panel.margins(y=0.2)
+            panel.legend(loc="upper right", ncols=4)
         return figure
 
 
