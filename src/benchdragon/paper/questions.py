@@ -1,17 +1,72 @@
-"""The contest's five questions in the report: the answers in words, tables and pictures."""
+"""The contest's five questions in the report: answers at a glance; in words, tables and pictures."""
 
 import math
 from collections.abc import Iterable, Sequence
 
 from benchdragon.analysis.check import moment
-from benchdragon.export.document import Block, Heading, Paragraph, Picture, Table, say
-from benchdragon.i18n import _
+from benchdragon.export.document import Block, Heading, Link, Paragraph, Picture, Table, say
+from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.model.numbering import handle_names, handle_text, numbering_text
 from benchdragon.model.walk import Motion
 from benchdragon.number_format import decimals
+from benchdragon.paper.claims import SMALLEST_PITCH
 from benchdragon.paper.derivations import allowed_speed, contact_of, established, how
 from benchdragon.paper.results import MOTION_TIMES, TABLE_HANDLES, TABLE_TIMES, Results, table
+
+ASKED = (
+    N_("Question 1: where handles are, and how fast"),
+    N_("Question 2: when benches first touch"),
+    N_("Question 3: the smallest pitch"),
+    N_("Question 4: the turn"),
+    N_("Question 5: how fast the head may walk"),
+)
+
+
+def answers(found: Results) -> Table:
+    """The answers at a glance: a row a question, with how each is known and what the paper prints."""
+    first, smallest, arcs, best = (
+        contact_of(found),
+        found.smallest,
+        found.two_arcs,
+        found.front[found.told],
+    )
+    silent = _("no value printed")
+    rows = (
+        (rear_text(found), how("chain", chords_text(found)), _("no table printed")),
+        (
+            _("{t} s: bench {a} touches bench {b}").format(
+                t=f"{first.value:.9f}", a=_bench(first, 0), b=_bench(first, 1)
+            ),
+            how("first-contact", established(first)),
+            silent,
+        ),
+        (
+            f"{smallest.value:.12f} m",
+            how("smallest-pitch", established(smallest)),
+            f"{SMALLEST_PITCH:g} m",
+        ),
+        (
+            _("{length} m with two arcs; {way} m with a line between them").format(
+                length=f"{arcs.length:.10f}", way=f"{best.way:.4f}"
+            ),
+            how("turn", _("closed form; the shorter one: best found")),
+            _("the turn cannot be made shorter"),
+        ),
+        (
+            f"{found.head_speed.value:.12f} m/s",
+            how("greatest-head-speed", established(found.head_speed)),
+            silent,
+        ),
+    )
+    return Table(
+        "answers", _("The answers."), (_("question"), _("answer"), _("how known"), _("the paper")),
+        (1.9, 2.6, 1.7, 1.2),
+        tuple(
+            (Link(_(asked), f"#question-{number}"), *row)
+            for number, (asked, row) in enumerate(zip(ASKED, rows, strict=True), start=1)
+        ),
+    )  # fmt: skip
 
 
 def questions(found: Results) -> Iterable[Block]:
@@ -25,8 +80,24 @@ def questions(found: Results) -> Iterable[Block]:
     yield from _fifth_question(found)
 
 
+def rear_text(found: Results) -> str:
+    """Where the dragon ends when the contest's first part does."""
+    last = table(found.motion, [300.0])[-1]
+    text = _("rear of the tail at 300 s: ({x}, {y}) m")
+    return text.format(x=decimals(last["x_m"]), y=decimals(last["y_m"]))
+
+
+def chords_text(found: Results) -> str:
+    """How handles' positions are known."""
+    return _("closed form; chords to {error} m").format(error=f"{found.motion.chord_error:.0e}")
+
+
+def _heading(number: int) -> Heading:
+    return Heading(_(ASKED[number - 1]), f"question-{number}", 2)
+
+
 def _first_question(found: Results) -> Iterable[Block]:
-    yield Heading(_("Question 1: where handles are, and how fast"), "question-1", 2)
+    yield _heading(1)
     yield say(
         "Pitch {pitch} m, head speed 1 m/s; all handles each second: {file}.",
         pitch=f"{found.spiral.value('route.pitch'):g}",
@@ -45,11 +116,11 @@ def _first_question(found: Results) -> Iterable[Block]:
 
 def _second_question(found: Results) -> Iterable[Block]:
     first, standing = contact_of(found), moment(found.report)[0]
-    yield Heading(_("Question 2: when benches first touch"), "question-2", 2)
+    yield _heading(2)
     yield say(
         "At t = {t} s ({how}) bench {a} touches bench {b}; the whole dragon then: {file}.",
         t=f"{first.value:.10f}",
-        how=established(first),
+        how=how("first-contact", established(first)),
         a=_bench(first, 0),
         b=_bench(first, 1),
         file="result2.xlsx",
@@ -64,14 +135,12 @@ def _second_question(found: Results) -> Iterable[Block]:
 
 
 def _third_question(found: Results) -> Iterable[Block]:
-    yield Heading(_("Question 3: the smallest pitch"), "question-3", 2)
+    yield _heading(3)
     yield say(
-        "The head reaches a disc of radius {radius} m without contact from pitch {pitch} "
-        "m on ({how}). {known}.",
+        "The head reaches a disc of radius {radius} m without contact from pitch {pitch} m on ({how}).",
         radius=f"{found.turn.disc.radius:g}",
         pitch=f"{found.smallest.value:.13f}",
-        how=established(found.smallest),
-        known=how("smallest-pitch", _("How this is known")),
+        how=how("smallest-pitch", established(found.smallest)),
     )
     yield say(
         "{pitch} draws the two angles that the paper compares. They do not cross: at the smallest "
@@ -93,7 +162,7 @@ def _handle(answer: Answer) -> str:
 
 def _fourth_question(found: Results) -> Iterable[Block]:
     arcs, near = found.two_arcs, found.turn_report.clearance
-    yield Heading(_("Question 4: the turn"), "question-4", 2)
+    yield _heading(4)
     yield say(
         "Radii {r1} m and {r2} m, both arcs swept by {angle} rad, length {length} m. Benches "
         "{a} and {b} come nearest, {gap} m. All handles each second: {file}.",
@@ -169,13 +238,13 @@ def _better_turns(found: Results) -> Iterable[Block]:
 def _fifth_question(found: Results) -> Iterable[Block]:
     speed = found.head_speed
     limit = found.turn.limits.speed or math.nan
-    yield Heading(_("Question 5: how fast the head may walk"), "question-5", 2)
+    yield _heading(5)
     yield say(
         "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided by "
         "{handle} at t = {t} s.",
         limit=f"{limit:g}",
         speed=f"{speed.value:.12f}",
-        how=established(speed),
+        how=how("greatest-head-speed", established(speed)),
         handle=_handle(speed),
         t=f"{found.turn_greatest_at:.6f}",
     )

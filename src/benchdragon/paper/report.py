@@ -19,7 +19,7 @@ from benchdragon.export.document import (
     say,
 )
 from benchdragon.i18n import N_, _, language
-from benchdragon.number_format import decimals, decimals_towards
+from benchdragon.number_format import decimals_towards
 from benchdragon.paper import claims as paper
 from benchdragon.paper.derivations import (
     allowed_speed,
@@ -30,8 +30,8 @@ from benchdragon.paper.derivations import (
     how,
 )
 from benchdragon.paper.evidence import conditioning, errors, left_out, people
-from benchdragon.paper.questions import questions
-from benchdragon.paper.results import Results, table
+from benchdragon.paper.questions import answers, chords_text, questions, rear_text
+from benchdragon.paper.results import Results
 from benchdragon.plans.routes import TurnRoute
 from benchdragon.version import __version__
 
@@ -67,11 +67,14 @@ def report(found: Results, docs: str | None = None) -> Document:
 
 def _opening(found: Results) -> Iterable[Block]:
     yield say(
-        "W. Nie and J. Zhao model the bench dragon of 223 benches: spiral walk, contact, "
-        "smallest pitch, turn. This report repeats each part, says what the paper gives, what "
-        "comes out here, why they differ, and how our number was established. All figures but "
-        "those of the kept random dances are of this run: benchdragon {version}, plans "
-        "{spiral}, {disc}, {turn}.",
+        "W. Nie and J. Zhao model the bench dragon of 223 benches: spiral walk, contact, smallest "
+        "pitch, turn. {answers} answers the contest's five questions, {claims} holds each claim of "
+        "the paper beside what comes out here."
+    )
+    yield answers(found)
+    yield say(
+        "All figures but those of the kept random dances are of this run: benchdragon {version}, "
+        "plans {spiral}, {disc}, {turn}.",
         version=__version__,
         **{name: getattr(found, name).sha256[:8] for name in ("spiral", "disc", "turn")},
     )
@@ -92,7 +95,6 @@ def _claims(found: Results) -> Iterable[Block]:
     )  # fmt: skip
     rows = [*_walk_claims(found), *_contact_claims(found), *_turn_claims(found)]
     rows += [_method_claim(found), _reliability_claim(found), _people_claim(found)]
-    yield say("{claims} holds each claim of the paper beside what comes out here.")
     yield Table(
         "claims", _("The paper's claims, and what comes out here."), columns,
         (0.7, 1.5, 1.2, 1.4, 1.0, 2.6, 1.2), tuple(rows),
@@ -100,20 +102,14 @@ def _claims(found: Results) -> Iterable[Block]:
 
 
 def _walk_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
-    last = table(found.motion, [300.0])[-1]
     yield (
         "2",
         _("positions of the handles, by Runge-Kutta"),
         _("no table printed"),
-        _("rear of the tail at 300 s: ({x}, {y}) m").format(
-            x=decimals(last["x_m"]), y=decimals(last["y_m"])
-        ),
+        rear_text(found),
         f"{found.head_errors['rk4_step_0.1_s_m']:.1e} m",
         _("the head by Runge-Kutta (steps of 0.1 s) and by the closed form: they agree"),
-        how(
-            "chain",
-            _("closed form; chords to {error} m").format(error=f"{found.motion.chord_error:.0e}"),
-        ),
+        how("chain", chords_text(found)),
     )
     yield (
         "2, 3",
