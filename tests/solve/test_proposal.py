@@ -9,6 +9,7 @@ import pytest
 
 from benchdragon.analysis.check import check
 from benchdragon.errors import InputError, NoSolutionError, UnsureError
+from benchdragon.plans.schema import Plan
 from benchdragon.solve import proposal
 from benchdragon.solve.course import course_of
 from benchdragon.solve.proposal import Proposal, TooSmall, benches_out_again, propose
@@ -42,6 +43,28 @@ def test_a_square_that_is_too_small_is_refused_and_the_one_it_names_is_not() -> 
     found = propose(replace(SMALL, rectangle=(6.0, 6.0)))
     assert isinstance(found, TooSmall)
     assert isinstance(propose(replace(SMALL, rectangle=None, radius=found.radius)), Proposal)
+
+
+def test_the_speed_that_handles_allow_is_sought_of_dances_that_fit_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It takes as long as a place on the square; what does not fit needs none."""
+    asked, found_room = [], []
+    speed, roomiest = proposal.greatest_head_speed, proposal._roomiest
+    monkeypatch.setattr(
+        proposal, "greatest_head_speed", lambda plan: (asked.append(plan), speed(plan))[1]
+    )
+
+    def placed(wishes: Wishes, plan: Plan) -> Any:
+        dance = roomiest(wishes, plan)
+        found_room.append(dance.room >= 0.0)
+        return dance
+
+    monkeypatch.setattr(proposal, "_roomiest", placed)
+    found = propose(replace(SMALL, carry="beside", rectangle=(17.0, 15.0)))
+    assert isinstance(found, Proposal)
+    assert not found.slower
+    assert 0 < len(asked) == sum(found_room) < len(found_room)
 
 
 CROOKED = ((0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (1.0, 1.0), (1.0, 4.0), (0.0, 4.0))  # 7 m²

@@ -383,14 +383,28 @@ def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float, ahead: float) 
 
 
 def _placed(wishes: Wishes, sized: Plan, rounds: float) -> _Dance | None:
-    """The dance begun so many rounds out at its roomiest pose; None if it cannot walk."""
+    """The dance begun so many rounds out at its roomiest pose; None if it cannot walk.
+
+    Where that is at the speed wished decides whether it fits; only then the speed that its handles
+    allow is sought, which takes as long, and at another one it is placed anew.
+    """
     try:
-        square = Square(_begun(_steady(wishes, sized, rounds), rounds))
-        if wishes.rectangle is not None and not _may_fit(square, wishes.rectangle):
-            return _Dance(square, square.plan, -math.inf)
-        pose = square.roomiest(silent)
+        dance = _roomiest(wishes, _begun(sized, rounds))
+        if dance.room < 0.0:
+            return dance
+        steady = _steady(wishes, sized, rounds)
+        same = steady.walk.speed == sized.walk.speed
+        return dance if same else _roomiest(wishes, _begun(steady, rounds))
     except (WalkError, UnsureError, PlanError):
         return None
+
+
+def _roomiest(wishes: Wishes, plan: Plan) -> _Dance:
+    """A dance at its roomiest pose; with no room where it is larger than a rectangle."""
+    square = Square(plan)
+    if wishes.rectangle is not None and not _may_fit(square, wishes.rectangle):
+        return _Dance(square, plan, -math.inf)
+    pose = square.roomiest(silent)
     return _Dance(square, square.at(pose), square.room(pose) - SPARE)
 
 
@@ -410,10 +424,11 @@ def _never_fits(
 def _may_fit(square: Square, rectangle: tuple[float, float]) -> bool:
     """Whether the dance is as small as a rectangle at some angle, its margin to the edge included."""
     sides = [side - 2.0 * square.venue.margin for side in rectangle]
-    return any(
-        high_x - low_x <= max(sides) and high_y - low_y <= min(sides)
-        for low_x, high_x, low_y, high_y in _extents(square)
-    )
+    for angle in range(ANGLES):  # the first will do
+        low_x, high_x, low_y, high_y = square.extent(float(angle))
+        if high_x - low_x <= max(sides) and high_y - low_y <= min(sides):
+            return True
+    return False
 
 
 def _extents(square: Square) -> list[list[float]]:

@@ -296,19 +296,29 @@ async function _pitch(wishes, kind, first, disc, ahead) {
   return ((found.status === "found") ? roundedUp(found.upper, SIZE_STEP) : Infinity);
 }
 async function _placed(wishes, sized, rounds) {
-  let pose, square;
+  let dance, same, steady;
   try {
-    square = new Square(_begun((await _steady(wishes, sized, rounds)), rounds));
-    if (((wishes.rectangle != null) && !py.truth(_mayFit(square, wishes.rectangle)))) {
-      return new _Dance(square, square.plan, -Infinity);
+    dance = _roomiest(wishes, _begun(sized, rounds));
+    if ((dance.room < 0.0)) {
+      return dance;
     }
-    pose = square.roomiest(silent);
+    steady = (await _steady(wishes, sized, rounds));
+    same = py.eq(steady.walk.speed, sized.walk.speed);
+    return (py.truth(same) ? dance : _roomiest(wishes, _begun(steady, rounds)));
   } catch (error) {
     if (error instanceof WalkError || error instanceof UnsureError || error instanceof PlanError) {
       return null;
     } else
     throw error;
   }
+}
+function _roomiest(wishes, plan) {
+  let pose, square;
+  square = new Square(plan);
+  if (((wishes.rectangle != null) && !py.truth(_mayFit(square, wishes.rectangle)))) {
+    return new _Dance(square, plan, -Infinity);
+  }
+  pose = square.roomiest(silent);
   return new _Dance(square, square.at(pose), py.sub(square.room(pose), SPARE));
 }
 function _neverFits(wishes, kind, pitch, disc, ahead, rounds) {
@@ -327,9 +337,15 @@ function _neverFits(wishes, kind, pitch, disc, ahead, rounds) {
   }
 }
 function _mayFit(square, rectangle) {
-  let sides;
+  let angle, highX, highY, lowX, lowY, sides;
   sides = py.list(rectangle).map((side) => py.sub(side, (2.0 * square.venue.margin)));
-  return py.list(_extents(square)).some(([lowX, highX, lowY, highY]) => ((py.sub(highX, lowX) <= py.max(sides)) && (py.sub(highY, lowY) <= py.min(sides))));
+  for (angle of py.iter(py.range(ANGLES))) {
+    [lowX, highX, lowY, highY] = py.list(square.extent(py.float(angle)));
+    if (((py.sub(highX, lowX) <= py.max(sides)) && (py.sub(highY, lowY) <= py.min(sides)))) {
+      return true;
+    }
+  }
+  return false;
 }
 function _extents(square) {
   return py.list(py.range(ANGLES)).map((angle) => square.extent(py.float(angle)));
