@@ -18,6 +18,7 @@ WISHES = {
     "benches": 60, "length": 1.5, "width": 0.2, "head_length": 2, "inset": 0.15, "rectangle": [30, 20],
     "radius": None, "bearers": 2, "carry": "beside", "speed": 0.8, "most_speed": 1.5, "sway": 0.05,
     "imprecision": 0.1, "measured": [], "obstacles": [], "boundary": None, "kind": None, "rounds": 1,
+    "street": None,
 }  # fmt: skip
 # In place of who searches for a dance: it keeps what it is asked, and answers when it is told to.
 SEARCHER = """(able) => {
@@ -88,7 +89,16 @@ def asked(page: Page) -> Any:
 
 
 def found(page: Page, plan: dict[str, Any] | None, *said: str, **fits: Any) -> None:
-    page.evaluate("(found) => search.done(found)", {"plan": plan, "said": said, "benches": 0} | fits)
+    nothing = {"plan": plan, "said": said, "left": [], "benches": 0}
+    page.evaluate("(found) => search.done(found)", nothing | fits)
+
+
+def lost(page: Page, *said: str) -> None:
+    """What the page says would be lost, before the dance is another one; and have it nevertheless."""
+    before = page.evaluate("JSON.stringify(benchdragon.plan)")
+    expect(page.locator(".unfit p")).to_have_text(list(said))
+    assert page.evaluate("JSON.stringify(benchdragon.plan)") == before
+    screen(page).get_by_role("button", name="show the new dance").click()
 
 
 @pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
@@ -331,12 +341,62 @@ def test_another_dance_keeps_the_rounds_their_rests_and_the_hour(
     assert asked(page)["rounds"] == 3
     proposed = read_plan("turn", ["dragon.benches=60", f"route.rounds={kept}", "walk.end=900"]).data()
     found(page, proposed, "All 60 benches fit.")
+    lost(page, CALLS.format(count=4 - kept), BACK)
     until(page, "benchdragon.plan.dragon.benches === 60")
     there = json.loads(page.evaluate("JSON.stringify(benchdragon.plan)"))
     assert there["route"].get("rounds", 1) == kept
     assert (there["cues"]["clock"], there["cues"]["tempo"]) == ("18:30", 100)
     assert there["cues"].get("cue", []) == rests[: kept - 1]
     assert there["walk"]["end"] == (900 if kept == 1 else None)
+
+
+STREET = [[-60, 0], [-30, 2], [-20, 6]]
+CALLS = "Rests and calls at places of the dance before are left out: {count}."
+BACK = "Undo brings back the dance before, with all of that."
+
+
+@pytest.mark.parametrize("kept", [True, False])
+def test_another_dance_keeps_the_street_or_says_so_before_and_undo_brings_it_back(
+    pages: Pages, bare_file: Path, kept: bool
+) -> None:
+    page = begin(pages, bare_file)
+    rests = [{"kind": "hold", "place": place, "hold": 60} for place in ([-45, 1.5], [3, 3])]
+    plan = read_plan("turn", ["dragon.benches=12"]).data() | {"cues": {"cue": rests}}
+    plan["route"]["street"] = {"points": STREET}
+    page.evaluate("(plan) => void benchdragon.change(plan, true)", plan)
+    page.get_by_role("button", name="my benches").click()
+    answer(page, **SIXTY)
+    press(page)
+    assert asked(page)["street"] == {"points": STREET}
+    proposed = read_plan("turn", ["dragon.benches=60"]).data()
+    if kept:
+        proposed["route"]["street"] = {"points": STREET}
+        found(page, proposed, "All 60 benches fit.")
+        lost(page, CALLS.format(count=1), BACK)  # the rest on the square
+    else:
+        found(page, proposed, "All 60 benches fit.", left=["The street is left out."])
+        lost(page, "The street is left out.", CALLS.format(count=2), BACK)
+    until(page, "benchdragon.plan.dragon.benches === 60")
+    there = json.loads(page.evaluate("JSON.stringify(benchdragon.plan)"))
+    assert there["route"].get("street") == ({"points": STREET} if kept else None)
+    assert there.get("cues") == ({"cue": rests[:1]} if kept else None)
+    page.get_by_role("button", name="undo", exact=True).click()
+    assert page.evaluate("benchdragon.plan.route.street.points") == STREET
+    assert page.evaluate("benchdragon.plan.cues.cue.length") == 2
+
+
+def test_a_drawn_route_gives_way_to_a_coil_after_that_was_said(pages: Pages, bare_file: Path) -> None:
+    page = begin(pages, bare_file)
+    drawn = {"kind": "drawn", "points": [[0, 0], [40, 0], [60, 30]]}
+    plan = read_plan("spiral-in", ["dragon.benches=12"]).data() | {"route": drawn, "disc": {}}
+    page.evaluate("(plan) => void benchdragon.change(plan, true)", plan)
+    page.get_by_role("button", name="my benches").click()
+    answer(page, **SIXTY)
+    press(page)
+    asked(page)
+    found(page, read_plan("turn", ["dragon.benches=60"]).data(), "All 60 benches fit.")
+    lost(page, "The route of the plan before gives way to a coil.", BACK)
+    until(page, "benchdragon.plan.route.kind === 'turn'")
 
 
 def test_a_page_that_cannot_search_asks_nothing(pages: Pages, bare_file: Path) -> None:

@@ -262,6 +262,29 @@ def test_a_dance_is_proposed_beside_what_stands_on_the_square_of_a_plan(
     assert run([*words, "--force", "--beside", "none.dragon.toml"]) == 3
 
 
+def test_the_street_of_a_plan_is_kept_and_said_to_be_missing_where_it_is_not(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    line = "new -o v.dragon.toml --benches 9 --bench-length 1.5m --bench-width 15cm --square 20x20"
+    words = [*line.split(), "--carry", "under", "--quiet", "--lang", "en"]
+    assert run(words) == 0
+    plan = tmp_path / "v.dragon.toml"
+    with plan.open("a", encoding="utf-8") as file:
+        file.write("[route.street]\npoints = [[-40, 0], [-20, 2], [-8, 5]]\n")
+    assert run([*words, "--force", "--beside", "v.dragon.toml"]) == 0
+    told = capsys.readouterr()
+    assert "It comes by the street, which stays as it was." in told.out
+    assert "not in the new plan" not in told.err
+    again = read_plan(str(plan))
+    assert again.data()["route"]["street"]["points"][0] == [-40, 0]
+    assert check(again).safe
+    assert run([*words, "--force"]) == 0
+    assert "not in the new plan, as they were in the one it replaces: [route.street]" in (
+        capsys.readouterr().err
+    )
+
+
 def test_rounds_are_kept_where_they_fit(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from benchdragon.analysis.check import check
 from benchdragon.errors import InputError, NoSolutionError
-from benchdragon.explain.proposal import proposal_lines, refusal_lines
+from benchdragon.explain.proposal import left_lines, proposal_lines, refusal_lines
 from benchdragon.i18n import spoken_in
 from benchdragon.inlining import chinese
 from benchdragon.model.answer import Answer
@@ -226,12 +226,18 @@ WISHED: dict[str, dict[str, Any]] = {
     "within corners": {"rectangle": None, "boundary": HOUSE, "head_length": 2.4, "most_speed": 0.9},
     "in rounds": {"benches": 6, "carry": "under", "rounds": 3},
     "in more rounds than fit": {"rounds": 2, "rectangle": [14, 12]},
+    "by a street": {
+        "street": {"points": [[-40, 0], [-20, 2], [-9, 5]]},
+        "rounds": 2,
+        "rectangle": [24, 24],
+    },
+    "by a street of bends too tight": {"street": {"points": [[-40, 0], [-9, 5]], "radius": 0.2}},
     "round, and too small": {"rectangle": None, "radius": 4.5, "bearers": 1},
 }
 
 
 @pytest.mark.parametrize(
-    ("name", "language"), [*zip(WISHED, ["en", "zh", "zh", "zh", "en", "en"], strict=True)]
+    ("name", "language"), [*zip(WISHED, ["en", "zh", "zh", "zh", "en", "zh", "en", "en"], strict=True)]
 )
 def test_the_page_proposes_what_python_does(name: str, language: str) -> None:
     wishes = YARD | WISHED[name]
@@ -247,6 +253,7 @@ def test_the_page_proposes_what_python_does(name: str, language: str) -> None:
         out = asked_for.kind or found.plan.route.kind == "turn"
         again = 0 if out else benches_out_again(asked_for)
         assert said["said"] == proposal_lines(found, asked_for, again)
+        assert said["left"] == left_lines(found, asked_for)
     ours, theirs = found.plan, checked(said["plan"], "page")
     assert ours.route.at is not None
     assert theirs.route.at == pytest.approx(ours.route.at, abs=2e-3)

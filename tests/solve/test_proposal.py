@@ -193,6 +193,30 @@ def test_a_dance_coils_once_where_there_is_no_room_to_go_back_in() -> None:
     assert benches_out_again(wishes) == benches_out_again(replace(wishes, rounds=1))
 
 
+STREET = {"points": [[-40.0, 0.0], [-20.0, 2.0], [-9.0, 5.0]]}
+
+
+@pytest.mark.parametrize("rounds", [1, 3])
+def test_a_proposed_dance_begins_in_the_street_that_leads_to_it(rounds: int) -> None:
+    found = propose(replace(SMALL, rectangle=(24.0, 24.0), street=STREET, rounds=rounds))
+    assert isinstance(found, Proposal)
+    assert check(found.plan).safe
+    assert found.plan.value("route.rounds") == rounds
+    walk = found.plan.build()
+    assert walk.route.point(walk.head_position([walk.start])[0]) == pytest.approx((-40.0, 0.0), abs=0.2)
+    assert not course_of(found.plan).inside  # as it does where the dance begins on the square
+
+
+def test_a_street_that_leads_to_no_dance_is_traded_for_benches() -> None:
+    across = {"points": [[-40.0, 0.0], [-20.0, 2.0], [11.5, 0.0]]}  # where the coil is to be
+    for street in (across, STREET | {"radius": 0.2}):
+        wishes = replace(SMALL, rectangle=(24.0, 24.0), rounds=2)
+        found, without = propose(replace(wishes, street=street)), propose(wishes)
+        assert isinstance(found, Proposal)
+        assert isinstance(without, Proposal)
+        assert found.plan.data() == without.plan.data()
+
+
 def test_rounds_that_cannot_be_are_refused() -> None:
     for rounds in (0, 21):
         with pytest.raises(InputError, match=f"coils in and out 1 to 20 times, not {rounds}"):

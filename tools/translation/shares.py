@@ -104,7 +104,7 @@ TWINS = {
     "explain.room": ("room_text", "level_line", "plain_asked"),
     "explain.timetable_text": ("timetable_text", "timetable_text"),
     "explain.whereabouts": ("whereabouts", "whereabouts"),
-    "explain.proposal": ("proposal_text", "proposal_lines", "refusal_lines"),
+    "explain.proposal": ("proposal_text", "left_lines", "proposal_lines", "refusal_lines"),
     "solve.course": ("course", "course_of"),
     "solve.proposal": ("proposal", "TooSmall", "benches_out_again", "propose"),
     "solve.wishes": ("wishes", "Wishes"),

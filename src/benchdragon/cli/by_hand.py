@@ -13,7 +13,7 @@ BY_HAND = ("roster", "sheet", "unit", "count_head", "address")
 
 
 def kept_by_hand(path: Path) -> list[str]:
-    """A plan's entries by hand: obstacles, cues, marks, the event, who dances and is counted.
+    """A plan's entries by hand: obstacles, the street, cues, marks, the event, who dances.
 
     Nothing, where no plan can be read.
     """
@@ -30,6 +30,8 @@ def kept_by_hand(path: Path) -> list[str]:
     names = [str(one.get("name", "")) for one in listed if isinstance(one, dict)]
     people = people if isinstance(people, dict) else {}
     found = [f"[[obstacle]] {name}".strip() for name in names]
+    route = data.get("route")
+    found += ["[route.street]"] if isinstance(route, dict) and "street" in route else []
     found += [f"[{name}]" for name in ("cues", "chalk", "event") if name in data]
     written = {name: json.dumps(people[name], ensure_ascii=False) for name in BY_HAND if name in people}
     return found + [f"people.{name} = {value}" for name, value in written.items()]

@@ -72,7 +72,7 @@ if TYPE_CHECKING:
 @click.option(
     "--beside",
     metavar="PLAN",
-    help=N_("A plan whose wells, stages and the like stand on the square, maybe the one written anew."),
+    help=N_("A plan whose wells, stages and street are there, maybe the one written anew."),
 )
 @take("force", "json", "shared")
 def new(output: Path, force: bool, as_json: bool, quiet: bool, **options: Any) -> int:
@@ -87,7 +87,7 @@ def new(output: Path, force: bool, as_json: bool, quiet: bool, **options: Any) -
     refuse_existing([output], force)
     before = kept_by_hand(output)
     roster = _roster(output, options["roster"])
-    rounds, standing = _standing(options["beside"])
+    rounds, standing, street = _standing(options["beside"])
     rounds = rounds if options["rounds"] is None else _rounds(options["rounds"])
     said, given = _answers(options)
     from benchdragon.explain.proposal import proposal_lines, refusal_lines
@@ -95,7 +95,10 @@ def new(output: Path, force: bool, as_json: bool, quiet: bool, **options: Any) -
 
     while True:
         wishes = replace(
-            _wishes(said, options["kind"], roster, given), obstacles=standing, rounds=rounds
+            _wishes(said, options["kind"], roster, given),
+            obstacles=standing,
+            rounds=rounds,
+            street=street,
         )
         try:
             with shown_progress(quiet) as progress:
@@ -176,15 +179,18 @@ def _rounds(text: str) -> int:
     return count_in("--rounds", text, "3", 1, MOST_ROUNDS)
 
 
-def _standing(plan: str | None) -> tuple[int, tuple[dict[str, Any], ...]]:
-    """The rounds of a plan, and the obstacles on its square: their tables."""
+def _standing(
+    plan: str | None,
+) -> tuple[int, tuple[dict[str, Any], ...], dict[str, Any] | None]:
+    """The rounds of a plan, the obstacles on its square and the street to it: their tables."""
     from benchdragon.plans.schema import read_plan
 
     if plan is None:
-        return 1, ()
+        return 1, (), None
     data = read_plan(plan).data()
-    turns = data["route"]["kind"] == "turn"
-    return data["route"].get("rounds", 1) if turns else 1, tuple(data.get("obstacle", ()))
+    route = data["route"]
+    rounds = route.get("rounds", 1) if route["kind"] == "turn" else 1
+    return rounds, tuple(data.get("obstacle", ())), route.get("street")
 
 
 def _asked_again(said: dict[str, Any], *, under: bool, benches: int) -> set[str]:

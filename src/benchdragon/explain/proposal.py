@@ -26,6 +26,9 @@ def proposal_lines(found: Proposal, wishes: Wishes, again: int) -> list[str]:
         )
     lines.append(text.format(way=f"{course.way:.0f}", time=lasting(course.seconds)))
     lines += _rounds_lines(found, wishes)
+    if found.plan.route.after_street:
+        lines.append(_("It comes by the street, which stays as it was."))
+    lines += left_lines(found, wishes)
     if found.less_ahead:
         text = _("Before the head there is {room} m of room, less than usual, so that all of them fit.")
         lines.append(text.format(room=f"{found.plan.people.ahead:g}"))
@@ -42,6 +45,13 @@ def proposal_lines(found: Proposal, wishes: Wishes, again: int) -> list[str]:
         text = _("With {count} benches it comes out again: no more of them have the room.")
         lines.append(text.format(count=again))
     return lines
+
+
+def left_lines(found: Proposal, wishes: Wishes) -> list[str]:
+    """What of the square was wished that the dance does not have."""
+    if wishes.street is None or found.plan.route.after_street:
+        return []
+    return [_("No dance of these benches was found to which the street leads: it is left out.")]
 
 
 def _rounds_lines(found: Proposal, wishes: Wishes) -> list[str]:

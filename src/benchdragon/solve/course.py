@@ -52,4 +52,5 @@ def course_of(plan: Plan) -> Course:
     ]
     out = plan.route.kind == "turn"
     rounds = abs(sum(turns)) / (2.0 * math.pi)
-    return Course(rounds, ended[0] - begun[0], end - start, out, out and start >= 0.0)
+    inside = out and not plan.route.after_street and start >= 0.0
+    return Course(rounds, ended[0] - begun[0], end - start, out, inside)

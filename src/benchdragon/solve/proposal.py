@@ -52,6 +52,10 @@ ENOUGH = 60
 ROUNDS: dict[Kind, tuple[float, ...]] = {
     "turn": (2.0, 1.0, 0.5, 0.0), "spiral-in": (6.0, 4.0, 3.0, 2.0, 1.0, 0.5),
 }  # fmt: skip
+# The same of a dance to which a street leads, whatever its first rounds are.
+LED: dict[Kind, tuple[float, ...]] = {"turn": (0.0,), "spiral-in": (2.0, 0.5)}
+# A street to which so many dances that fit do not go is given up.
+MOST_REFUSED = 4
 # Of pairs of pitch and disc those that take the least room, so many, are tried on the square.
 MOST_SIZES = 3
 # What corners between the boxes of a square may be farther out, m; angles at which a dance is measured,
@@ -130,8 +134,8 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     """A dance of the benches on the square that passes `check`, or how much too small the square is.
 
     All benches are kept: the kind of the dance, its pitch and disc, the room before the head, how far
-    it is walked, its place and direction are tried, beside all obstacles on the square. Rounds are
-    kept where a dance with them fits.
+    it is walked, its place and direction are tried, beside all obstacles on the square. Rounds and
+    the street are kept where a dance with them fits, the street rather than rounds.
 
     Raises:
         InputError: if `wishes` is not a Wishes, for a square that is missing or given twice, and for
@@ -148,14 +152,13 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     of_kind("wishes", wishes, Wishes)
     _refuse(wishes)
     _refuse_ground(wishes)
-    if wishes.rounds > 1:
-        often = _tried(replace(wishes, kind="turn"), ROUNDS, part(progress, 0.0, 0.5))
-        if often.found is not None:
-            return often.found
-        wishes, progress = replace(wishes, rounds=1), part(progress, 0.5, 1.0)
-    tried = _tried(wishes, ROUNDS, progress)
-    if tried.found is not None:
-        return tried.found
+    trades = _trades(wishes)
+    for n, less in enumerate(trades):
+        walked = ROUNDS if less.street is None else LED
+        tried = _tried(less, walked, part(progress, n / len(trades), (n + 1.0) / len(trades)))
+        if tried.found is not None:
+            return tried.found
+    wishes = trades[-1]
     if tried.fits:
         raise UnsureError(
             _(
@@ -187,6 +190,13 @@ def benches_out_again(wishes: Wishes, *, progress: Progress = silent) -> int:
     return _fitting(replace(wishes, rounds=1), "turn")
 
 
+def _trades(wishes: Wishes) -> list[Wishes]:
+    """The wishes, then what is traded for benches: rounds, then the street."""
+    found = [replace(wishes, kind="turn")] if wishes.rounds > 1 else []
+    found.append(replace(wishes, rounds=1))
+    return found if wishes.street is None else found + [replace(one, street=None) for one in found]
+
+
 @dataclass(frozen=True)
 class _Tried:
     """The result of trying all dances.
@@ -203,7 +213,7 @@ class _Tried:
 def _tried(wishes: Wishes, walked: Mapping[Kind, Sequence[float]], progress: Progress) -> _Tried:
     """Try each kind and its sizes with so many rounds walked, the most first that fit."""
     sorts = [(kind, ahead) for kind in _kinds(wishes) for ahead in AHEAD]
-    fits = False
+    fits, refused = False, 0
     for n, (kind, ahead) in enumerate(sorts):
         progress(n / len(sorts), _("pitch and disc"))
         for sized in _sized(wishes, kind, ahead, walked[kind][-1]):
@@ -220,7 +230,8 @@ def _tried(wishes: Wishes, walked: Mapping[Kind, Sequence[float]], progress: Pro
                 if dance is None or dance.room < 0.0:
                     continue
                 found = _walked(wishes, dance.plan)
-                if found is not None:
+                refused += 1
+                if found is not None or (wishes.street is not None and refused == MOST_REFUSED):
                     return _Tried(found, fits)
     return _Tried(None, fits)
 
@@ -389,12 +400,14 @@ def _placed(wishes: Wishes, sized: Plan, rounds: float) -> _Dance | None:
     allow is sought, which takes as long, and at another one it is placed anew.
     """
     try:
-        dance = _roomiest(wishes, _begun(sized, rounds))
+        begun = _begun(sized, rounds)
+        dance = _roomiest(wishes, begun)
         if dance.room < 0.0:
             return dance
-        steady = _steady(wishes, sized, rounds)
-        same = steady.walk.speed == sized.walk.speed
-        return dance if same else _roomiest(wishes, _begun(steady, rounds))
+        speed = _speed(wishes, begun)
+        if speed == sized.walk.speed:
+            return dance
+        return _roomiest(wishes, _begun(sized.with_value("walk.speed", speed), rounds))
     except (WalkError, UnsureError, PlanError):
         return None
 
@@ -436,12 +449,21 @@ def _extents(square: Square) -> list[list[float]]:
     return [square.extent(float(angle)) for angle in range(ANGLES)]
 
 
-def _steady(wishes: Wishes, sized: Plan, rounds: float) -> Plan:
-    """The dance at a head speed with which no handle is faster than a bench can be carried."""
-    found = greatest_head_speed(_begun(sized, rounds))
-    most = min(found.lower, wishes.speed)
+def _speed(wishes: Wishes, plan: Plan) -> float:
+    """The head speed with which no handle of a dance is faster than a bench can be carried, m/s."""
+    most = min(greatest_head_speed(plan).lower, wishes.speed)
     steps = rounded_down(most, SPEED_STEP)
-    return sized.with_value("walk.speed", steps if steps > 0.0 else rounded_down(most, 1e-3))
+    return steps if steps > 0.0 else rounded_down(most, 1e-3)
+
+
+def _led(wishes: Wishes, plan: Plan) -> Plan | None:
+    """The dance with the street before it, begun there; None where that does not lead to it."""
+    begun = {"route.street": wishes.street, "walk.start": None, "walk.end": None}
+    try:
+        led = plan.with_values(begun)
+        return led.with_value("walk.speed", _speed(wishes, led))
+    except (WalkError, UnsureError, PlanError):
+        return None
 
 
 def _walked(wishes: Wishes, plan: Plan) -> Proposal | None:
@@ -450,6 +472,12 @@ def _walked(wishes: Wishes, plan: Plan) -> Proposal | None:
         plan = plan.with_values({"route.rounds": wishes.rounds, "walk.end": None})
         _start, end = plan.span(plan.build())
         plan = plan.with_value("walk.end", rounded_up(end, 1.0))
+    led = plan if wishes.street is None else _led(wishes, plan)
+    return None if led is None else _passing(wishes, led)
+
+
+def _passing(wishes: Wishes, plan: Plan) -> Proposal | None:
+    """The proposal, if the plan passes the check."""
     walk = plan.build()
     report = judged(plan, walk, plan.span(walk))
     return Proposal(plan, report, plan.walk.speed < wishes.speed) if report.safe else None

@@ -50,6 +50,7 @@ class Wishes:
         imprecision: how far bearers stray from their line.
         measured: which of these two were measured; the others are assumed.
         obstacles: on the square, tables as in a plan.
+        street: that leads to the dance, a table as in a plan, where a dance fits to which it leads.
 
     Examples:
         >>> bd.Wishes(30, 2.0, 0.3, rectangle=(20.0, 20.0)).benches
@@ -75,6 +76,7 @@ class Wishes:
     obstacles: tuple[Mapping[str, Any], ...] = ()
     boundary: tuple[Point, ...] | None = None
     rounds: int = 1
+    street: Mapping[str, Any] | None = None
 
     def __post_init__(self) -> None:
         """Refuse what is no number."""

@@ -8,15 +8,15 @@ import { QUESTIONS, wished } from "./made/answers.js";
 import { valueOf } from "./number_control.js";
 import { openings } from "./openings.js";
 import { samePlan } from "./standing.js";
-import { restsOf } from "./things.js";
+import { besideStreet, restsOf, streetOf } from "./things.js";
 import { _, language, speak } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./planner.js").Planner} Planner */
 /** @typedef {import("./standing.js").Aside} Aside */
-/** What was found for wishes: a plan, if there is one; what is said of that; how many benches fit; whether
- * all do with bearers under them.
- * @typedef {{ plan: Plan | null, said: string[], benches: number, under?: boolean }} Proposed */
+/** What was found for wishes: a plan, if there is one; what is said of that, and of what was wished and is
+ * not in it; how many benches fit; whether all do with bearers under them.
+ * @typedef {{ plan: Plan | null, said: string[], left: string[], benches: number, under?: boolean }} Proposed */
 
 /** What everybody is asked; all else has usual answers. */
 const FIRST = ["benches", "bench_length", "square", "carry"];
@@ -30,11 +30,16 @@ function roundsOf(plan) {
   return kind === "turn" && Number.isInteger(rounds) ? rounds : 1;
 }
 
-/** What a plan says of drum and clock, and its rests before rounds that another has, too. @param {Plan} before @param {number} rounds of the other @returns {Record<string, any>} */
-function hoursOf({ cues, ...before }, rounds) {
+/** How many cues a plan has. @param {Plan} plan */
+const cuesOf = ({ cues }) => (Array.isArray(cues?.cue) ? cues.cue.length : 0);
+
+/** What a plan says of drum and clock, and its rests that a dance in its place has, too: before rounds, and in the street. @param {Plan} before @param {Plan} plan of that dance @returns {Record<string, any>} */
+function hoursOf({ cues, ...before }, plan) {
   const { cue: _cue, ...hours } = cues ?? {};
   const rests = restsOf({ cues, ...before }).map(([, one]) => one);
-  const kept = rests.filter(({ round }) => round && round <= rounds);
+  const kept = rests.filter(({ round, place }) =>
+    round ? round <= roundsOf(plan) : besideStreet(plan, place),
+  );
   return kept.length ? { ...hours, cue: kept } : hours;
 }
 
@@ -46,11 +51,23 @@ function withNames(plan, before, titled) {
   const { meta, event, people = {} } = before;
   if (titled && meta) copy.meta = meta;
   if (event) copy.event = event;
-  const cues = hoursOf(before, roundsOf(plan));
+  const cues = hoursOf(before, plan);
   if (Object.keys(cues).length) copy.cues = cues;
   if (cues.cue) copy.walk = { ...plan.walk, end: null }; // the dance takes longer
   for (const name of NAMES) if (name in people) copy.people[name] = people[name];
   return copy;
+}
+
+/** What of a plan would be lost with another in its place, in sentences; `left` are those about its square. @param {Plan | null} before @param {Plan} plan @param {string[]} left */
+function lossesOf(before, plan, left) {
+  if (!before) return [];
+  const lost = [...left];
+  if (!["spiral-in", "turn"].includes(before.route.kind))
+    lost.push(_("The route of the plan before gives way to a coil."));
+  const count = cuesOf(before) - cuesOf(plan);
+  if (count > 0)
+    lost.push(_("Rests and calls at places of the dance before are left out: {count}.", { count }));
+  return lost.length ? [...lost, _("Undo brings back the dance before, with all of that.")] : [];
 }
 
 /** Where a square lies: a plan's own stays in place, for what stands there. @param {any} sides or its corners @param {any} venue */
@@ -270,6 +287,7 @@ export class Asking {
       ...wishes,
       ...square,
       obstacles: plan?.obstacle ?? [],
+      street: plan && streetOf(plan).length ? plan.route.street : null,
       kind: null,
       rounds: roundsOf(plan),
     };
@@ -295,7 +313,7 @@ export class Asking {
       /** @type {Proposed} */
       const found = await lane.ask({ question: "propose", wishes }, undefined, told);
       this.#lane = null;
-      if (found.plan) this.#show(found, found.plan);
+      if (found.plan) this.#offer(found, found.plan);
       else this.#tell(found.said, found);
     } catch (error) {
       if (!(error instanceof Error)) throw error;
@@ -307,13 +325,20 @@ export class Asking {
     }
   }
 
-  /** Show what was proposed, walking. @param {Proposed} found @param {Plan} bare what was proposed, without what the page knows besides */
-  #show(found, bare) {
+  /** Show what was proposed; where something would be lost, say so before. @param {Proposed} found @param {Plan} bare what was proposed, without what the page knows besides */
+  #offer(found, bare) {
     const planner = /** @type {Planner} */ (this.#planner);
     const before = this.#before;
     const titles = planner.presets.map(({ title }) => title.en);
-    const lent = titles.includes(before?.meta?.title);
-    const plan = withNames(bare, before, !lent);
+    const plan = withNames(bare, before, !titles.includes(before?.meta?.title));
+    const lost = lossesOf(before, plan, found.left);
+    if (!lost.length) return this.#show(found, plan);
+    this.#tell(lost, { take: () => this.#show(found, plan) });
+  }
+
+  /** Show what was proposed, walking. @param {Proposed} found @param {Plan} plan */
+  #show(found, plan) {
+    const planner = /** @type {Planner} */ (this.#planner);
     this.#proposed = { ...found, plan };
     this.#begins = true;
     const [first, ...others] = found.said;
@@ -341,8 +366,8 @@ export class Asking {
     if (focused) (busy ? this.cancel : this.button).focus();
   }
 
-  /** Say why there is no dance, and offer what has one. @param {string[]} said @param {{ benches?: number, under?: boolean }} fits */
-  #tell(said = [], { benches = 0, under = false } = {}) {
+  /** Say why there is no dance, and offer what has one; or what one found would cost, and offer it. @param {string[]} said @param {{ benches?: number, under?: boolean, take?: () => void }} fits */
+  #tell(said = [], { benches = 0, under = false, take } = {}) {
     /** @param {string} text @param {string} name @param {unknown} answer */
     const offer = (text, name, answer) =>
       textButton(text, () => {
@@ -351,6 +376,7 @@ export class Asking {
       });
     this.told.replaceChildren(
       ...said.map((text) => make("p", {}, text)),
+      ...(take ? [textButton(_("show the new dance"), take)] : []),
       ...(under ? [offer(_("walk under the benches"), "carry", 1)] : []),
       ...(benches > 1
         ? [offer(_("take {count} benches", { count: benches }), "benches", benches)]

@@ -13,6 +13,9 @@ export const MOST_LETTERS = 80;
 const ROUND = 12;
 const ALIKE = 0.005;
 
+/** A place is in a street that is so near, m. */
+const BESIDE = 3;
+
 /** A rest is so long at first, s. */
 const REST = 60;
 
@@ -100,6 +103,17 @@ export function entrancesOf({ event }) {
 /** The street of a plan, if it is one that can be drawn. @param {Plan} plan @returns {Point[]} */
 export function streetOf({ route }) {
   return pointsOf(route?.street?.points);
+}
+
+/** Whether the head of a plan comes by a place in its street. @param {Plan} plan @param {Point} place */
+export function besideStreet(plan, [x, y]) {
+  const street = streetOf(plan);
+  return street.some(([u, v], n) => {
+    const [dx, dy] = n ? [street[n - 1][0] - u, street[n - 1][1] - v] : [0, 0];
+    const share = ((x - u) * dx + (y - v) * dy) / (dx * dx + dy * dy || 1);
+    const at = Math.min(Math.max(share, 0), 1);
+    return Math.hypot(u + at * dx - x, v + at * dy - y) <= BESIDE;
+  });
 }
 
 /** Where the head of a plan rests, by the numbers of its cues. @param {Plan} plan @returns {[number, Record<string, any>][]} */

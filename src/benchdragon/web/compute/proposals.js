@@ -1,7 +1,7 @@
 // Dances that are proposed for a square, and where on it a dance has the most room.
 
 import { benchesOutAgain, propose, TooSmall } from "../made/proposal.js";
-import { proposalLines, refusalLines } from "../made/proposal_text.js";
+import { leftLines, proposalLines, refusalLines } from "../made/proposal_text.js";
 import { Square } from "../made/square_room.js";
 import { part } from "../made/stages.js";
 import { Wishes } from "../made/wishes.js";
@@ -13,8 +13,8 @@ import { withArenaAsync } from "./arena.js";
 const FOUND = 0.7;
 
 /**
- * A dance for what a village wishes: its plan (null: none fits the square), what is said of it, how many
- * benches fit, and whether all do with bearers under them.
+ * A dance for what a village wishes: its plan (null: none fits the square), what is said of it, and of what
+ * was wished that it does not have, how many benches fit, and whether all do with bearers under them.
  * @param {Asked} asked
  */
 export function proposed({ engine, wishes = {}, progress }) {
@@ -26,12 +26,14 @@ export function proposed({ engine, wishes = {}, progress }) {
       return {
         plan: null,
         said: refusalLines(asked, found),
+        left: [],
         benches: found.benches,
         under: found.under,
       };
     const out = asked.kind || found.plan.route.kind === "turn";
     const again = out ? 0 : await benchesOutAgain(asked, part(progress, FOUND, 1));
-    return { plan: found.plan.data(), said: proposalLines(found, asked, again), benches };
+    const said = proposalLines(found, asked, again);
+    return { plan: found.plan.data(), said, left: leftLines(found, asked), benches };
   });
 }
 

@@ -18,7 +18,7 @@ class Course {
   }
 }
 export function courseOf(plan) {
-  let angles, begun, end, ended, out, points, rounds, start, turns, walk, x, y;
+  let angles, begun, end, ended, inside, out, points, rounds, start, turns, walk, x, y;
   walk = plan.build();
   [start, end] = py.list(plan.span(walk));
   [begun, ended] = py.list(places(walk, start, end));
@@ -28,5 +28,6 @@ export function courseOf(plan) {
   turns = py.list(py.pairwise(angles)).map(([before, after]) => py.remainder(py.sub(after, before), (2.0 * Math.PI)));
   out = (plan.route.kind === "turn");
   rounds = (py.abs(py.sum(turns)) / (2.0 * Math.PI));
-  return new Course(rounds, py.sub(py.at(ended, 0), py.at(begun, 0)), py.sub(end, start), out, py.and(out, () => (start >= 0.0)));
+  inside = py.and(out, () => py.and(!py.truth(plan.route.after_street), () => (start >= 0.0)));
+  return new Course(rounds, py.sub(py.at(ended, 0), py.at(begun, 0)), py.sub(end, start), out, inside);
 }

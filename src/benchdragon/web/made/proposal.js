@@ -30,6 +30,8 @@ const DISCS = [2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 10.0];
 const WIDE = 2.0;
 const ENOUGH = 60;
 const ROUNDS = py.dict([["turn", [2.0, 1.0, 0.5, 0.0]], ["spiral-in", [6.0, 4.0, 3.0, 2.0, 1.0, 0.5]]]);
+const LED = py.dict([["turn", [0.0]], ["spiral-in", [2.0, 0.5]]]);
+const MOST_REFUSED = 4;
 const MOST_SIZES = 3;
 const SPARE = 0.025;
 const ANGLES = 180;
@@ -65,20 +67,18 @@ class _Dance {
 }
 export async function propose(wishes, progress = silent) {
   return py.scoped(async () => {
-    let least, often, smallest, tried;
+    let least, less, n, smallest, trades, tried, walked;
     _refuse(wishes);
     _refuseGround(wishes);
-    if ((wishes.rounds > 1)) {
-      often = (await _tried(py.replaced(wishes, { kind: "turn" }), ROUNDS, part(progress, 0.0, 0.5)));
-      if ((often.found != null)) {
-        return often.found;
+    trades = _trades(wishes);
+    for ([n, less] of py.iter(py.enumerate(trades))) {
+      walked = ((less.street == null) ? ROUNDS : LED);
+      tried = (await _tried(less, walked, part(progress, (n / py.len(trades)), ((n + 1.0) / py.len(trades)))));
+      if ((tried.found != null)) {
+        return tried.found;
       }
-      [wishes, progress] = py.list([py.replaced(wishes, { rounds: 1 }), part(progress, 0.5, 1.0)]);
     }
-    tried = (await _tried(wishes, ROUNDS, progress));
-    if ((tried.found != null)) {
-      return tried.found;
-    }
+    wishes = py.at(trades, -1);
     if (py.truth(tried.fits)) {
       throw new UnsureError(_("a dance was found that fits the square, but it does not pass the check: try narrower benches"));
     }
@@ -96,6 +96,12 @@ export async function benchesOutAgain(wishes, progress = silent) {
   progress(0.0, _("how many benches come out again"));
   return (await _fitting(py.replaced(wishes, { rounds: 1 }), "turn"));
 }
+function _trades(wishes) {
+  let found;
+  found = ((wishes.rounds > 1) ? [py.replaced(wishes, { kind: "turn" })] : []);
+  py.append(found, py.replaced(wishes, { rounds: 1 }));
+  return ((wishes.street == null) ? found : py.add(found, py.list(found).map((one) => py.replaced(one, { street: null }))));
+}
 class _Tried {
   constructor(found, fits) {
     this.found = found;
@@ -103,9 +109,9 @@ class _Tried {
   }
 }
 async function _tried(wishes, walked, progress) {
-  let ahead, dance, first, fits, found, kind, last, n, rounds, sized, sorts;
+  let ahead, dance, first, fits, found, kind, last, n, refused, rounds, sized, sorts;
   sorts = py.list(_kinds(wishes)).flatMap((kind) => py.list(AHEAD).map((ahead) => [kind, ahead]));
-  fits = false;
+  [fits, refused] = py.list([false, 0]);
   for ([n, [kind, ahead]] of py.iter(py.enumerate(sorts))) {
     progress((n / py.len(sorts)), _("pitch and disc"));
     for (sized of py.iter((await _sized(wishes, kind, ahead, py.at(py.at(walked, kind), -1))))) {
@@ -125,7 +131,8 @@ async function _tried(wishes, walked, progress) {
           continue;
         }
         found = (await _walked(wishes, dance.plan));
-        if ((found != null)) {
+        refused = py.extend(refused, 1);
+        if (((found != null) || ((wishes.street != null) && py.eq(refused, MOST_REFUSED)))) {
           return new _Tried(found, fits);
         }
       }
@@ -296,15 +303,18 @@ async function _pitch(wishes, kind, first, disc, ahead) {
   return ((found.status === "found") ? roundedUp(found.upper, SIZE_STEP) : Infinity);
 }
 async function _placed(wishes, sized, rounds) {
-  let dance, same, steady;
+  let begun, dance, speed;
   try {
-    dance = _roomiest(wishes, _begun(sized, rounds));
+    begun = _begun(sized, rounds);
+    dance = _roomiest(wishes, begun);
     if ((dance.room < 0.0)) {
       return dance;
     }
-    steady = (await _steady(wishes, sized, rounds));
-    same = py.eq(steady.walk.speed, sized.walk.speed);
-    return (py.truth(same) ? dance : _roomiest(wishes, _begun(steady, rounds)));
+    speed = (await _speed(wishes, begun));
+    if (py.eq(speed, sized.walk.speed)) {
+      return dance;
+    }
+    return _roomiest(wishes, _begun(sized.with_value("walk.speed", speed), rounds));
   } catch (error) {
     if (error instanceof WalkError || error instanceof UnsureError || error instanceof PlanError) {
       return null;
@@ -350,20 +360,37 @@ function _mayFit(square, rectangle) {
 function _extents(square) {
   return py.list(py.range(ANGLES)).map((angle) => square.extent(py.float(angle)));
 }
-async function _steady(wishes, sized, rounds) {
-  let found, most, steps;
-  found = (await greatestHeadSpeed(_begun(sized, rounds)));
-  most = py.min(found.lower, wishes.speed);
+async function _speed(wishes, plan) {
+  let most, steps;
+  most = py.min((await greatestHeadSpeed(plan)).lower, wishes.speed);
   steps = roundedDown(most, SPEED_STEP);
-  return sized.with_value("walk.speed", ((steps > 0.0) ? steps : roundedDown(most, 0.001)));
+  return ((steps > 0.0) ? steps : roundedDown(most, 0.001));
+}
+async function _led(wishes, plan) {
+  let begun, led;
+  begun = py.dict([["route.street", wishes.street], ["walk.start", null], ["walk.end", null]]);
+  try {
+    led = plan.with_values(begun);
+    return led.with_value("walk.speed", (await _speed(wishes, led)));
+  } catch (error) {
+    if (error instanceof WalkError || error instanceof UnsureError || error instanceof PlanError) {
+      return null;
+    } else
+    throw error;
+  }
 }
 async function _walked(wishes, plan) {
-  let _start, end, report, walk;
+  let _start, end, led;
   if ((wishes.rounds > AGAIN)) {
     plan = plan.with_values(py.dict([["route.rounds", wishes.rounds], ["walk.end", null]]));
     [_start, end] = py.list(plan.span(plan.build()));
     plan = plan.with_value("walk.end", roundedUp(end, 1.0));
   }
+  led = ((wishes.street == null) ? plan : (await _led(wishes, plan)));
+  return ((led == null) ? null : (await _passing(wishes, led)));
+}
+async function _passing(wishes, plan) {
+  let report, walk;
   walk = plan.build();
   report = (await judged(plan, walk, plan.span(walk)));
   return (py.truth(report.safe) ? new Proposal(plan, report, (plan.walk.speed < wishes.speed)) : null);

@@ -26,6 +26,10 @@ export function proposalLines(found, wishes, again) {
   }
   py.append(lines, py.filled(text, { way: `${py.format(course.way, `.0f`)}`, time: lasting(course.seconds) }));
   lines = py.extend(lines, _roundsLines(found, wishes));
+  if (py.truth(found.plan.route.after_street)) {
+    py.append(lines, _("It comes by the street, which stays as it was."));
+  }
+  lines = py.extend(lines, leftLines(found, wishes));
   if (py.truth(found.less_ahead)) {
     text = _("Before the head there is {room} m of room, less than usual, so that all of them fit.");
     py.append(lines, py.filled(text, { room: `${py.format(found.plan.people.ahead, `g`)}` }));
@@ -49,6 +53,12 @@ export function proposalLines(found, wishes, again) {
     py.append(lines, py.filled(text, { count: again }));
   }
   return lines;
+}
+export function leftLines(found, wishes) {
+  if (((wishes.street == null) || py.truth(found.plan.route.after_street))) {
+    return [];
+  }
+  return [_("No dance of these benches was found to which the street leads: it is left out.")];
 }
 function _roundsLines(found, wishes) {
   let kept, text;

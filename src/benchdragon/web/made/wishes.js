@@ -16,7 +16,7 @@ const AGAIN = 2;
 const CORNERS = 90;
 const TITLE = N_("A bench dragon on our square");
 export class Wishes {
-  constructor(benches, length, width, headLength = 2.0, inset = 0.15, rectangle = /** @type {any} */ (null), radius = /** @type {any} */ (null), bearers = 2, carry = "beside", speed = 0.8, mostSpeed = 1.5, kind = /** @type {any} */ (null), roster = "", sway = SWAY, imprecision = IMPRECISION, measured = py.frozenset(), obstacles = [], boundary = /** @type {any} */ (null), rounds = 1) {
+  constructor(benches, length, width, headLength = 2.0, inset = 0.15, rectangle = /** @type {any} */ (null), radius = /** @type {any} */ (null), bearers = 2, carry = "beside", speed = 0.8, mostSpeed = 1.5, kind = /** @type {any} */ (null), roster = "", sway = SWAY, imprecision = IMPRECISION, measured = py.frozenset(), obstacles = [], boundary = /** @type {any} */ (null), rounds = 1, street = /** @type {any} */ (null)) {
     this.benches = benches;
     this.length = length;
     this.width = width;
@@ -36,6 +36,7 @@ export class Wishes {
     this.obstacles = obstacles;
     this.boundary = boundary;
     this.rounds = rounds;
+    this.street = street;
     this.__post_init__();
   }
   __post_init__() {
