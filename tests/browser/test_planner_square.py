@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
 from playwright.sync_api import Locator, Page, expect
 
 from benchdragon.analysis.check import check
@@ -17,8 +16,8 @@ from benchdragon.plans.schema import checked, read_plan
 from benchdragon.solve.wishes import CORNERS
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
-from tests.browser.planners import address, change, number, settled, verdict
-from tests.browser.players import drawn, pixels, until
+from tests.browser.planners import address, change, settled, verdict
+from tests.browser.players import drawn
 from tests.browser.test_planner import shown_plan
 from tests.browser.test_planner_grips import grip, middle, steps
 
@@ -352,59 +351,6 @@ def test_the_list_names_sizes_shows_and_deletes(opened: Opened, tmp_path: Path) 
         again.get_by_role("button", name="save the plan file").click()
     saved.value.save_as(tmp_path / "saved.dragon.toml")
     assert read_plan(str(tmp_path / "saved.dragon.toml")).sha256 == shown_plan(again).sha256
-
-
-def test_a_photograph_lies_below_to_scale_and_stays_in_the_page(opened: Opened, tmp_path: Path) -> None:
-    page = opened(more=SQUARE)
-    before, url = shown_plan(page).sha256, page.url
-    picture = tmp_path / "square.png"
-    image = Image.new("RGB", (3200, 1600), "#ff0000")
-    image.paste("#00ff00", (1600, 0, 3200, 1600))
-    image.save(picture)
-
-    def choose(path: Path) -> None:
-        with page.expect_file_chooser() as chooser:
-            page.get_by_role("button", name="a photograph below").click()
-        chooser.value.set_files(path)
-
-    def colours(*places: tuple[float, float]) -> list[str]:
-        drawn(page)
-        box = page.locator("canvas").bounding_box()
-        assert box is not None
-        at = page.evaluate("(at) => at.map((p) => benchdragon.player.camera.toScreen(...p))", places)
-        dots = pixels(page, [(box["x"] + x, box["y"] + y) for x, y in at])
-        return ["red" if r > g + 50 else "green" if g > r + 50 else "none" for r, g, _b in dots]
-
-    choose(Path(__file__))
-    expect(page.get_by_text("cannot read test_planner_square.py")).to_be_visible()
-    choose(picture)
-    until(page, "benchdragon.photo.picture !== null")
-    expect(page.get_by_text("cannot read")).to_be_hidden()
-    assert page.evaluate("benchdragon.photo.picture.width") == 1600
-    page.evaluate("Object.assign(benchdragon.photo, { middle: [0, 0], scale: 10 / 1600 })")
-    # The photograph is 10 m wide now, until two points 4 m apart are said to be 8 m apart.
-    page.get_by_role("slider", name="how strong it is").fill("1")
-    assert colours((-4, 1.2), (4, 1.2), (-8, 1.2), (8, 1.2)) == ["red", "green", "none", "none"]
-    page.get_by_role("button", name="two points and their distance").click()
-    tap(page, -2, -1)
-    tap(page, 2, -1)
-    expect(number(page, "distance between the two points")).to_be_focused()
-    change(page, "distance between the two points", "8米")
-    assert page.evaluate("benchdragon.photo.scale") == pytest.approx(20 / 1600, rel=0.03)
-    assert colours((-8, 1.2), (8, 1.2), (-13, 0), (13, 0)) == ["red", "green", "none", "none"]
-    page.get_by_role("button", name="move it").click()
-    tap(page, 0, 2)
-    tap(page, -3, 2)
-    assert colours((-12.5, 0), (-1.2, 1.2), (8, 1.2)) == ["red", "green", "none"]
-    assert shown_plan(page).sha256 == before
-    assert page.url.split("&")[0] == url.split("&")[0]
-    assert steps(page) == 0
-    change(page, "length of a bench", "2.1")
-    settled(page)
-    assert colours((-12.5, 0), (-1.2, 1.2)) == ["red", "green"]
-    page.get_by_role("button", name="take it away").click()
-    assert colours((-12.5, 0), (-1.2, 1.2)) == ["none", "none"]
-    expect(page.get_by_role("button", name="take it away")).to_be_hidden()
 
 
 def test_odd_things_in_an_address_are_told_and_do_no_harm(opened: Opened) -> None:

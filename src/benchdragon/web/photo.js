@@ -1,7 +1,8 @@
-// A photograph of the square below the dance: it stays in this page, and two points and their distance give
-// its scale.
+// A photograph of the square below the dance: it stays on this device, kept with the plans that it lay under;
+// two points and their distance give its scale.
 
 import { fileInput, make, textButton } from "./elements.js";
+import { forgetPhoto, keepPhoto, photoUnder } from "./kept_photos.js";
 import { NumberControl } from "./number_control.js";
 import { _ } from "./words.js";
 
@@ -12,8 +13,17 @@ import { _ } from "./words.js";
 
 /** Dots of the longer side at most: phones draw it with each picture of the dance. */
 const MOST = 1600;
+/** How well it is kept, of 1; and with so many plans, those shown last. */
+const QUALITY = 0.85;
+const MOST_PLANS = 200;
 
 /** @typedef {{ player: Player | null, placing: Placing }} Host */
+
+/** What plans of one square have in common, one of these at least. @param {import("./plan_form.js").Plan} plan */
+const squareOf = ({ meta, venue, obstacle }) =>
+  [meta?.title, venue?.rectangle, venue?.boundary, obstacle?.length && obstacle].map((one) =>
+    one ? JSON.stringify(one) : "",
+  );
 
 export class Photo {
   /** @param {Host} host */
@@ -27,7 +37,55 @@ export class Photo {
     /** Two points of it on the ground. @type {Point[]} */
     this.points = [];
     this.strength = 0.6;
+    /** Turned to the left so far, degrees. */
+    this.turned = 0;
+    /** The plan above it: its hash, and what others of its square have in common with it. */
+    this.plan = "";
+    this.square = squareOf({});
+    /** As it is kept; null where it cannot be. @type {import("./kept_photos.js").KeptPhoto | null} */
+    this.kept = null;
+    /** What is under way with those that are kept, one after another. @type {Promise<unknown>} */
+    this.keeping = Promise.resolve();
     this.element = make("div");
+  }
+
+  /** The dance of a plan is shown: a photograph of another square goes, that of this one comes. @param {import("./plan_form.js").Plan} plan @param {string} hash */
+  about(plan, hash) {
+    const square = squareOf(plan);
+    if (!square.some((one, n) => one && one === this.square[n])) this.#put(null, null);
+    [this.square, this.plan] = [square, hash];
+    if (this.picture) this.#keep();
+    else this.keeping = this.keeping.then(() => this.#bring(hash));
+  }
+
+  /** Show the photograph that is kept with a plan, if that is still shown. @param {string} hash */
+  async #bring(hash) {
+    const kept = await photoUnder(hash);
+    const picture = kept && (await createImageBitmap(kept.picture));
+    if (!kept || this.picture || this.plan !== hash) return;
+    Object.assign(this, kept.pose);
+    this.#put(picture, kept);
+  }
+
+  /** Have a picture, and what is kept of it, below the dance; null: none. @param {ImageBitmap | null} picture @param {Photo["kept"]} kept */
+  #put(picture, kept) {
+    const had = this.picture;
+    [this.picture, this.kept] = [picture, kept];
+    if (had || picture) this.#show();
+  }
+
+  /** Keep it as it lies now, with the plan above it. */
+  #keep() {
+    const { kept, middle, scale, points, strength, turned, plan } = this;
+    if (!kept) return;
+    kept.pose = { middle, scale, points, strength, turned };
+    kept.plans = [...kept.plans.filter((one) => one !== plan), plan].slice(-MOST_PLANS);
+    this.keeping = this.keeping.then(async () => {
+      const id = await keepPhoto(kept);
+      if (id !== null) kept.id = id;
+      else if (this.kept === kept) this.kept = null;
+      this.#tell();
+    });
   }
 
   /** The controls, in the language in use. */
@@ -48,15 +106,27 @@ export class Photo {
     );
     this.shade = new NumberControl(
       { key: "strength", text: () => _("how strong it is"), unit: "", low: 0.1, high: 1, step: 0.05 },
-      (_key, strength) => {
+      (_key, strength, final) => {
         this.strength = Math.min(Math.max(strength ?? 0, 0), 1);
-        this.#show();
+        this.#show(final);
       },
     );
+    this.turn = new NumberControl(
+      {
+        key: "turned",
+        text: () => _("turned to the left"),
+        unit: "\u00b0",
+        low: -180,
+        high: 180,
+        step: 1,
+      },
+      (_key, degrees, final) => this.#turn(degrees ?? 0, final),
+    );
+    this.where = make("p", { class: "source", role: "status" });
     this.more = make(
       "div",
       {},
-      make("p", { class: "source" }, _("It stays in this page: it is neither saved nor sent.")),
+      this.where,
       make(
         "div",
         { class: "row" },
@@ -65,6 +135,7 @@ export class Photo {
         textButton(_("take it away"), () => this.#remove()),
       ),
       this.span.element,
+      this.turn.element,
       this.shade.element,
     );
     this.element = make(
@@ -90,12 +161,22 @@ export class Photo {
     if (this.more) this.more.hidden = !this.picture;
     this.span?.show({ span });
     this.shade?.show({ strength: this.strength });
+    this.turn?.show({ turned: this.turned });
+    if (!this.where) return;
+    this.where.textContent = this.kept
+      ? _(
+          "It stays on this device, kept with this plan until you take it away: it is in no file and no link.",
+        )
+      : _(
+          "This browser does not keep it: it is gone once this page is closed. It is in no file and no link.",
+        );
   }
 
-  /** Show it as it is now. */
-  #show() {
+  /** Show it as it is now. @param {boolean} [final] whether it is kept so */
+  #show(final = false) {
     const { player } = this.host;
     this.#tell();
+    if (final) this.#keep();
     if (!player) return;
     player.below = this.picture && this;
     player.zoom(1); // drawn anew; from now on the picture stays where it is
@@ -113,18 +194,22 @@ export class Photo {
       });
     }
     if (!picture) return;
+    const blob = await encoded(picture);
+    this.#remove();
     const { x, y, width, height, scale } = player.camera;
-    this.picture = picture;
     this.middle = [x, y];
     this.scale = Math.min(width / picture.width, height / picture.height) / scale;
-    this.points = [];
-    this.#show();
+    this.turned = 0;
+    this.#put(picture, blob && { picture: blob, pose: {}, plans: [] });
+    this.#keep();
   }
 
+  /** Take it away, from this device, too. */
   #remove() {
-    this.picture = null;
+    const { kept } = this;
+    this.keeping = this.keeping.then(() => kept?.id && forgetPhoto(kept.id));
     this.points = [];
-    this.#show();
+    this.#put(null, null);
   }
 
   /** Ask for two of its points. */
@@ -135,7 +220,7 @@ export class Photo {
       taps: 2,
       done: (points) => {
         this.points = points;
-        this.#show();
+        this.#show(true);
         this.span?.box.focus();
         this.span?.box.select();
       },
@@ -153,7 +238,7 @@ export class Photo {
           /** @type {Point} */ ([x + to[0] - from[0], y + to[1] - from[1]]);
         this.middle = shifted(this.middle);
         this.points = this.points.map(shifted);
-        this.#show();
+        this.#show(true);
       },
     });
   }
@@ -169,19 +254,41 @@ export class Photo {
     this.middle = grown(this.middle);
     this.points = this.points.map(grown);
     this.scale *= factor;
-    this.#show();
+    this.#show(true);
+  }
+
+  /** Turn it about its middle. @param {number} degrees to the left, in all @param {boolean} final */
+  #turn(degrees, final) {
+    const by = ((degrees - this.turned) * Math.PI) / 180;
+    const [x, y] = this.middle;
+    this.points = this.points.map(([u, v]) => [
+      x + Math.cos(by) * (u - x) - Math.sin(by) * (v - y),
+      y + Math.sin(by) * (u - x) + Math.cos(by) * (v - y),
+    ]);
+    this.turned = degrees;
+    this.#show(final);
   }
 
   /** Draw it, on a screen alone. @param {CanvasRenderingContext2D} ctx @param {Camera} camera */
   paint(ctx, camera) {
-    const { picture, scale, middle } = this;
+    const { picture, scale, middle, turned } = this;
     if (!picture || this.host.player?.paper.on) return;
     const [x, y] = camera.toScreen(...middle);
     const [wide, tall] = [picture.width, picture.height].map((dots) => dots * scale * camera.scale);
+    ctx.save();
     ctx.globalAlpha = this.strength;
-    ctx.drawImage(picture, x - 0.5 * wide, y - 0.5 * tall, wide, tall);
-    ctx.globalAlpha = 1;
+    ctx.translate(x, y);
+    ctx.rotate((-turned * Math.PI) / 180);
+    ctx.drawImage(picture, -0.5 * wide, -0.5 * tall, wide, tall);
+    ctx.restore();
   }
+}
+
+/** A picture as it is kept, without what its file told besides; null where that cannot be. @param {ImageBitmap} picture @returns {Promise<Blob | null>} */
+function encoded(picture) {
+  const canvas = make("canvas", { width: String(picture.width), height: String(picture.height) });
+  canvas.getContext("2d")?.drawImage(picture, 0, 0);
+  return new Promise((done) => canvas.toBlob(done, "image/jpeg", QUALITY));
 }
 
 /** The picture in a file, made smaller where it is large; null where there is none. @param {File} file */

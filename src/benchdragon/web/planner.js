@@ -396,6 +396,7 @@ export class Planner {
     this.#mark();
     this.#whenFree(() => {
       this.#picture(scene, plan);
+      this.photo.about(plan, scene.sent.plan_sha256);
       if (this.awaited?.plan === plan) this.#await(true);
     });
   }
