@@ -26,7 +26,9 @@ TWINS = {
     "analysis.head_times": ("head_times", "HeadTimes"),
     "analysis.nearby": ("nearby", "checked_off"),
     "analysis.posts": ("posts", "marshal_posts"),
-    "model.rings": ("rings", "area_of", "length_of", "outermost"),
+    "model.rings": (
+        "rings", "area_of", "between", "gate_in", "length_of", "opening", "outermost", "ring_of",
+    ),
     "analysis.rounds": ("rounds", "Rounds", "repeats", "returns"),
     "analysis.tables": ("bench_tables", "beginnings", "in_columns", "kinds_of", "walk_tables"),
     "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),

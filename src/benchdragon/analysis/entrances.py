@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from benchdragon.model.base_curve import Point
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.model.rings import Ring, length_of, nearest_on, ring_of, stretch
+from benchdragon.model.rings import Ring, between, length_of, nearest_on, opening, ring_of, stretch
 from benchdragon.plans.schema import Plan
 
 # An entrance whose width is not known is taken for a post so thick, m.
@@ -53,10 +53,9 @@ def _gate(place: Point, width: float | None, rings: Sequence[Ring]) -> Gate:
         return Gate(place, None, None, Obstacle.circle("", place, POST))
     half = 0.5 * width
     for ring in rings:
-        away, along = nearest_on(ring, place)
-        if away <= half and width < length_of(ring):
-            begin, end = along - half, along + half
-            return Gate(place, width, (begin, end), Obstacle.line("", stretch(ring, begin, end)))
+        span = opening(ring, place, width)
+        if span is not None:
+            return Gate(place, width, span, Obstacle.line("", stretch(ring, *span)))
     return Gate(place, width, None, Obstacle.circle("", place, half))
 
 
@@ -72,17 +71,5 @@ def edge_left(plan: Plan) -> list[list[Point]]:
             posts = edge.open.tolist()
             begin, end = nearest_on(ring, posts[-1])[1], nearest_on(ring, posts[0])[1]
             spans.append((begin, end if end > begin else end + length_of(ring)))
-        return _between(ring, spans)
+        return between(ring, spans)
     return []
-
-
-def _between(ring: Ring, spans: Sequence[tuple[float, float]]) -> list[list[Point]]:
-    """The lines of a ring between some spans of it, m."""
-    whole, found = length_of(ring), []
-    laid = sorted((begin % whole, begin % whole + end - begin) for begin, end in spans)
-    reach = max((end for _begin, end in laid), default=0.0) - whole
-    for begin, end in laid:
-        if begin > reach:
-            found.append(stretch(ring, reach, begin))
-        reach = max(reach, end)
-    return found

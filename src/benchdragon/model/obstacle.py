@@ -9,7 +9,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
@@ -23,7 +22,7 @@ from benchdragon.kernels.curve import MOST_METRES, FloatArray
 from benchdragon.kernels.obstacle import ObstacleKind
 from benchdragon.model.arrays import as_numbers, as_table
 from benchdragon.model.base_curve import Point, checked_size
-from benchdragon.model.rings import holds, length_of, ring_of, stretch
+from benchdragon.model.rings import gate_in, length_of, ring_of, stretch
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -186,16 +185,11 @@ class Obstacle(Standing):
         The same where it does not, or begins inside.
         """
         ring = ring_of(self.outline.tolist())
-        whole = length_of(ring)
-        if width >= whole or holds(ring, way[0]):
+        gate = gate_in(ring, way, width)
+        if gate is None:
             return self
-        for here, there in pairwise(way):
-            hits = _crossings(ring, here, there)
-            if hits:
-                _share, at = min(hits)
-                chain = as_table(stretch(ring, at + 0.5 * width, at - 0.5 * width + whole))
-                return Obstacle(self.name, self.kind, self.outline, self.radius, self.margin, chain)
-        return self
+        chain = as_table(stretch(ring, gate[1], gate[0] + length_of(ring)))
+        return Obstacle(self.name, self.kind, self.outline, self.radius, self.margin, chain)
 
 
 def _turned(points: FloatArray, turned: float, by: Point) -> FloatArray:
@@ -203,27 +197,6 @@ def _turned(points: FloatArray, turned: float, by: Point) -> FloatArray:
     c, s = math.cos(turned), math.sin(turned)
     turns = [(c * x - s * y, s * x + c * y) for x, y in points.tolist()]
     return as_table([(x + by[0], y + by[1]) for x, y in turns])
-
-
-def _crossings(ring: Sequence[Point], here: Point, there: Point) -> list[tuple[float, float]]:
-    """Where a segment meets a ring: as a share of the segment, and as the way along the ring, m."""
-    found, passed = [], 0.0
-    for one, other in pairwise(ring):
-        side = math.dist(one, other)
-        met = _met(here, there, one, other)
-        found += [] if met is None else [(met[0], passed + met[1] * side)]
-        passed += side
-    return found
-
-
-def _met(here: Point, there: Point, one: Point, other: Point) -> tuple[float, float] | None:
-    """Where two segments meet, as shares of both; None where they do not."""
-    ax, ay, bx, by = there[0] - here[0], there[1] - here[1], other[0] - one[0], other[1] - one[1]
-    dx, dy, across = one[0] - here[0], one[1] - here[1], ax * by - ay * bx
-    if across == 0.0:
-        return None
-    share, other_share = (dx * by - dy * bx) / across, (dx * ay - dy * ax) / across
-    return (share, other_share) if 0.0 <= share <= 1.0 and 0.0 <= other_share <= 1.0 else None
 
 
 def rectangle_outline(name: str, centre: Point, size: tuple[float, float], angle: float) -> FloatArray:

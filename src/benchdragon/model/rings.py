@@ -98,3 +98,58 @@ def round_ring(centre: Point, radius: float) -> list[Point]:
     turns = [2.0 * math.pi * n / ROUND for n in range(ROUND)]
     found = [(x + far * math.cos(turn), y + far * math.sin(turn)) for turn in turns]
     return [*found, found[0]]
+
+
+def opening(ring: Ring, place: Point, width: float) -> tuple[float, float] | None:
+    """What an entrance so wide, m, opens of a ring: from one way along it to another, m.
+
+    None of one farther from it than half its width, or wider than the ring is long.
+    """
+    away, along = nearest_on(ring, place)
+    half = 0.5 * width
+    return (along - half, along + half) if away <= half and width < length_of(ring) else None
+
+
+def gate_in(ring: Ring, way: Sequence[Point], width: float) -> tuple[float, float] | None:
+    """What a gate so wide, m, opens of a ring, as `opening`, where a way from outside crosses it."""
+    if width >= length_of(ring) or holds(ring, way[0]):
+        return None
+    for here, there in pairwise(way):
+        hits = _crossings(ring, here, there)
+        if hits:
+            _share, at = min(hits)
+            return at - 0.5 * width, at + 0.5 * width
+    return None
+
+
+def between(ring: Ring, spans: Sequence[tuple[float, float]]) -> list[list[Point]]:
+    """The lines of a ring between some spans of it, m."""
+    whole, found = length_of(ring), []
+    laid = sorted((begin % whole, begin % whole + end - begin) for begin, end in spans)
+    reach = max((end for _begin, end in laid), default=0.0) - whole
+    for begin, end in laid:
+        if begin > reach:
+            found.append(stretch(ring, reach, begin))
+        reach = max(reach, end)
+    return found
+
+
+def _crossings(ring: Sequence[Point], here: Point, there: Point) -> list[tuple[float, float]]:
+    """Where a segment meets a ring: as a share of the segment, and as the way along the ring, m."""
+    found, passed = [], 0.0
+    for one, other in pairwise(ring):
+        side = math.dist(one, other)
+        met = _met(here, there, one, other)
+        found += [] if met is None else [(met[0], passed + met[1] * side)]
+        passed += side
+    return found
+
+
+def _met(here: Point, there: Point, one: Point, other: Point) -> tuple[float, float] | None:
+    """Where two segments meet, as shares of both; None where they do not."""
+    ax, ay, bx, by = there[0] - here[0], there[1] - here[1], other[0] - one[0], other[1] - one[1]
+    dx, dy, across = one[0] - here[0], one[1] - here[1], ax * by - ay * bx
+    if across == 0.0:
+        return None
+    share, other_share = (dx * by - dy * bx) / across, (dx * ay - dy * ax) / across
+    return (share, other_share) if 0.0 <= share <= 1.0 and 0.0 <= other_share <= 1.0 else None

@@ -4,7 +4,7 @@ The picture is an SVG that stands in the page and takes the page's colours. Its 
 of units, of which its longer side has SIDE: finer would not be seen.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Self
 
@@ -12,10 +12,12 @@ import numpy as np
 import shapely
 
 from benchdragon.analysis.check import Report, check
+from benchdragon.analysis.entrances import edge_left
 from benchdragon.analysis.records import verdict_of
 from benchdragon.errors import BenchDragonError
 from benchdragon.i18n import Words, _, both
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.base_curve import Point
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Motion
 from benchdragon.number_format import seconds
@@ -94,7 +96,7 @@ def _look(report: Report) -> FirstLook:
         benches=units.path(corners[1:]),
         head=units.path(corners[:1]),
         edge=round(min(EDGE, EDGE_SHARE * units.scale * float(walk.dragon.width.max())), 1),
-        standing=tuple((one.kind, units.outline(one)) for one in standing),
+        standing=tuple((one.kind, units.outline(one, edge_left(plan))) for one in standing),
         disc=None if disc is None else (*units.place(walk.route.centre), round(disc * units.scale)),
         ring=None if near is None else (*units.place(near.point), RING),
         bar=units.bar(),
@@ -183,8 +185,10 @@ class _Units:
             (shapely.get_coordinates(one) for one in shapely.get_parts(seen)), closed=False
         )
 
-    def outline(self, one: Obstacle) -> str:
-        """The path of an obstacle or of the venue's edge."""
+    def outline(self, one: Obstacle, left: Sequence[Sequence[Point]]) -> str:
+        """The path of an obstacle or of the venue's edge, of which entrances may leave some lines."""
+        if one.kind == "venue" and left:
+            return self.path(map(np.array, left), closed=False)
         if one.kind != "circle":
             return self.path([one.outline], closed=one.kind != "line")
         circle = shapely.Point(one.outline[0]).buffer(one.radius)

@@ -1,5 +1,6 @@
 // What a plan draws on the ground before its dance is computed.
 
+import { between, gateIn, opening, ringOf } from "./made/rings.js";
 import { danceFrame, Frame, hasSpiral, RECTANGLE, spiralPoint } from "./grip_kinds.js";
 import { entrancesOf, restsOf, streetOf } from "./things.js";
 
@@ -8,6 +9,8 @@ import { entrancesOf, restsOf, streetOf } from "./things.js";
 
 /** Entrances, and where the head rests, are drawn so large, m. */
 const ENTRANCE = 0.5;
+/** The gate of a street whose width nobody said is so wide, m. */
+const GATE = 6;
 
 /** Points of a circle. @param {Point} centre @param {number} radius @returns {Point[]} */
 function circle([x, y], radius) {
@@ -15,6 +18,17 @@ function circle([x, y], radius) {
     const angle = (n * Math.PI) / 36;
     return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
   });
+}
+
+/** The edge of a square, as lines that entrances and the street leave of it. @param {Plan} plan @param {Point[]} corners @returns {Point[][]} */
+function edgeLines(plan, corners) {
+  const ring = ringOf(corners);
+  const gate = streetOf(plan).length
+    ? gateIn(ring, [...streetOf(plan), danceFrame(plan).origin], plan.route.street.width ?? GATE)
+    : null;
+  const gates = entrancesOf(plan).map(([x, y, width]) => width && opening(ring, [x, y], width));
+  const spans = [gate, ...gates].filter(Boolean);
+  return spans.length ? between(ring, spans) : [ring];
 }
 
 /** Lines, on the ground, that a plan draws before its dance is computed. @param {Plan} plan @returns {Point[][]} */
@@ -33,16 +47,17 @@ export function sketchOf(plan) {
   }
   const rectangle = (/** @type {Point} */ centre, /** @type {Point} */ size, angle = 0) => {
     const own = new Frame(centre, angle);
-    const corners = [...RECTANGLE.slice(4), RECTANGLE[4]];
-    lines.push(corners.map(([a, b]) => own.ground([0.5 * a * size[0], 0.5 * b * size[1]])));
+    return RECTANGLE.slice(4).map(([a, b]) => own.ground([0.5 * a * size[0], 0.5 * b * size[1]]));
   };
   const outline = (/** @type {Point[]} */ points, closed = true) =>
     lines.push(closed ? [...points, points[0]] : points);
-  if (venue?.rectangle) rectangle(venue.centre ?? [0, 0], venue.rectangle, venue.angle);
-  else if (venue?.boundary) outline(venue.boundary);
+  const edge = venue?.rectangle
+    ? rectangle(venue.centre ?? [0, 0], venue.rectangle, venue.angle)
+    : venue?.boundary;
+  if (edge) lines.push(...edgeLines(plan, edge));
   for (const one of obstacle ?? []) {
     if (one.kind === "circle") lines.push(circle(one.centre, one.radius));
-    else if (one.kind === "rectangle") rectangle(one.centre, one.size, one.angle);
+    else if (one.kind === "rectangle") outline(rectangle(one.centre, one.size, one.angle));
     else outline(one.points, one.kind === "polygon");
   }
   for (const [x, y, width] of entrancesOf(plan))

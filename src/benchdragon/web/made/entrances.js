@@ -3,7 +3,7 @@
 
 import { py } from "../compute/python.js";
 import { Obstacle } from "./obstacle.js";
-import { lengthOf, nearestOn, ringOf, stretch } from "./rings.js";
+import { between, lengthOf, nearestOn, opening, ringOf, stretch } from "./rings.js";
 
 const POST = 0.001;
 class Gate {
@@ -24,16 +24,15 @@ function _venue(plan) {
   return py.list(plan.obstacles()).flatMap((one) => (((one.kind === "venue")) ? [one] : []));
 }
 function _gate(place, width, rings) {
-  let along, away, begin, end, half, ring;
+  let half, ring, span;
   if ((width == null)) {
     return new Gate(place, null, null, Obstacle.circle("", place, POST));
   }
   half = (0.5 * width);
   for (ring of py.iter(rings)) {
-    [away, along] = py.list(nearestOn(ring, place));
-    if (((away <= half) && (width < lengthOf(ring)))) {
-      [begin, end] = py.list([py.sub(along, half), py.add(along, half)]);
-      return new Gate(place, width, [begin, end], Obstacle.line("", stretch(ring, begin, end)));
+    span = opening(ring, place, width);
+    if ((span != null)) {
+      return new Gate(place, width, span, Obstacle.line("", stretch(ring, ...py.iter(span))));
     }
   }
   return new Gate(place, width, null, Obstacle.circle("", place, half));
@@ -48,20 +47,7 @@ export function edgeLeft(plan) {
       [begin, end] = py.list([py.at(nearestOn(ring, py.at(posts, -1)), 1), py.at(nearestOn(ring, py.at(posts, 0)), 1)]);
       py.append(spans, [begin, ((end > begin) ? end : py.add(end, lengthOf(ring)))]);
     }
-    return _between(ring, spans);
+    return between(ring, spans);
   }
   return [];
-}
-function _between(ring, spans) {
-  let begin, end, found, laid, reach, whole;
-  [whole, found] = py.list([lengthOf(ring), []]);
-  laid = py.sorted(py.list(spans).map(([begin, end]) => [py.mod(begin, whole), py.sub(py.add(py.mod(begin, whole), end), begin)]));
-  reach = py.sub(py.max(py.list(laid).map(([_begin, end]) => end), undefined, 0.0), whole);
-  for ([begin, end] of py.iter(laid)) {
-    if ((begin > reach)) {
-      py.append(found, stretch(ring, reach, begin));
-    }
-    reach = py.max(reach, end);
-  }
-  return found;
 }

@@ -7,7 +7,7 @@ import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { checkedSize } from "./base_curve.js";
 import { finite, notNegative } from "./errors.js";
-import { holds, lengthOf, ringOf, stretch } from "./rings.js";
+import { gateIn, lengthOf, ringOf, stretch } from "./rings.js";
 
 const asNumbers = (_name, values) => values;
 const MOST_METRES = 100000000.0;
@@ -51,21 +51,14 @@ export class Obstacle extends Standing {
     return new Obstacle(this.name, this.kind, outline, this.radius, this.margin, left);
   }
   gated(way, width) {
-    let _share, at, chain, here, hits, ring, there, whole;
+    let chain, gate, ring;
     ring = ringOf(py.tolist(this.outline));
-    whole = lengthOf(ring);
-    if (((width >= whole) || py.truth(holds(ring, py.at(way, 0))))) {
+    gate = gateIn(ring, way, width);
+    if ((gate == null)) {
       return this;
     }
-    for ([here, there] of py.iter(py.pairwise(way))) {
-      hits = _crossings(ring, here, there);
-      if (py.truth(hits)) {
-        [_share, at] = py.list(py.min(hits));
-        chain = asTable(stretch(ring, py.add(at, (0.5 * width)), py.add(py.sub(at, (0.5 * width)), whole)));
-        return new Obstacle(this.name, this.kind, this.outline, this.radius, this.margin, chain);
-      }
-    }
-    return this;
+    chain = asTable(stretch(ring, py.at(gate, 1), py.add(py.at(gate, 0), lengthOf(ring))));
+    return new Obstacle(this.name, this.kind, this.outline, this.radius, this.margin, chain);
   }
 }
 function _turned(points, turned, by) {
@@ -73,27 +66,6 @@ function _turned(points, turned, by) {
   [c, s] = py.list([py.cos(turned), py.sin(turned)]);
   turns = py.list(py.tolist(points)).map(([x, y]) => [py.sub((c * x), (s * y)), py.add((s * x), (c * y))]);
   return asTable(py.list(turns).map(([x, y]) => [py.add(x, py.at(by, 0)), py.add(y, py.at(by, 1))]));
-}
-function _crossings(ring, here, there) {
-  let found, met, one, other, passed, side;
-  [found, passed] = py.list([[], 0.0]);
-  for ([one, other] of py.iter(py.pairwise(ring))) {
-    side = py.dist(one, other);
-    met = _met(here, there, one, other);
-    found = py.extend(found, ((met == null) ? [] : [[py.at(met, 0), py.add(passed, (py.at(met, 1) * side))]]));
-    passed = py.extend(passed, side);
-  }
-  return found;
-}
-function _met(here, there, one, other) {
-  let across, ax, ay, bx, by, dx, dy, otherShare, share;
-  [ax, ay, bx, by] = py.list([py.sub(py.at(there, 0), py.at(here, 0)), py.sub(py.at(there, 1), py.at(here, 1)), py.sub(py.at(other, 0), py.at(one, 0)), py.sub(py.at(other, 1), py.at(one, 1))]);
-  [dx, dy, across] = py.list([py.sub(py.at(one, 0), py.at(here, 0)), py.sub(py.at(one, 1), py.at(here, 1)), py.sub((ax * by), (ay * bx))]);
-  if ((across === 0.0)) {
-    return null;
-  }
-  [share, otherShare] = py.list([(py.sub((dx * by), (dy * bx)) / across), (py.sub((dx * ay), (dy * ax)) / across)]);
-  return ((((0.0 <= share) && (share <= 1.0)) && ((0.0 <= otherShare) && (otherShare <= 1.0))) ? [share, otherShare] : null);
 }
 export function rectangleOutline(name, centre, size, angle) {
   let a, b, c, corners, ends, middle, s, sides, turned;

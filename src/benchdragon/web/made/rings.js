@@ -74,3 +74,57 @@ export function roundRing(centre, radius) {
   found = py.list(turns).map((turn) => [py.add(x, (far * py.cos(turn))), py.add(y, (far * py.sin(turn)))]);
   return [...py.iter(found), py.at(found, 0)];
 }
+export function opening(ring, place, width) {
+  let along, away, half;
+  [away, along] = py.list(nearestOn(ring, place));
+  half = (0.5 * width);
+  return (((away <= half) && (width < lengthOf(ring))) ? [py.sub(along, half), py.add(along, half)] : null);
+}
+export function gateIn(ring, way, width) {
+  let _share, at, here, hits, there;
+  if (((width >= lengthOf(ring)) || py.truth(holds(ring, py.at(way, 0))))) {
+    return null;
+  }
+  for ([here, there] of py.iter(py.pairwise(way))) {
+    hits = _crossings(ring, here, there);
+    if (py.truth(hits)) {
+      [_share, at] = py.list(py.min(hits));
+      return [py.sub(at, (0.5 * width)), py.add(at, (0.5 * width))];
+    }
+  }
+  return null;
+}
+export function between(ring, spans) {
+  let begin, end, found, laid, reach, whole;
+  [whole, found] = py.list([lengthOf(ring), []]);
+  laid = py.sorted(py.list(spans).map(([begin, end]) => [py.mod(begin, whole), py.sub(py.add(py.mod(begin, whole), end), begin)]));
+  reach = py.sub(py.max(py.list(laid).map(([_begin, end]) => end), undefined, 0.0), whole);
+  for ([begin, end] of py.iter(laid)) {
+    if ((begin > reach)) {
+      py.append(found, stretch(ring, reach, begin));
+    }
+    reach = py.max(reach, end);
+  }
+  return found;
+}
+function _crossings(ring, here, there) {
+  let found, met, one, other, passed, side;
+  [found, passed] = py.list([[], 0.0]);
+  for ([one, other] of py.iter(py.pairwise(ring))) {
+    side = py.dist(one, other);
+    met = _met(here, there, one, other);
+    found = py.extend(found, ((met == null) ? [] : [[py.at(met, 0), py.add(passed, (py.at(met, 1) * side))]]));
+    passed = py.extend(passed, side);
+  }
+  return found;
+}
+function _met(here, there, one, other) {
+  let across, ax, ay, bx, by, dx, dy, otherShare, share;
+  [ax, ay, bx, by] = py.list([py.sub(py.at(there, 0), py.at(here, 0)), py.sub(py.at(there, 1), py.at(here, 1)), py.sub(py.at(other, 0), py.at(one, 0)), py.sub(py.at(other, 1), py.at(one, 1))]);
+  [dx, dy, across] = py.list([py.sub(py.at(one, 0), py.at(here, 0)), py.sub(py.at(one, 1), py.at(here, 1)), py.sub((ax * by), (ay * bx))]);
+  if ((across === 0.0)) {
+    return null;
+  }
+  [share, otherShare] = py.list([(py.sub((dx * by), (dy * bx)) / across), (py.sub((dx * ay), (dy * ax)) / across)]);
+  return ((((0.0 <= share) && (share <= 1.0)) && ((0.0 <= otherShare) && (otherShare <= 1.0))) ? [share, otherShare] : null);
+}
