@@ -478,7 +478,7 @@ def test_students_are_one_tap_away_from_the_contests_questions(pages: Pages, bar
     screen(page).get_by_role("button", name="3: why the pitch cannot be smaller").click()
     expect(screen(page)).to_be_hidden()
     until(page, "benchdragon.plan.meta.title === 'Coiling in to the disc'")
-    assert page.evaluate("search.question") == "limit/pitch"
+    until(page, "search.question === 'limit/pitch'")
 
 
 def test_plans_are_opened_from_a_file_a_list_and_a_link(
