@@ -23,6 +23,9 @@ from benchdragon.plans.schema import read_plan
 
 pytestmark = pytest.mark.xdist_group("paper")
 
+# Inches of text on an A4 page.
+PAGE_HEIGHT = 10.5
+
 
 @pytest.fixture(scope="module")
 def figures(found: Results) -> dict[str, Figure]:
@@ -44,14 +47,21 @@ def text_sizes(file: Path | io.BytesIO) -> set[float]:
 
 
 @pytest.mark.parametrize("name", PICTURES)
-def test_a_picture_is_as_wide_as_the_text_at_most_and_no_word_is_too_small(
+def test_a_picture_takes_less_than_half_a_page_and_no_word_is_too_small(
     folder: Path, name: str
 ) -> None:
     box = PdfReader(folder / f"{name}.pdf").pages[0].mediabox
     assert float(box.width) <= 72.0 * PAGE_WIDTH + 0.1
+    assert float(box.height) < 0.5 * 72.0 * PAGE_HEIGHT
     sizes = text_sizes(folder / f"{name}.pdf")
     assert sizes
     assert min(sizes) >= LEAST_TEXT - 1e-3
+
+
+def test_no_lone_title_repeats_a_caption(figures: dict[str, Figure]) -> None:
+    titles = {name: sum(bool(panel.get_title()) for panel in one.axes) for name, one in figures.items()}
+    assert set(titles) == set(PICTURES)
+    assert 1 not in titles.values()
 
 
 def test_no_sign_of_a_formula_is_too_small(found: Results) -> None:

@@ -176,7 +176,9 @@ def people(found: Results) -> Iterable[Block]:
         again=f"{max(found.again, 1e-9):.0e}",
     )
     yield say("{margins} shows the chances, {needed-pitches} the pitches that follow.")
-    yield Picture("margins", _("The chance that benches touch, over the pitch."))
+    yield Picture(
+        "margins", _("The chance that benches touch, over the pitch; bands: 95 % confidence.")
+    )
     yield _needed_pitches(found)
     yield say(
         "To read off a tolerance: the last column is what a troupe adds to the exact pitch, "

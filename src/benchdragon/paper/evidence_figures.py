@@ -99,7 +99,6 @@ def accumulation_picture(
         )  # fmt: skip
         panel.set_xlabel(_("handle (0: the head's front)"))
         panel.set_ylabel(_("error (m)"))
-        panel.set_title(_("What adds up along the benches"))
         panel.tick_params(axis="y", labelsize=TINY)
         panel.legend(framealpha=0.9)
         return figure
@@ -250,7 +249,6 @@ def pitch_picture(curve: PitchCurve, pitch: float | None = None, title: str = ""
             _mark_fall(panel, curve, pitch)
         panel.set_xlabel(_("pitch (cm)"))
         panel.set_ylabel(_("angle about the centre (rad)"))
-        panel.set_title(_("How far in the head comes, and where the disc begins"))
         panel.legend(loc="lower left", framealpha=0.9)
         return figure
 

@@ -176,9 +176,9 @@ def _fourth_question(found: Results) -> Iterable[Block]:
         file="result4.xlsx",
     )
     yield say(
-        "{turn-disc} shows how the arcs lie, {turn-dragon} the dragon on them; {turn-places} and "
-        "{turn-handle-speeds} hold the contest's handles at its times, {turn-speeds} the speeds "
-        "of all."
+        "{turn-disc} shows how the arcs lie, {turn-arriving} and {turn-dragon} the dragon before "
+        "and on them; {turn-places} and {turn-handle-speeds} hold the contest's handles at its "
+        "times, {turn-speeds} the speeds of all."
     )
     yield Picture(
         "turn-disc",
@@ -187,6 +187,7 @@ def _fourth_question(found: Results) -> Iterable[Block]:
             "AB; l1 and l2 are tangents of the spirals and of the arcs."
         ),
     )
+    yield Picture("turn-arriving", _("The dragon walking in, and with its head at A."))
     captions = _("Positions in the second part, m."), _("Speeds in the second part, m/s.")
     yield from _tables("turn", *captions, found.turn_motion, MOTION_TIMES)
     yield Picture("turn-dragon", _("The dragon turning: the paper's Fig 4."))

@@ -50,14 +50,14 @@ from benchdragon.progress import Progress, Stage, part, silent, stages
 from benchdragon.solve.size import smallest_pitch
 from benchdragon.solve.tolerance import CASES
 
-TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
+TURN_TIMES = {"turn-arriving": (-50.0, 0.0), "turn-dragon": (14.0, 50.0)}
 # Times, s, over which speeds in the turn are drawn (from, to, step), how far about its greatest
 # ratio it is enlarged, and how long before the contact the separating axes are drawn.
 TURNING, CLOSE, BEFORE_CONTACT = (-10.0, 60.0, 0.02), 0.6, 2.5
 PICTURE_KINDS = ("png", "svg", "pdf")
 PICTURES = (
     "spiral-dragon", "spiral-speeds", "contact", "clearance", "pitch", "turn-disc",
-    "turn-dragon", "turn-speeds", "turn-better", "turn-front", "turn-ratio", "flow", "errors-orders",
+    *TURN_TIMES, "turn-speeds", "turn-better", "turn-front", "turn-ratio", "flow", "errors-orders",
     "errors-chain", "errors-steps", "margins", "geometry-polar", "geometry-triangle", "geometry-axes",
 )  # fmt: skip
 TABLES = ("result1.xlsx", "result2.xlsx", "result4.xlsx", "spiral.csv", "spiral.npz")
@@ -161,13 +161,18 @@ def _write_tables(folder: Path, found: Results) -> None:
 
 
 def all_figures(found: Results) -> dict[str, Figure]:
-    """The pictures, by the names in PICTURES."""
-    return {
+    """The pictures, by the names in PICTURES; where one has a lone title, its caption says as much."""
+    figures = {
         **_spiral_figures(found),
         **_turn_figures(found),
         **_evidence_figures(found),
         **_geometry_figures(found),
     }
+    for figure in figures.values():
+        titled = [panel for panel in figure.axes if panel.get_title()]
+        if len(titled) == 1:
+            titled[0].set_title("")
+    return figures
 
 
 def _spiral_figures(found: Results) -> dict[str, Figure]:
@@ -182,7 +187,6 @@ def _spiral_figures(found: Results) -> dict[str, Figure]:
 
 def _turn_figures(found: Results) -> dict[str, Figure]:
     plan, motion, disc = found.turn, found.turn_motion, TurnRoute.disc(found.turn)
-    at = [int(np.searchsorted(motion.times, t)) for t in TURN_TIMES]
     turn, fastest = plan.turn.build(plan.value("route.pitch"), disc), found.head_speed.value
     paper = ShownTurn(_("the paper's two arcs"), turn, fastest)
     text = _("arc, line, arc")
@@ -193,7 +197,10 @@ def _turn_figures(found: Results) -> dict[str, Figure]:
     limit, turning = plan.limits.speed or math.nan, walk.motion(np.arange(*TURNING))
     return {
         "turn-disc": construction_picture(found.two_arcs),
-        "turn-dragon": dragon_picture(motion, "", at, disc),
+        **{
+            name: dragon_picture(motion, "", np.searchsorted(motion.times, times).tolist(), disc)
+            for name, times in TURN_TIMES.items()
+        },
         "turn-speeds": turn_speeds_picture(turning),
         "turn-better": turns_picture([paper, better[found.told], better[-1]], disc),
         "turn-front": front_picture(points, (fastest, turn.length)),

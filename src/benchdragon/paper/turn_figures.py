@@ -134,7 +134,7 @@ def construction_picture(turn: TwoArcTurn) -> Figure:
     Args:
         turn: of two arcs.
     """
-    with drawn_panel(0.8 * PAGE_WIDTH, 0.8 * PAGE_WIDTH + 0.3) as (figure, panel):
+    with drawn_panel(0.62 * PAGE_WIDTH, 0.62 * PAGE_WIDTH + 0.3) as (figure, panel):
         _draw_ground(panel, turn.pitch, (turn.entry_radius, turn.entry_radius), turn.entry_radius)
         first, second = turn.arcs()
         for arc, name in ((first, r"$C_1$"), (second, r"$C_2$")):
@@ -213,7 +213,6 @@ def front_picture(front: Sequence[tuple[float, float, float]], paper: tuple[floa
         panel.plot(*paper, "*", color="black", ms=11, label=_("the paper's two arcs"))
         panel.set_xlabel(_("greatest head speed (m/s)"))
         panel.set_ylabel(_("length (m)"))
-        panel.set_title(_("Shortest turns that were found"))
         panel.legend(framealpha=0.9)
         return figure
 
@@ -226,7 +225,7 @@ def turn_speeds_picture(motion: Motion) -> Figure:
     """
     times, speeds = motion.times, np.asarray(motion.speed)
     lowest, highest = (int(find(speeds)) // speeds.shape[1] for find in (np.argmin, np.argmax))
-    with drawn_panels(PAGE_WIDTH, 4.9, "", 2, 1) as (figure, (over, along)):
+    with drawn_panels(PAGE_WIDTH, 3.8, "", 2, 1) as (figure, (over, along)):
         for (colour, _mark, dashes), handle in zip(SERIES, TIMED_HANDLES, strict=False):
             name = _("handle {number}").format(number=handle)
             over.plot(times, speeds[:, handle], color=colour, ls=dashes, lw=1.2, label=name)
