@@ -1,5 +1,6 @@
 """The square on the page: how near benches are to it, as the package says it; names; touches."""
 
+import itertools
 import re
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from benchdragon.player.page import player_page
 from benchdragon.player.scene import checked_dance
 from tests.browser.pages import Pages
 from tests.browser.players import drawn, pixels, ready, state
+from tests.browser.test_player_labels import WRITTEN
 from tests.figures.test_square import NEAR, SAID
 
 CROWDED = read_plan(
@@ -183,3 +185,36 @@ def test_margins_are_shaded_where_they_are(pages: Pages, tmp_path: Path) -> None
     inside, outside = (brightness(*((x, -15.0 + way) for x in along)) for way in (0.3, -0.3))
     assert within < beyond - 30.0
     assert inside < outside - 30.0
+
+
+# Things so close that names above each would lie on one another, and more of them than find places.
+CLOSE = [(-8.0, 6.0), (-6.5, 6.2), (-5.0, 5.0), *[(8.0, 6.0)] * 9]
+
+
+def test_no_name_of_a_thing_lies_on_another(pages: Pages, tmp_path: Path) -> None:
+    things = [
+        {"kind": "circle", "name": f"thing number {n}", "centre": place, "radius": 0.2}
+        for n, place in enumerate(CLOSE)
+    ]
+    plan = read_plan("turn", ["dragon.benches=9", "venue.rectangle=[40,30]"], obstacle=things)
+    page = page_of(pages, tmp_path, plan)
+    written = [one for one in page.evaluate(WRITTEN) if one["text"].startswith("thing")]
+    assert [one["text"] for one in written[:4]] == [f"thing number {n}" for n in range(4)]
+    assert 5 <= len(written) < len(CLOSE)
+    for one, other in itertools.combinations(written, 2):
+        across = abs(one["x"] - other["x"]) - one["half"] - other["half"]
+        assert max(across, abs(one["y"] - other["y"]) - one["size"]) >= -1e-6, (one, other)
+
+
+def test_the_scale_hides_no_edge_that_runs_below_it(pages: Pages, tmp_path: Path) -> None:
+    page = page_of(pages, tmp_path, read_plan("turn", ["dragon.benches=9", "venue.rectangle=[40,30]"]))
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    page.evaluate("benchdragon.zoom(2)")
+    x, y = page.evaluate("benchdragon.camera.toScreen(-20, -15)")
+    shift = [-x, box["height"] - 30 - y]  # between the bar and the top of its number
+    page.evaluate("(by) => { benchdragon.camera.pan(...by); benchdragon.zoom(1); }", shift)
+    drawn(page)
+    along = [(box["x"] + at, box["y"] + box["height"] - 30) for at in range(16, 140, 4)]
+    blue = [0x00, 0x72, 0xB2]
+    assert sum(dot == blue for dot in pixels(page, along)) > 10

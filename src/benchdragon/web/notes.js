@@ -58,25 +58,21 @@ export function drawScaleBar(ctx, camera, inks) {
   const unit = 10 ** Math.floor(Math.log10(most));
   const metres = (most >= 5 * unit ? 5 : most >= 2 * unit ? 2 : 1) * unit;
   const [x, y] = [16, camera.height - 14];
-  const tall = 20 * larger(camera);
-  ctx.fillStyle = inks.ground;
-  ctx.globalAlpha = 0.88;
-  ctx.fillRect(x - 8, y - tall - 6, metres * camera.scale + 16, tall + 14);
-  ctx.globalAlpha = 1;
-  ctx.strokeStyle = inks.ink;
-  ctx.lineWidth = 2;
-  ctx.beginPath();
-  ctx.moveTo(x, y - 6);
-  ctx.lineTo(x, y);
-  ctx.lineTo(x + metres * camera.scale, y);
-  ctx.lineTo(x + metres * camera.scale, y - 6);
-  ctx.stroke();
-  ctx.fillStyle = inks.ink;
+  const bar = new Path2D(`M${x} ${y - 6}V${y}H${x + metres * camera.scale}V${y - 6}`);
+  const text = metres < 1 ? `${Number((100 * metres).toPrecision(1))} cm` : `${metres} m`;
   ctx.font = lettering(13, camera);
   ctx.textAlign = "left";
   ctx.textBaseline = "alphabetic";
-  const text = metres < 1 ? `${Number((100 * metres).toPrecision(1))} cm` : `${metres} m`;
+  ctx.lineJoin = "round";
+  // What lies below is seen beside it: a square's edge often does.
+  [ctx.strokeStyle, ctx.lineWidth] = [inks.ground, 6];
+  ctx.stroke(bar);
+  ctx.strokeText(text, x + 4, y - 8);
+  [ctx.strokeStyle, ctx.lineWidth] = [inks.ink, 2];
+  ctx.stroke(bar);
+  ctx.fillStyle = inks.ink;
   ctx.fillText(text, x + 4, y - 8);
+  ctx.lineJoin = "miter";
 }
 
 /** An arrow to the north, which is up, in the upper left corner. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks */

@@ -1,5 +1,6 @@
 // What stands on the square: how near benches are to it, and how it is drawn.
 
+import { overlap } from "./labels.js";
 import { _, language, shortLength } from "./words.js";
 
 /** @typedef {import("./messages").DrawnObstacle} DrawnObstacle */
@@ -15,11 +16,15 @@ import { _, language, shortLength } from "./words.js";
  * @typedef {{i: number, obstacle: number, distance: number, from: [number, number], to: [number, number]}} Beside
  */
 
+/** A name, whether it stands within what it names, and the upright rectangle about that, m. @typedef {{ text: string, inner: boolean, left: number, right: number, top: number, bottom: number }} Named */
+
 /** Benches times sides that are looked at for each picture: some milliseconds. */
 const MOST_SIDES = 400_000;
 /** Names are written in a picture of no more obstacles. */
 const MOST_NAMES = 40;
 const NAME_SIZE = 13;
+/** From what is named to its name, above or below and beside; from an edge to its own, CSS pixels. */
+const [ABOVE, BESIDE, WITHIN] = [3, 5, 6];
 /** Rings that stand for entrances, and posts beside them, CSS pixels. */
 const ENTRANCE = 7;
 const POST = 4;
@@ -187,7 +192,7 @@ export class Square {
     }
   }
 
-  /** Names, and what lies below them: of an obstacle's upper corners, or an entrance's ring. @param {Camera} camera @returns {{ text: string, inner: boolean, left: number, right: number, top: number }[]} */
+  /** Names, and the upright rectangles about what they name. @param {Camera} camera @returns {Named[]} */
   #names(camera) {
     const { scale } = camera;
     const entrances = this.entrances.map(([x, y, width], n) => ({
@@ -196,17 +201,18 @@ export class Square {
       left: x - ENTRANCE / scale,
       right: x + ENTRANCE / scale,
       top: y + ENTRANCE / scale,
+      bottom: y - ENTRANCE / scale,
     }));
     const obstacles = this.obstacles.map(({ kind, name, points, radius }) => {
       const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
       const [left, right] = [Math.min(...xs) - radius, Math.max(...xs) + radius];
-      const top = Math.max(...ys) + radius;
-      return { text: name[language()], inner: kind === "venue", left, right, top };
+      const [bottom, top] = [Math.min(...ys) - radius, Math.max(...ys) + radius];
+      return { text: name[language()], inner: kind === "venue", left, right, top, bottom };
     });
     return [...obstacles, ...entrances];
   }
 
-  /** Write the names, above what they name, towards the middle of all; where they stand. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks @param {string} font @returns {Tag[]} */
+  /** Write the names, beside what they name, and none on another: one that finds no place is left out; where they stand. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks @param {string} font @returns {Tag[]} */
   name(ctx, camera, inks, font) {
     const across = this.corners().map(([x]) => x);
     if (!across.length || this.obstacles.length > MOST_NAMES) return [];
@@ -216,21 +222,40 @@ export class Square {
     ctx.lineJoin = "round";
     ctx.strokeStyle = inks.ground;
     ctx.fillStyle = inks.ink;
-    const tags = this.#names(camera).map(({ text, inner, left, right, top }) => {
-      const east = !inner && 0.5 * (left + right) > middle;
-      const [px, py] = camera.toScreen(east ? right : left, top);
-      ctx.textAlign = east ? "right" : "left";
-      ctx.textBaseline = inner ? "top" : "bottom";
-      const [x, y] = inner ? [px + 6, py + 6] : [px, py - 3];
-      ctx.strokeText(text, x, y);
-      ctx.fillText(text, x, y);
-      const half = 0.5 * ctx.measureText(text).width;
-      const tall = 0.5 * NAME_SIZE;
-      return { x: east ? x - half : x + half, y: inner ? y + tall : y - tall, half, tall };
-    });
+    [ctx.textAlign, ctx.textBaseline] = ["center", "middle"];
+    /** @type {Tag[]} */
+    const tags = [];
+    for (const named of this.#names(camera)) {
+      const half = 0.5 * ctx.measureText(named.text).width;
+      const places = placesOf(named, half, middle, camera);
+      const tag = places.find((place) => !tags.some((other) => overlap(place, other)));
+      if (!tag) continue;
+      ctx.strokeText(named.text, tag.x, tag.y);
+      ctx.fillText(named.text, tag.x, tag.y);
+      tags.push(tag);
+    }
     ctx.lineJoin = "miter";
     return tags;
   }
+}
+
+/** Where a name may stand, best first: above what it names, towards the middle of all; an edge's within it. @param {Named} named @param {number} half of its width, CSS pixels @param {number} middle x of the middle of all, m @param {Camera} camera @returns {Tag[]} */
+function placesOf({ inner, left, right, top, bottom }, half, middle, camera) {
+  const tall = 0.5 * NAME_SIZE;
+  const [[west, up], [east, down]] = [camera.toScreen(left, top), camera.toScreen(right, bottom)];
+  if (inner) {
+    const [from, to] = [west + WITHIN + half, east - WITHIN - half];
+    const [high, low] = [up + WITHIN + tall, down - WITHIN - tall];
+    return [from, to].flatMap((x) => [high, low].map((y) => ({ x, y, half, tall })));
+  }
+  const sides = [west + half, east - half];
+  if (0.5 * (left + right) > middle) sides.reverse();
+  const rows = [up - ABOVE - tall, down + ABOVE + tall];
+  const beside = [east + BESIDE + half, west - BESIDE - half];
+  return [
+    ...rows.flatMap((y) => sides.map((x) => ({ x, y, half, tall }))),
+    ...beside.map((x) => ({ x, y: 0.5 * (up + down), half, tall })),
+  ];
 }
 
 /** Shade where benches would come nearer to an obstacle than they may: a margin about it, of the venue within. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {DrawnObstacle} one @param {string} colour */
