@@ -347,16 +347,19 @@ def test_no_page_but_the_last_is_half_empty(where: str, request: pytest.FixtureR
     pages = PdfReader(written / "report.pdf").pages
     height = float(pages[0].mediabox.height)
     for number, page in enumerate(pages[:-1], start=1):
-        low = [float(y) for _x, y in DRAWN.findall(contents(page))]
+        assert lowest(page) < EMPTY * height, f"page {number}"
 
-        def visit(
-            text: str, cm: list[float], tm: list[float], *_font: object, low: list[float] = low
-        ) -> None:
-            if text.strip() and tm[5] * cm[3] + cm[5] > MARGIN / MM:
-                low.append(tm[5] * cm[3] + cm[5])
 
-        page.extract_text(visitor_text=visit)
-        assert min(low) < EMPTY * height, f"page {number}"
+def lowest(page: PageObject) -> float:
+    """How far above the page's lower edge its last line or picture stands, points; not its number."""
+    low = [float(y) for _x, y in DRAWN.findall(contents(page))]
+
+    def visit(text: str, cm: list[float], tm: list[float], *_font: object) -> None:
+        if text.strip() and tm[5] * cm[3] + cm[5] > MARGIN / MM:
+            low.append(tm[5] * cm[3] + cm[5])
+
+    page.extract_text(visitor_text=visit)
+    return min(low)
 
 
 def test_chinese_lines_may_break_after_signs_but_not_before_stops() -> None:
@@ -402,13 +405,23 @@ def test_a_link_is_never_broken_and_its_stops_stay_with_it(tmp_path: Path, folde
 def test_no_picture_that_waits_parts_a_table_of_numbers(
     tmp_path: Path, folder: Path, above: int
 ) -> None:
-    rows = tuple((f"row{n}", "1.5") for n in range(14))
+    rows = tuple((f"row{n}", "1.5") for n in range(12))
     table = Table("numbers", "Some.", ("name", "value"), (1, 1), rows, numbers=True)
     pictures = Picture("turn-disc", "A turn."), Picture("turn-dragon", "A dragon.")
     pdf = laid_out(tmp_path, folder, *[Paragraph(("words",))] * above, *pictures, table)
     (page,) = (page for page in pdf.pages if "Table 1. Some." in page.extract_text())
     assert "row0" in page.extract_text()
-    assert "row13" in page.extract_text()
+    assert "row11" in page.extract_text()
+
+
+@pytest.mark.parametrize("above", range(14, 28, 2))
+def test_no_table_of_numbers_leaves_a_fifth_of_a_page_empty(
+    tmp_path: Path, folder: Path, above: int
+) -> None:
+    rows = tuple((f"row{n}", "1.5") for n in range(30))
+    table = Table("numbers", "Some.", ("name", "value"), (1, 1), rows, numbers=True)
+    page = laid_out(tmp_path, folder, *[Paragraph(("words",))] * above, table).pages[0]
+    assert lowest(page) - MARGIN / MM < 0.2 * float(page.mediabox.height)
 
 
 @pytest.mark.parametrize("name", ["report.html", "report.pdf"])

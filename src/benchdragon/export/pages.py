@@ -39,7 +39,7 @@ EDGE, SHADE, LINK_COLOUR = (150, 150, 150), (235, 235, 235), (0, 84, 148)
 # rows, and a caption. A table of numbers goes to the next page whole if no more is left empty than
 # this, with pictures waiting for that page, and without.
 HEADING_ROOM, TABLE_ROOM, CAPTION = 26.0, 32.0, 6.0
-MOST_EMPTY_BEFORE_PICTURES, MOST_EMPTY = 100.0, 85.0
+MOST_EMPTY_BEFORE_PICTURES, MOST_EMPTY = 75.0, 50.0
 ROW, PADDING = 0.5, 0.7
 # Headings of a document that has no contents, at most.
 WITHOUT_CONTENTS = 3
