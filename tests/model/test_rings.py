@@ -7,6 +7,7 @@ from shapely.ops import substring
 
 from benchdragon.model.rings import (
     area_of,
+    gate_in,
     holds,
     length_of,
     nearest_on,
@@ -71,3 +72,14 @@ def test_the_ring_about_a_circle_holds_it_and_hardly_more() -> None:
     circle = shapely.Point(3.0, -2.0).buffer(4.0 - 1e-9, 256)
     assert ring.covers(circle)
     assert ring.area < 1.001 * circle.area
+
+
+YARD = ring_of([(0.0, 0.0), (20.0, 0.0), (20.0, 10.0), (0.0, 10.0)])
+
+
+def test_a_gate_is_where_a_way_from_outside_first_crosses_a_ring() -> None:
+    through = [(-5.0, 4.0), (10.0, 4.0), (30.0, 4.0), (10.0, 20.0)]
+    assert gate_in(YARD, through, 3.0) == pytest.approx((54.5, 57.5))
+    assert gate_in(YARD, through[1:], 3.0) is None  # it comes from within
+    assert gate_in(YARD, [(-5.0, 4.0), (-5.0, 20.0)], 3.0) is None
+    assert gate_in(YARD, through, 60.0) is None  # as long as the ring
