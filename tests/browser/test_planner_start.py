@@ -351,7 +351,7 @@ def test_another_dance_keeps_the_rounds_their_rests_and_the_hour(
 
 
 STREET = [[-60, 0], [-30, 2], [-20, 6]]
-CALLS = "Rests and calls at places of the dance before are left out: {count}."
+CALLS = "Rests and calls of the dance before are left out: {count}."
 BACK = "Undo brings back the dance before, with all of that."
 
 

@@ -397,7 +397,7 @@ def _placed(wishes: Wishes, sized: Plan, rounds: float) -> _Dance | None:
     """The dance begun so many rounds out at its roomiest pose; None if it cannot walk.
 
     Where that is at the speed wished decides whether it fits; only then the speed that its handles
-    allow is sought, which takes as long, and at another one it is placed anew.
+    allow is sought, which takes as long, and at another one it is placed again.
     """
     try:
         begun = _begun(sized, rounds)

@@ -65,8 +65,7 @@ function lossesOf(before, plan, left) {
   if (!["spiral-in", "turn"].includes(before.route.kind))
     lost.push(_("The route of the plan before gives way to a coil."));
   const count = cuesOf(before) - cuesOf(plan);
-  if (count > 0)
-    lost.push(_("Rests and calls at places of the dance before are left out: {count}.", { count }));
+  if (count > 0) lost.push(_("Rests and calls of the dance before are left out: {count}.", { count }));
   return lost.length ? [...lost, _("Undo brings back the dance before, with all of that.")] : [];
 }
 

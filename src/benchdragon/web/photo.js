@@ -165,10 +165,10 @@ export class Photo {
     if (!this.where) return;
     this.where.textContent = this.kept
       ? _(
-          "It stays on this device, kept with this plan until you take it away: it is in no file and no link.",
+          "It stays on this device, kept with this plan until you take it away: it is in no file, and is not sent.",
         )
       : _(
-          "This browser does not keep it: it is gone once this page is closed. It is in no file and no link.",
+          "This browser does not keep it: it is gone once this page is closed. It is in no file, and is not sent.",
         );
   }
 
