@@ -89,7 +89,7 @@ def asked(page: Page) -> Any:
 
 
 def found(page: Page, plan: dict[str, Any] | None, *said: str, **fits: Any) -> None:
-    nothing = {"plan": plan, "said": said, "left": [], "benches": 0}
+    nothing: dict[str, Any] = {"plan": plan, "said": said, "left": [], "benches": 0}
     page.evaluate("(found) => search.done(found)", nothing | fits)
 
 

@@ -12,6 +12,7 @@ from benchdragon.errors import InputError, NoSolutionError, UnsureError
 from benchdragon.plans.schema import Plan
 from benchdragon.solve import proposal
 from benchdragon.solve.course import course_of
+from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.proposal import Proposal, TooSmall, benches_out_again, propose
 from benchdragon.solve.wishes import Wishes
 
@@ -50,10 +51,13 @@ def test_the_speed_that_handles_allow_is_sought_of_dances_that_fit_alone(
 ) -> None:
     """It takes as long as a place on the square; what does not fit needs none."""
     asked, found_room = [], []
-    speed, roomiest = proposal.greatest_head_speed, proposal._roomiest
-    monkeypatch.setattr(
-        proposal, "greatest_head_speed", lambda plan: (asked.append(plan), speed(plan))[1]
-    )
+    roomiest = proposal._roomiest
+
+    def speed(plan: Plan) -> Any:
+        asked.append(plan)
+        return greatest_head_speed(plan)
+
+    monkeypatch.setattr(proposal, "greatest_head_speed", speed)
 
     def placed(wishes: Wishes, plan: Plan) -> Any:
         dance = roomiest(wishes, plan)
