@@ -16,6 +16,8 @@ steps:
    mean of their distances at both ends, less half of what both move (first order). Where that is
    not enough, their distance along a line is enclosed with its second derivative L: it lies above
    the chord by no more than L h^2 / 8 in a cell of length h (second order).
+   A pair that this leaves in doubt is shown in halves of the cell, three times at most, with a chain
+   between that ends at its rear bench: so one pair that is near shortens no cell for all others.
 4. Meeting. At one head position right behind the last cell, two benches surely overlap, or are
    nearer than the margin.
 

@@ -1,5 +1,7 @@
 """Cells: what holds is so at every place between, and each bound is as tight as it must be."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -41,6 +43,22 @@ def test_no_cell_holds_that_should_not_and_some_hold_that_do(name: str, long: fl
             dance, guess = stored_dance(walk, margin), guess_of(walk)
             found = holds(dance, *(chain_at(dance, guess, at) for at in (s, s + long)))
             assert found is wanted or (margin < seen and seen <= spare), (s, margin, seen)
+
+
+@pytest.mark.parametrize("name", list(WALKS))
+def test_chains_between_show_more_and_nothing_that_is_not_so(name: str) -> None:
+    walk, first, last = WALKS[name]
+    more, long = 0, 0.3
+    for s in np.random.default_rng(9).uniform(first, last - long, 12).tolist():
+        seen = least(walk, s, s + long)
+        for margin in (seen + 1e-9, max(seen - 0.02, 0.0)):
+            dance, guess = stored_dance(walk, margin), guess_of(walk)
+            a, b = (chain_at(dance, guess, at) for at in (s, s + long))
+            found = holds(dance, a, b, between=partial(chain_at, dance, guess))
+            assert not found or margin < seen, (s, margin, seen)
+            assert found >= holds(dance, a, b)
+            more += found and not holds(dance, a, b)
+    assert more >= 2
 
 
 @pytest.mark.parametrize("name", list(WALKS))

@@ -53,6 +53,12 @@ class Sizes:
         numbers = np.array([[float(value) for value in column] for column in columns])
         return cls(links, front, rear, width, numbers)
 
+    def first(self, benches: int) -> "Sizes":
+        """Those of so many benches from the head on."""
+        links, front = self.links[:benches], self.front[:benches]
+        rear, width = self.rear[:benches], self.width[:benches]
+        return Sizes(links, front, rear, width, self.numbers[:, :benches])
+
 
 def corners(chain: Chain, sizes: Sizes) -> FloatArray:
     """The corners of all benches, m, (N, 4, 2), to SLACK."""

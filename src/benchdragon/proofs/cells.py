@@ -1,6 +1,6 @@
 """A cell: the head goes from one place to another, and nothing comes nearer than it may."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,7 +23,7 @@ from benchdragon.proofs.apart import (
 )
 from benchdragon.proofs.approach import Approach
 from benchdragon.proofs.ball_route import BallRoute
-from benchdragon.proofs.chain import Chain
+from benchdragon.proofs.chain import Chain, UnprovedError
 from benchdragon.proofs.motion import SLACK, follows, moves, nearest
 from benchdragon.proofs.pace import slower
 
@@ -65,6 +65,12 @@ class Dance:
     most: arb | None = None
 
 
+# The first benches of a dance, so many, with the head at a route position, m; raises UnprovedError.
+Between = Callable[[float, int], Chain]
+
+# How often the way between two chains is halved for pairs in doubt, and for how many of these at most;
+# for so many their second derivative is enclosed before.
+HALVINGS, MOST_HALVED, FEW = 3, 100, 2
 # Roundings in a corner of a bench, or a gap: so many units of the farthest coordinate, and of s.
 CORNER_ROUNDING, WAY_ROUNDING = 2.5e-15, 2.5e-16
 
@@ -80,8 +86,11 @@ def resolved(dance: Dance, *chains: Chain) -> bool:
     return max(CORNER_ROUNDING * lever * float(max(places)), WAY_ROUNDING * way) <= SLACK
 
 
-def holds(dance: Dance, a: Chain, b: Chain) -> bool:
-    """Whether the dragon surely walks from one chain to the next, and nothing comes too near."""
+def holds(dance: Dance, a: Chain, b: Chain, *, between: Between | None = None) -> bool:
+    """Whether the dragon surely walks from one chain to the next, and nothing comes too near.
+
+    If chains `between` can be had, the way is halved for benches that both ends leave in doubt.
+    """
     way, links = moves(a, b), dance.sizes.numbers[0]
     if not resolved(dance, a, b) or not follows(a, b, links, way):
         return False
@@ -96,8 +105,7 @@ def holds(dance: Dance, a: Chain, b: Chain) -> bool:
     if dance.margin is not None:
         pairs = near_pairs(boxes[0], dance.sizes, room, float(dance.margin))
         doubtful = unsure((a, b), dance.sizes, boxes, boxes, pairs, way, dance.margin)
-        bodies = [(Moving(int(i)), Moving(int(j))) for i, j in doubtful]
-        if not _curved(dance, a, b, bodies, dance.margin):
+        if not _keep_apart(dance, (a, b), dance.margin, doubtful, between, HALVINGS):
             return False
     return all(_keeps_off(dance, one, (a, b), boxes, way, room) for one in dance.standing)
 
@@ -118,18 +126,55 @@ def unsure(
     others: Sequence[FloatArray], pairs: IntArray, way: FloatArray, margin: arb,
 ) -> IntArray:  # fmt: skip
     """Which pairs, of benches or of a bench and a side, are not surely farther apart."""
-    approach = Approach(chains, sizes, way)
+    approach, room, far = Approach(chains, sizes, way), reach(way, sizes), float(margin) + 10.0 * SLACK
     for which in LINES:
         if not len(pairs):
             break
         i, j = pairs.T
         first, last = (gaps(one[i], other[j], *which) for one, other in zip(boxes, others, strict=True))
-        nearer = approach.along(i, first.line, last.line)
+        moved = room[i] + room[j] if others is boxes else room[i]
+        kept = 0.5 * (first.size + last.size - moved) > far
+        near = np.flatnonzero(~kept)
+        nearer = approach.along(i[near], first.line[near], last.line[near])
         if others is boxes:
-            nearer += approach.along(j, -first.line, -last.line)
-        kept = 0.5 * (first.size + last.size - nearer)
-        pairs = pairs[~(kept > float(margin) + 10.0 * SLACK)]
+            nearer += approach.along(j[near], -first.line[near], -last.line[near])
+        kept[near] = 0.5 * (first.size[near] + last.size[near] - nearer) > far
+        pairs = pairs[~kept]
     return pairs
+
+
+def _keep_apart(
+    dance: Dance, ends: tuple[Chain, Chain], margin: arb, pairs: IntArray, between: Between | None,
+    halvings: int,
+) -> bool:  # fmt: skip
+    """Whether pairs of benches in doubt keep a margin, m, between two chains, or in halves of the way.
+
+    The chain in the middle is that of the walk: its handles lie between those at the ends, which follow
+    one another, and of places between these one alone is a link behind the handle ahead.
+    """
+    many = len(pairs) > MOST_HALVED
+    if len(pairs) <= FEW or many or not halvings or between is None:
+        bodies = [(Moving(int(i)), Moving(int(j))) for i, j in pairs]
+        if _curved(dance, *ends, bodies, margin):
+            return True
+    if many or not halvings or between is None:
+        return False
+    count = int(pairs.max()) + 1
+    first, last = (chain.first(count) for chain in ends)
+    sizes = dance.sizes.first(count)
+    try:
+        middle = between(0.5 * float(first.s[0] + last.s[0]), count)
+    except UnprovedError:
+        return False
+    for half in ((first, middle), (middle, last)):
+        way = moves(*half)
+        if not resolved(dance, middle) or not follows(*half, sizes.numbers[0], way):
+            return False
+        boxes = [corners(chain, sizes) for chain in half]
+        doubtful = unsure(half, sizes, boxes, boxes, pairs, way, margin)
+        if not _keep_apart(dance, half, margin, doubtful, between, halvings - 1):
+            return False
+    return True
 
 
 def _curved(dance: Dance, a: Chain, b: Chain, pairs: Sequence[tuple[Body, Body]], margin: arb) -> bool:

@@ -49,26 +49,42 @@ class Handle:
     error: float
 
 
+@dataclass(frozen=True, eq=False)
 class Chain:
     """All handles with the head at one route position.
 
     Attributes:
         handles: from the head's to the tail's.
+        origin: near the dance, m.
         s: route positions, m, as doubles, (handles,).
         turned: what the heading has turned through from the route's start, either way, rad, (handles,).
-        origin: near the dance, m.
         x: of places relative to `origin`, m, as doubles.
         y: the same.
         tangent: (handles, 2).
     """
 
-    def __init__(self, route: BallRoute, handles: list[Handle], origin: tuple[float, float]) -> None:
-        self.handles, self.origin = handles, origin
-        self.s = np.array([float(handle.s) for handle in handles])
-        self.turned = np.array([_turned(route.rows[handle.j], handle) for handle in handles])
-        self.x = np.array([float(handle.pose[0] - origin[0]) for handle in handles])
-        self.y = np.array([float(handle.pose[1] - origin[1]) for handle in handles])
-        self.tangent = np.array([[float(handle.pose[2]), float(handle.pose[3])] for handle in handles])
+    handles: Sequence[Handle]
+    origin: tuple[float, float]
+    s: FloatArray
+    turned: FloatArray
+    x: FloatArray
+    y: FloatArray
+    tangent: FloatArray
+
+    @classmethod
+    def of(cls, route: BallRoute, handles: Sequence[Handle], origin: tuple[float, float]) -> "Chain":
+        """Handles on a route, about such an origin, m."""
+        s = np.array([float(one.s) for one in handles])
+        turned = np.array([_turned(route.rows[one.j], one) for one in handles])
+        x, y = (np.array([float(one.pose[n] - origin[n]) for one in handles]) for n in (0, 1))
+        tangent = np.array([[float(one.pose[2]), float(one.pose[3])] for one in handles])
+        return cls(handles, origin, s, turned, x, y, tangent)
+
+    def first(self, benches: int) -> "Chain":
+        """That of so many benches from the head on."""
+        some = slice(benches + 1)
+        places = self.s[some], self.turned[some], self.x[some], self.y[some]
+        return Chain(self.handles[some], self.origin, *places, self.tangent[some])
 
 
 def _turned(row: Row, handle: Handle) -> float:
@@ -89,7 +105,7 @@ def enclosed_chain(
     handles = [_head(route, s, int(rows[0]), float(at[0]))]
     for link, j, u in zip(links, rows[1:], at[1:].tolist(), strict=True):
         handles.append(follower(route, handles[-1], link, int(j), u))
-    return Chain(route, handles, origin)
+    return Chain.of(route, handles, origin)
 
 
 def _head(route: BallRoute, s: arb, j: int, guess: float) -> Handle:

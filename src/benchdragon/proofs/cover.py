@@ -4,6 +4,7 @@ How they are found proves nothing: each has been shown to hold, and can be shown
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 from flint import arb
 
@@ -24,14 +25,17 @@ BALLS = 50.0
 FIRST, LONGER, SHORTER, SHORTEST = 0.05, 1.1, 0.5, 4e-16
 
 
-def chain_at(dance: Dance, guess: Guess, s: float) -> Chain:
-    """The dragon with its head at route position s, m.
+def chain_at(dance: Dance, guess: Guess, s: float, benches: int | None = None) -> Chain:
+    """The dragon, or so many benches of it, with its head at route position s, m.
 
     Raises:
         UnprovedError: if it could not be enclosed.
     """
-    budget.spend(BALLS * (len(dance.sizes.links) + 1))
-    return enclosed_chain(dance.route, dance.sizes.links, arb(s), guess(s), dance.origin)
+    links = dance.sizes.links[:benches]
+    budget.spend(BALLS * (len(links) + 1))
+    rows, at = guess(s)
+    near = rows[: len(links) + 1], at[: len(links) + 1]
+    return enclosed_chain(dance.route, links, arb(s), near, dance.origin)
 
 
 def cells(
@@ -65,7 +69,7 @@ def _tried(dance: Dance, guess: Guess, a: Chain, s: float) -> Chain | None:
         b = chain_at(dance, guess, s)
     except UnprovedError:
         return None
-    return b if holds(dance, a, b) else None
+    return b if holds(dance, a, b, between=partial(chain_at, dance, guess)) else None
 
 
 def covered(dance: Dance, guess: Guess, at: Sequence[float], progress: Progress = silent) -> None:
@@ -81,7 +85,7 @@ def covered(dance: Dance, guess: Guess, at: Sequence[float], progress: Progress 
         if not s > at[n - 1]:
             raise UnprovedError(f"cell {n} does not go on: from {at[n - 1]!r} to {s!r} m")
         b = chain_at(dance, guess, s)
-        if not holds(dance, a, b):
+        if not holds(dance, a, b, between=partial(chain_at, dance, guess)):
             raise UnprovedError(f"cell {n}, from {at[n - 1]!r} to {s!r} m, does not hold")
         a = b
         progress(n / (len(at) - 1), "")
