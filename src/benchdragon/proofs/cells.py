@@ -166,9 +166,11 @@ def _keep_apart(
         middle = between(0.5 * float(first.s[0] + last.s[0]), count)
     except UnprovedError:
         return False
+    if not resolved(dance, middle):
+        return False
     for half in ((first, middle), (middle, last)):
         way = moves(*half)
-        if not resolved(dance, middle) or not follows(*half, sizes.numbers[0], way):
+        if not follows(*half, sizes.numbers[0], way):
             return False
         boxes = [corners(chain, sizes) for chain in half]
         doubtful = unsure(half, sizes, boxes, boxes, pairs, way, margin)

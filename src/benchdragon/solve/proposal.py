@@ -15,9 +15,7 @@ from benchdragon.analysis.check import checked as judged
 from benchdragon.analysis.room import with_people
 from benchdragon.errors import InputError, NoSolutionError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import _
-from benchdragon.plans.answers import MOST_BEARERS, MOST_BENCHES
 from benchdragon.plans.schema import Plan, checked
-from benchdragon.plans.tables import MOST_ROUNDS
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, part, silent
 from benchdragon.solve.head_speed import greatest_head_speed
@@ -30,14 +28,13 @@ from benchdragon.solve.wishes import (
     VENUE_MARGIN,
     Kind,
     Wishes,
+    refuse,
     rounded_down,
     rounded_up,
 )
 
 KINDS: tuple[Kind, ...] = ("turn", "spiral-in")
 
-# The length of a bench that a bearer needs, m.
-ELBOWS = 0.5
 # Room before the head, m: the first with which all benches fit.
 AHEAD = (0.5, 0.3)
 # Sizes are proposed in decimetres, speeds in steps of 5 cm/s: finer ones cannot be laid out.
@@ -150,7 +147,7 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
         'spiral-in'
     """
     of_kind("wishes", wishes, Wishes)
-    _refuse(wishes)
+    refuse(wishes)
     _refuse_ground(wishes)
     trades = _trades(wishes)
     for n, less in enumerate(trades):
@@ -185,7 +182,7 @@ def benches_out_again(wishes: Wishes, *, progress: Progress = silent) -> int:
     Fewer than requested: for all of them no dance out again was found, or none was requested.
     """
     of_kind("wishes", wishes, Wishes)
-    _refuse(wishes)
+    refuse(wishes)
     progress(0.0, _("how many benches come out again"))
     return _fitting(replace(wishes, rounds=1), "turn")
 
@@ -275,32 +272,11 @@ def _fits_under(wishes: Wishes) -> bool:
         return False
     under = replace(wishes, carry="under")
     try:
-        _refuse(under)
+        refuse(under)
     except InputError:  # so many have no room behind one another under a bench
         return False
     shortest = {kind: rounds[-1:] for kind, rounds in ROUNDS.items()}
     return _tried(under, shortest, silent).found is not None
-
-
-def _refuse(wishes: Wishes) -> None:
-    """Refuse impossible wishes before anything is computed."""
-    if [wishes.rectangle, wishes.radius, wishes.boundary].count(None) != 2:
-        raise InputError(_("say how large the square is: its rectangle, its radius or its corners"))
-    if not 2 <= wishes.benches <= MOST_BENCHES:
-        text = _("a dance is proposed for 2 to {most} benches, not {count}")
-        raise InputError(text.format(most=MOST_BENCHES, count=wishes.benches))
-    if not 1 <= wishes.bearers <= MOST_BEARERS:
-        text = _("a bench is carried by 1 to {most} people, not {count}")
-        raise InputError(text.format(most=MOST_BEARERS, count=wishes.bearers))
-    if wishes.rounds > 1 and wishes.kind == "spiral-in":
-        raise InputError(_("a dance that coils in alone has no rounds: ask for either"))
-    if not 1 <= wishes.rounds <= MOST_ROUNDS:
-        text = _("a dance coils in and out 1 to {most} times, not {count}")
-        raise InputError(text.format(most=MOST_ROUNDS, count=wishes.rounds))
-    behind = math.ceil(wishes.bearers / 2) if wishes.carry == "beside" else wishes.bearers
-    if behind * ELBOWS > wishes.length:
-        text = _("a bench of {length} m has no room for {count} bearers behind one another")
-        raise InputError(text.format(length=f"{wishes.length:g}", count=behind))
 
 
 def _refuse_ground(wishes: Wishes) -> None:

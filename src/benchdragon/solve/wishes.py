@@ -5,10 +5,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from benchdragon.errors import as_number
+from benchdragon.errors import InputError, as_number
 from benchdragon.i18n import N_, _, both
 from benchdragon.model.base_curve import Point
+from benchdragon.plans.answers import MOST_BEARERS, MOST_BENCHES
 from benchdragon.plans.schema import Plan, checked
+from benchdragon.plans.tables import MOST_ROUNDS
 
 Carry = Literal["beside", "under"]
 Kind = Literal["turn", "spiral-in"]
@@ -19,6 +21,8 @@ NAME = "benchdragon new"
 SHOULDERS, SWAY, IMPRECISION = 0.5, 0.05, 0.1
 # Asked for beyond that, m: between benches, and from the edge of the square.
 MARGIN, VENUE_MARGIN = 0.05, 0.5
+# The length of a bench that a bearer needs, m.
+ELBOWS = 0.5
 # Rounds after which a dance covers no more ground.
 AGAIN = 2
 # Corners of a round square.
@@ -166,3 +170,24 @@ def rounded_up(value: float, step: float) -> float:
 def rounded_down(value: float, step: float) -> float:
     """The next multiple of a step, downwards, as a short decimal."""
     return round(math.floor(value / step + 1e-9) * step, 6)
+
+
+def refuse(wishes: Wishes) -> None:
+    """Refuse impossible wishes before anything is computed."""
+    if [wishes.rectangle, wishes.radius, wishes.boundary].count(None) != 2:
+        raise InputError(_("say how large the square is: its rectangle, its radius or its corners"))
+    if not 2 <= wishes.benches <= MOST_BENCHES:
+        text = _("a dance is proposed for 2 to {most} benches, not {count}")
+        raise InputError(text.format(most=MOST_BENCHES, count=wishes.benches))
+    if not 1 <= wishes.bearers <= MOST_BEARERS:
+        text = _("a bench is carried by 1 to {most} people, not {count}")
+        raise InputError(text.format(most=MOST_BEARERS, count=wishes.bearers))
+    if wishes.rounds > 1 and wishes.kind == "spiral-in":
+        raise InputError(_("a dance that coils in alone has no rounds: ask for either"))
+    if not 1 <= wishes.rounds <= MOST_ROUNDS:
+        text = _("a dance coils in and out 1 to {most} times, not {count}")
+        raise InputError(text.format(most=MOST_ROUNDS, count=wishes.rounds))
+    behind = math.ceil(wishes.bearers / 2) if wishes.carry == "beside" else wishes.bearers
+    if behind * ELBOWS > wishes.length:
+        text = _("a bench of {length} m has no room for {count} bearers behind one another")
+        raise InputError(text.format(length=f"{wishes.length:g}", count=behind))

@@ -12,17 +12,13 @@ import { greatestHeadSpeed } from "./head_speed.js";
 import { foundLimit } from "./size.js";
 import { Square } from "./square_room.js";
 import { part, silent } from "./stages.js";
-import { roundedDown, roundedUp } from "./wishes.js";
+import { refuse, roundedDown, roundedUp } from "./wishes.js";
 
-const MOST_BENCHES = 500;
-const MOST_BEARERS = 8;
-const MOST_ROUNDS = 20;
 const NAME = "benchdragon new";
 const AGAIN = 2;
 const VENUE_MARGIN = 0.5;
 const CORNERS = 90;
 const KINDS = ["turn", "spiral-in"];
-const ELBOWS = 0.5;
 const AHEAD = [0.5, 0.3];
 const SIZE_STEP = 0.1;
 const SPEED_STEP = 0.05;
@@ -68,7 +64,7 @@ class _Dance {
 export async function propose(wishes, progress = silent) {
   return py.scoped(async () => {
     let least, less, n, smallest, trades, tried, walked;
-    _refuse(wishes);
+    refuse(wishes);
     _refuseGround(wishes);
     trades = _trades(wishes);
     for ([n, less] of py.iter(py.enumerate(trades))) {
@@ -92,7 +88,7 @@ export async function propose(wishes, progress = silent) {
   });
 }
 export async function benchesOutAgain(wishes, progress = silent) {
-  _refuse(wishes);
+  refuse(wishes);
   progress(0.0, _("how many benches come out again"));
   return (await _fitting(py.replaced(wishes, { rounds: 1 }), "turn"));
 }
@@ -180,7 +176,7 @@ async function _fitsUnder(wishes) {
   }
   under = py.replaced(wishes, { carry: "under" });
   try {
-    _refuse(under);
+    refuse(under);
   } catch (error) {
     if (error instanceof InputError) {
       return false;
@@ -189,32 +185,6 @@ async function _fitsUnder(wishes) {
   }
   shortest = py.dict(py.list(py.items(ROUNDS)).map(([kind, rounds]) => [kind, py.slice(rounds, -1, null)]));
   return ((await _tried(under, shortest, silent)).found != null);
-}
-function _refuse(wishes) {
-  let behind, text;
-  if ((py.count([wishes.rectangle, wishes.radius, wishes.boundary], null) !== 2)) {
-    throw new InputError(_("say how large the square is: its rectangle, its radius or its corners"));
-  }
-  if (!((2 <= wishes.benches) && (wishes.benches <= MOST_BENCHES))) {
-    text = _("a dance is proposed for 2 to {most} benches, not {count}");
-    throw new InputError(py.filled(text, { most: MOST_BENCHES, count: wishes.benches }));
-  }
-  if (!((1 <= wishes.bearers) && (wishes.bearers <= MOST_BEARERS))) {
-    text = _("a bench is carried by 1 to {most} people, not {count}");
-    throw new InputError(py.filled(text, { most: MOST_BEARERS, count: wishes.bearers }));
-  }
-  if (((wishes.rounds > 1) && (wishes.kind === "spiral-in"))) {
-    throw new InputError(_("a dance that coils in alone has no rounds: ask for either"));
-  }
-  if (!((1 <= wishes.rounds) && (wishes.rounds <= MOST_ROUNDS))) {
-    text = _("a dance coils in and out 1 to {most} times, not {count}");
-    throw new InputError(py.filled(text, { most: MOST_ROUNDS, count: wishes.rounds }));
-  }
-  behind = ((wishes.carry === "beside") ? py.ceil((wishes.bearers / 2)) : wishes.bearers);
-  if (((behind * ELBOWS) > wishes.length)) {
-    text = _("a bench of {length} m has no room for {count} bearers behind one another");
-    throw new InputError(py.filled(text, { length: `${py.format(wishes.length, `g`)}`, count: behind }));
-  }
 }
 function _refuseGround(wishes) {
   let across, area, bench, corners, longest, most, needed, text, turns, words;

@@ -1,10 +1,14 @@
 // @ts-nocheck
 // Made from solve/wishes.py by tools/make_twins.py; to make it again: make generate
 
+import { InputError } from "../compute/error_kinds.js";
 import { checked } from "../compute/plan.js";
 import { py } from "../compute/python.js";
 import { N_, _, both } from "../words.js";
 
+const MOST_BENCHES = 500;
+const MOST_BEARERS = 8;
+const MOST_ROUNDS = 20;
 const asNumber = (_name, value) => value;
 const NAME = "benchdragon new";
 const SHOULDERS = 0.5;
@@ -12,6 +16,7 @@ const SWAY = 0.05;
 const IMPRECISION = 0.1;
 const MARGIN = 0.05;
 const VENUE_MARGIN = 0.5;
+const ELBOWS = 0.5;
 const AGAIN = 2;
 const CORNERS = 90;
 const TITLE = N_("A bench dragon on our square");
@@ -94,4 +99,30 @@ export function roundedUp(value, step) {
 }
 export function roundedDown(value, step) {
   return py.round((py.floor(((value / step) + 1e-09)) * step), 6);
+}
+export function refuse(wishes) {
+  let behind, text;
+  if ((py.count([wishes.rectangle, wishes.radius, wishes.boundary], null) !== 2)) {
+    throw new InputError(_("say how large the square is: its rectangle, its radius or its corners"));
+  }
+  if (!((2 <= wishes.benches) && (wishes.benches <= MOST_BENCHES))) {
+    text = _("a dance is proposed for 2 to {most} benches, not {count}");
+    throw new InputError(py.filled(text, { most: MOST_BENCHES, count: wishes.benches }));
+  }
+  if (!((1 <= wishes.bearers) && (wishes.bearers <= MOST_BEARERS))) {
+    text = _("a bench is carried by 1 to {most} people, not {count}");
+    throw new InputError(py.filled(text, { most: MOST_BEARERS, count: wishes.bearers }));
+  }
+  if (((wishes.rounds > 1) && (wishes.kind === "spiral-in"))) {
+    throw new InputError(_("a dance that coils in alone has no rounds: ask for either"));
+  }
+  if (!((1 <= wishes.rounds) && (wishes.rounds <= MOST_ROUNDS))) {
+    text = _("a dance coils in and out 1 to {most} times, not {count}");
+    throw new InputError(py.filled(text, { most: MOST_ROUNDS, count: wishes.rounds }));
+  }
+  behind = ((wishes.carry === "beside") ? py.ceil((wishes.bearers / 2)) : wishes.bearers);
+  if (((behind * ELBOWS) > wishes.length)) {
+    text = _("a bench of {length} m has no room for {count} bearers behind one another");
+    throw new InputError(py.filled(text, { length: `${py.format(wishes.length, `g`)}`, count: behind }));
+  }
 }
