@@ -67,6 +67,9 @@ LISTING = re.compile(r"{view}`(.*?):(.*?)`")
 LABEL = re.compile(r"^\([\w-]+\)=\n", re.MULTILINE)
 DOWNLOAD = re.compile(r"\s*^---\s+{nb-download}`.*`\s*", re.MULTILINE)
 
+# The menu of all pages by the folder of the pages that show it.
+MENUS: dict[str, Any] = {}
+
 default_role = "literal"
 autodoc_default_options = {"members": True, "exclude-members": "model_config"}
 autodoc_member_order = "bysource"
@@ -173,6 +176,19 @@ def locate(app: Sphinx, doctree: nodes.document) -> None:
             signature["ids"].append(f"{room}.{signature['fullname']}")
 
 
+def share(_app: Sphinx, page: str, _template: str, context: dict[str, Any], *_more: Any) -> None:
+    """Make the menu, a third of a second, once for all pages of a folder: it leads to none of them."""
+    folder, make = page.rpartition("/")[0], context["generate_toctree_html"]
+
+    def menu(*arguments: Any, **options: Any) -> Any:
+        if folder not in MENUS:
+            MENUS[folder] = make(*arguments, **options)
+        return MENUS[folder]
+
+    if folder:
+        context["generate_toctree_html"] = menu
+
+
 def describe(app: Sphinx) -> None:
     """Write the pages of public names."""
     write_pages(Path(app.srcdir) / "reference", "zh" if app.config.language == "zh_CN" else "en")
@@ -249,5 +265,6 @@ def setup(app: Sphinx) -> None:
     app.connect("autodoc-skip-member", skip)
     app.connect("doctree-read", locate, priority=400)  # before viewcode's
     app.connect("env-updated", part)
+    app.connect("html-page-context", share, priority=600)  # after the theme's
     app.connect("build-finished", play)
     app.connect("config-inited", speak)

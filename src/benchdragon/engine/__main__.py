@@ -4,6 +4,7 @@ With `--wasm` it builds engine.wasm, for browsers.
 """
 
 import argparse
+import gc
 import os
 import sys
 import time
@@ -11,6 +12,8 @@ from pathlib import Path
 
 # Read by numba when it is imported: code for any processor, which is optimised once it is one module.
 PLAIN_CODE = {"NUMBA_OPT": "0", "NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
+# New objects after which Python looks for garbage: numba makes millions, which stay.
+RARELY = (50_000, 50, 1_000)
 
 
 def main(arguments: list[str]) -> int:
@@ -20,6 +23,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("folder", type=Path, nargs="?", help="where to put it")
     wanted = parser.parse_args(arguments)
     os.environ.update(PLAIN_CODE)
+    gc.set_threshold(*RARELY)
     from benchdragon.hosts import built
     from benchdragon.own_folder import made_own
 

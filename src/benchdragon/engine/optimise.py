@@ -1,7 +1,8 @@
 """From LLVM's language to machine code: one module, of which only the shims are seen from outside."""
 
+import itertools
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +35,9 @@ MEMORY = re.compile(
 )
 # An address of the process that compiled would be a number turned into a pointer, or one of these.
 ADDRESSES = re.compile(r"inttoptr \(i\d+ -?\d+ to|numba\.dynamic\.globals")
+# Modules that are linked by themselves before all groups are: for each, LLVM looks through all of the
+# module to which it links.
+GROUP = 32
 
 
 class BuildError(Exception):
@@ -46,16 +50,24 @@ def prepare() -> None:
     llvm.initialize_all_asmprinters()
 
 
-def joined(texts: Iterable[str], machine: Any, symbols: set[str]) -> Any:
+def linked(modules: Iterable[Any], head: str) -> Any:
+    """One module of several."""
+    whole = llvm.parse_assembly(head)
+    for module in modules:
+        whole.link_in(module)
+    return whole
+
+
+def joined(texts: Sequence[str], machine: Any, symbols: set[str]) -> Any:
     """One module of many, for a machine; only the functions named in `symbols` are seen from outside.
 
     Raises:
         BuildError: if the code looks for arrays elsewhere than engine/runtime.c puts them.
     """
     head = f'target triple = "{machine.triple}"\ntarget datalayout = "{machine.target_data}"\n'
-    whole = llvm.parse_assembly(head)
-    for text in texts:
-        whole.link_in(llvm.parse_assembly(head + ATTRIBUTES.sub("", TARGET.sub("", text))))
+    modules = (llvm.parse_assembly(head + ATTRIBUTES.sub("", TARGET.sub("", text))) for text in texts)
+    groups = range(0, len(texts), GROUP)
+    whole = linked([linked(itertools.islice(modules, GROUP), head) for _first in groups], head)
     whole.name = "kernels"
     for value in (*whole.functions, *whole.global_variables):
         if value.name == READER and not MEMORY.search(str(value)):
