@@ -7,8 +7,8 @@ pytest.importorskip("flint")
 from flint import arb
 
 from benchdragon.plans.schema import read_plan
-from benchdragon.proofs.apart import LINES, corners, gaps
 from benchdragon.proofs.approach import Approach
+from benchdragon.proofs.boxes import Boxes, gaps
 from benchdragon.proofs.cells import holds, unsure
 from benchdragon.proofs.cover import chain_at
 from benchdragon.proofs.exact import guess_of, stored_dance
@@ -33,18 +33,18 @@ def test_no_bench_goes_farther_along_lines_than_is_said(name: str, long: float) 
         way = moves(a, b)
         if not follows(a, b, dance.sizes.numbers[0], way):
             continue
-        boxes = [corners(chain, dance.sizes) for chain in (a, b)]
+        boxes = Boxes.of((a, b), dance.sizes)
         looked = [(units(chance, len(i)), units(chance, len(i))) for _lines in range(6)]
         # Random lines, and those along which two benches are looked at: nearly square to their way.
-        for which in LINES:
-            on, back = (gaps(box, np.roll(box, -7, axis=0), *which).line for box in boxes)
-            looked.append((on, back))
+        found = gaps(boxes, boxes.at(np.roll(i, -7)))
+        looked += [tuple(line) for line in np.stack([found.x, found.y], -1)]
         for at in np.linspace(s, s + long, 6).tolist():
-            placed = corners(chain_at(dance, guess, at), dance.sizes)
+            placed = Boxes.of([chain_at(dance, guess, at)], dance.sizes).corners[0]
             for on, back in looked:
-                gone = np.einsum("nvc,nc->nv", placed - boxes[0], on).max(1)
-                left = np.einsum("nvc,nc->nv", placed - boxes[1], back).max(1)
-                said = Approach((a, b), dance.sizes, way).along(i, on, back)
+                gone = np.einsum("nvc,nc->nv", placed - boxes.corners[0], on).max(1)
+                left = np.einsum("nvc,nc->nv", placed - boxes.corners[1], back).max(1)
+                x, y = np.moveaxis(np.stack([on, back]), 2, 0)
+                said = Approach((a, b), boxes, dance.sizes, way).along(i, x, y)
                 assert (gone + left <= said + 1e-12).all()
                 greatest = max(greatest, float(((gone + left) / said).max()))
     assert greatest > 0.96 / (1.0 + 4.0 * long)  # nor is it far away
@@ -59,11 +59,10 @@ def test_no_pair_comes_nearer_than_a_margin_that_it_surely_keeps(name: str) -> N
     sure = []
     for s in np.linspace(first, last, 60 // len(walk.dragon) + 1).tolist():
         chains = [chain_at(dance, guess, at) for at in np.linspace(s, s + 0.05, 7).tolist()]
-        way, boxes = moves(chains[0], chains[-1]), [corners(chain, dance.sizes) for chain in chains]
-        apart = [
-            np.max([gaps(box[i], box[j], *which).size for which in LINES], axis=0) for box in boxes
-        ]
-        ends = (boxes[0], boxes[-1])
+        way = moves(chains[0], chains[-1])
+        boxes = Boxes.of(chains, dance.sizes)
+        apart = gaps(boxes.at(i), boxes.at(j)).size.max(0)
+        ends = Boxes.of((chains[0], chains[-1]), dance.sizes)
         for pair, seen in zip(pairs[:, None, :], np.min(apart, axis=0).tolist(), strict=True):
             kept = [
                 len(unsure((chains[0], chains[-1]), dance.sizes, ends, ends, pair, way, arb(margin)))

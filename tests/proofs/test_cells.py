@@ -11,7 +11,8 @@ from flint import arb
 from benchdragon import Arc, Dragon, Line, Route, Walk
 from benchdragon.analysis.distance import nearest_each
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.proofs.apart import Moving, along, bends, corners, line_of, reach
+from benchdragon.proofs.apart import Moving, along, bends, line_of
+from benchdragon.proofs.boxes import Boxes, reach
 from benchdragon.proofs.cells import holds
 from benchdragon.proofs.chain import enclosed_chain
 from benchdragon.proofs.cover import chain_at
@@ -79,10 +80,12 @@ def test_no_point_moves_more_than_its_bound(name: str) -> None:
     for s in np.random.default_rng(9).uniform(first, last, 8).tolist():
         a, b = (chain_at(dance, guess, at) for at in (s, s + 0.08))
         room = reach(moves(a, b), dance.sizes)
-        start = corners(a, dance.sizes)
+        start = Boxes.of([a], dance.sizes).corners[0]
         for at in np.linspace(s, s + 0.08, 7).tolist():
             moved = np.hypot(
-                *np.moveaxis(corners(chain_at(dance, guess, at), dance.sizes) - start, 2, 0)
+                *np.moveaxis(
+                    Boxes.of([chain_at(dance, guess, at)], dance.sizes).corners[0] - start, 2, 0
+                )
             )
             assert (moved.max(axis=1) <= room + 1e-12).all()
         assert (moved.max(axis=1) > 0.2 * room).all()  # nor is the bound far away
@@ -174,11 +177,11 @@ OBSTACLES = {
 @pytest.mark.parametrize("name", list(OBSTACLES))
 def test_obstacles_are_kept_off_as_sampling_has_it(name: str) -> None:
     walk, obstacle = hairpin(), OBSTACLES[name]
-    sides = stored_dance(walk, None, [obstacle]).standing[0].boxes
+    sides = stored_dance(walk, None, [obstacle]).standing[0].boxes.corners
     held = touched = 0
     for s in np.random.default_rng(11).uniform(12.0, 19.0, 60).tolist():
         dance, guess = stored_dance(walk, None, [obstacle]), guess_of(walk)
-        seen = min(_to_sides(corners(chain_at(dance, guess, at), dance.sizes), sides)
+        seen = min(_to_sides(Boxes.of([chain_at(dance, guess, at)], dance.sizes).corners[0], sides)
                    for at in np.linspace(s, s + 0.01, 5).tolist())  # fmt: skip
         wanted = seen - obstacle.margin - obstacle.radius
         found = holds(dance, *(chain_at(dance, guess, at) for at in (s, s + 0.01)))

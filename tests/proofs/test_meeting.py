@@ -10,12 +10,14 @@ pytest.importorskip("flint")
 from flint import arb
 
 from benchdragon.proofs import meeting
-from benchdragon.proofs.apart import Bench, Moving, Side, Sizes, corners
+from benchdragon.proofs.apart import Bench, Moving, Side
+from benchdragon.proofs.boxes import Boxes
 from benchdragon.proofs.cells import Standing
 from benchdragon.proofs.chain import Chain
 from benchdragon.proofs.cover import chain_at
 from benchdragon.proofs.exact import guess_of, stored_dance
 from benchdragon.proofs.meeting import belongs, lies_inside, nearer
+from benchdragon.proofs.sizes import Sizes
 from tests.proofs.dances import coil
 
 STAR = [(0.0, 3.0), (1.0, 1.0), (3.0, 0.5), (1.2, -0.6), (1.5, -3.0), (-0.4, -1.0), (-3.0, 0.2)]
@@ -48,7 +50,7 @@ def test_benches_are_nearer_as_shapely_has_it() -> None:
     for s in np.linspace(5.0, 60.0, 6).tolist():
         dance, guess = stored_dance(walk, 0.0), guess_of(walk)
         chain = chain_at(dance, guess, s)
-        boxes = [shapely.Polygon(box) for box in corners(chain, dance.sizes)]
+        boxes = [shapely.Polygon(box) for box in Boxes.of([chain], dance.sizes).corners[0]]
         for i, j in zip(*np.triu_indices(30, 2), strict=True):
             if i % 3:
                 continue
@@ -145,5 +147,5 @@ def test_a_bench_with_all_corners_on_the_edge_is_where_its_middle_is(
 ) -> None:
     monkeypatch.setattr(meeting, "Moving", lambda _number: upright(3.0, 4.0, 5.0, 6.0))
     edge = sides([(3.0, 4.0), (5.0, 4.0), (5.0, 6.0), (3.0, 6.0)])
-    standing = Standing(edge, arb(0), np.empty((0, 4, 2)), inside)
+    standing = Standing(edge, arb(0), Boxes.between(*np.empty((2, 0, 2))), inside)
     assert belongs(*any_chain(), 0, standing) is wanted

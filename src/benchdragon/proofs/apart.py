@@ -3,160 +3,21 @@
 A bench is known by its two handles, each of which goes along the route from one place to the next: no
 point of it moves more than its handles let it. So two benches keep at least the mean of their distances
 at both ends less half of what both move. Where that is not enough, as near a contact, a line between
-them is followed: the distance of their corners along it lies above its chord by no more than its second
-derivative allows.
+them is followed here: the distance of their corners along it lies above its chord by no more than its
+second derivative allows.
 """
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from flint import arb
-from scipy.spatial import KDTree
 
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.proofs.ball_route import BallRoute, Pair
+from benchdragon.proofs.boxes import CORNERS, LINES, Boxes, gaps
 from benchdragon.proofs.chain import Chain
-from benchdragon.proofs.motion import SLACK, Drive, drives
-
-IntArray = npt.NDArray[np.int64]
-# Corners: in front or behind (of the front and rear handle), and left or right.
-CORNERS = ((0, 1), (0, -1), (1, -1), (1, 1))
-
-
-@dataclass(frozen=True)
-class Sizes:
-    """Of N benches: from handle to handle, handle to end, and width, m, as balls and as doubles.
-
-    Attributes:
-        links: N balls, as the next three.
-        front: from a front handle to the bench's front end.
-        rear: from a rear handle to its rear end.
-        width: of each.
-        numbers: the same as doubles, (4, N).
-    """
-
-    links: Sequence[arb]
-    front: Sequence[arb]
-    rear: Sequence[arb]
-    width: Sequence[arb]
-    numbers: FloatArray
-
-    @classmethod
-    def of(
-        cls, length: Sequence[arb], width: Sequence[arb], front: Sequence[arb], rear: Sequence[arb]
-    ) -> "Sizes":
-        """Benches of such lengths, widths, and distances from their ends to their holes, m."""
-        links = [a - b - c for a, b, c in zip(length, front, rear, strict=True)]
-        columns = (links, front, rear, width)
-        numbers = np.array([[float(value) for value in column] for column in columns])
-        return cls(links, front, rear, width, numbers)
-
-    def first(self, benches: int) -> "Sizes":
-        """Those of so many benches from the head on."""
-        links, front = self.links[:benches], self.front[:benches]
-        rear, width = self.rear[:benches], self.width[:benches]
-        return Sizes(links, front, rear, width, self.numbers[:, :benches])
-
-
-def corners(chain: Chain, sizes: Sizes) -> FloatArray:
-    """The corners of all benches, m, (N, 4, 2), to SLACK."""
-    links, front, rear, width = sizes.numbers
-    ahead = np.stack([chain.x[:-1] - chain.x[1:], chain.y[:-1] - chain.y[1:]], 1) / links[:, None]
-    left = np.stack([-ahead[:, 1], ahead[:, 0]], 1)
-    handles = np.stack([chain.x, chain.y], 1)
-    ends = (handles[:-1] + front[:, None] * ahead, handles[1:] - rear[:, None] * ahead)
-    half = 0.5 * width[:, None] * left
-    return np.stack([ends[end] + side * half for end, side in CORNERS], 1)
-
-
-def reach(way: FloatArray, sizes: Sizes) -> FloatArray:
-    """How far any point of each bench moves while its handles go so far, m, (N,), at most."""
-    links, front, rear, width = sizes.numbers
-    ahead, behind = way[:-1], way[1:]
-    over = np.maximum(front * ahead + front * behind + links * ahead, rear * (ahead + behind))
-    over = np.maximum(over, rear * (ahead + behind) + links * behind)
-    result: FloatArray = (over + 0.5 * width * (ahead + behind)) / links * (1.0 + 1e-12)
-    return result
-
-
-def near_pairs(boxes: FloatArray, sizes: Sizes, room: FloatArray, margin: float) -> IntArray:
-    """Pairs of non-adjacent benches that could come within `margin`, (n, 2), i < j.
-
-    `room` is how far each moves. All others are farther apart than that by their circles alone.
-    """
-    middle, radius = boxes.mean(axis=1), _radius(sizes, room)
-    pairs = KDTree(middle).query_pairs(2.0 * radius.max() + margin, output_type="ndarray")
-    i, j = np.sort(pairs, axis=1).T
-    apart = np.hypot(*(middle[i] - middle[j]).T)
-    keep = (j > i + 1) & (apart <= radius[i] + radius[j] + margin)
-    return np.stack([i[keep], j[keep]], 1)
-
-
-def near_sides(
-    boxes: FloatArray, sides: FloatArray, sizes: Sizes, room: FloatArray, margin: float
-) -> IntArray:
-    """The same of benches and sides, (n, 2): the number of the bench, and of the side."""
-    middle, radius = boxes.mean(axis=1)[:, None, :], _radius(sizes, room)[:, None]
-    start, end = sides[None, :, 0], sides[None, :, 3]
-    long = end - start
-    square = np.maximum((long**2).sum(-1), 1e-300)
-    share = np.clip(((middle - start) * long).sum(-1) / square, 0.0, 1.0)[..., None]
-    off = middle - start - share * long
-    return np.argwhere(np.hypot(off[..., 0], off[..., 1]) <= radius + margin)
-
-
-def _radius(sizes: Sizes, room: FloatArray) -> FloatArray:
-    """Of circles about benches' middles that hold each while it moves so far, m."""
-    links, front, rear, width = sizes.numbers
-    result: FloatArray = 0.5 * np.hypot(links + front + rear, width) + room + SLACK
-    return result
-
-
-@dataclass(frozen=True)
-class Gaps:
-    """How pairs of benches are apart along lines, as seen in doubles.
-
-    Attributes:
-        size: m, (n,): a lower bound of the distance.
-        line: the unit vector from one towards the other, (n, 2).
-    """
-
-    size: FloatArray
-    line: FloatArray
-
-
-# Axes along which two benches may be separated: whose normal (0 the first, 1 the second; 2: from a
-# corner to the nearest of the other), and which (0 along the bench, 1 across). Coils lie side by side:
-# across comes first.
-LINES = ((0, 1), (1, 1), (0, 0), (1, 0), (2, 0))
-
-
-def gaps(one: FloatArray, other: FloatArray, normal: int, axis: int) -> Gaps:
-    """How rectangles, (n, 4, 2) each, are apart along one of LINES."""
-    line = _to_corner(one, other) if normal == 2 else _normal((one, other)[normal], axis)
-    a, b = (np.einsum("nvc,nc->nv", boxes, line) for boxes in (one, other))
-    ahead, behind = b.min(1) - a.max(1), a.min(1) - b.max(1)
-    sign = np.where(ahead >= behind, 1.0, -1.0)
-    return Gaps(np.maximum(ahead, behind), line * sign[:, None])
-
-
-def _normal(boxes: FloatArray, axis: int) -> FloatArray:
-    """Unit vectors along rectangles, or across them, (n, 2)."""
-    long = boxes[:, 0] - boxes[:, 3]
-    size = np.hypot(long[:, 0], long[:, 1])[:, None]
-    unit = np.where(size > 0.0, long / np.where(size > 0.0, size, 1.0), (1.0, 0.0))
-    return unit if axis == 0 else np.stack([-unit[:, 1], unit[:, 0]], 1)
-
-
-def _to_corner(one: FloatArray, other: FloatArray) -> FloatArray:
-    """Unit vectors from a corner to the nearest of the other rectangle, (n, 2)."""
-    between = (other[:, None, :, :] - one[:, :, None, :]).reshape(len(one), 16, 2)
-    apart = np.hypot(between[..., 0], between[..., 1])
-    nearest = between[np.arange(len(one)), apart.argmin(1)]
-    unit: FloatArray = nearest / np.maximum(apart.min(1), 1e-300)[:, None]
-    return unit
+from benchdragon.proofs.motion import Drive, drives
+from benchdragon.proofs.sizes import Sizes
 
 
 @dataclass(frozen=True)
@@ -209,19 +70,6 @@ class Line:
     def change(self, benches: Sequence[Bench]) -> Pair:
         """Its derivative, from those of the benches."""
         return (arb(0), arb(0)) if self.normal == 2 else self.of(benches)
-
-
-def line_between(one: FloatArray, other: FloatArray, ahead: FloatArray) -> Line:
-    """The line of two rectangles, (4, 2) each, whose benches point along `ahead`, (2, 2)."""
-    tried = [(gaps(one[None], other[None], *which), *which) for which in LINES]
-    found, normal, axis = max(tried, key=lambda each: float(each[0].size[0]))
-    line = found.line[0]
-    x, y = (arb(float(v)) for v in line)
-    size = (x * x + y * y).sqrt()
-    if normal == 2:
-        return Line(2, 0, 1, (x / size, y / size))
-    own = ahead[normal] if axis == 0 else np.array([-ahead[normal, 1], ahead[normal, 0]])
-    return Line(normal, axis, 1 if float(own @ line) > 0.0 else -1, (x, y))
 
 
 def along(line: Line, benches: Sequence[Bench]) -> list[arb]:
@@ -309,12 +157,24 @@ def _least(values: Sequence[arb]) -> arb:
     return least
 
 
+def _box(bench: Bench, about: Pair) -> Boxes:
+    """A bench as one rectangle in doubles, about a point: accurate at any distance."""
+    x, y = (np.array([float(one[n] - about[n]) for one in bench.corners]) for n in (0, 1))
+    ahead_x, ahead_y = (np.array([float(value)]) for value in bench.ahead)
+    long, wide = (0.5 * np.hypot(x[:1] - x[n], y[:1] - y[n]) for n in (3, 1))
+    return Boxes(x.mean(keepdims=True), y.mean(keepdims=True), ahead_x, ahead_y, long, wide)
+
+
 def line_of(benches: Sequence[Bench]) -> Line:
     """The line along which two bodies are farthest apart, as doubles show it."""
-    x, y = benches[0].corners[0]  # about which doubles are accurate at any distance
-    boxes = [np.array([[float(a - x), float(b - y)] for a, b in bench.corners]) for bench in benches]
-    ahead = np.array([[float(v) for v in bench.ahead] for bench in benches])
-    return line_between(boxes[0], boxes[1], ahead)
+    one, other = (_box(bench, benches[0].corners[0]) for bench in benches)
+    found = gaps(one, other)
+    best = int(found.size[:, 0].argmax())
+    (normal, axis), line = LINES[best], (arb(float(found.x[best, 0])), arb(float(found.y[best, 0])))
+    if normal == 2:
+        size = _dot(line, line).sqrt()
+        return Line(2, 0, 1, (line[0] / size, line[1] / size))
+    return Line(normal, axis, 1 if _dot(_turned(benches[normal].ahead, axis), line) > 0 else -1, line)
 
 
 def curved_apart(

@@ -7,25 +7,14 @@ import numpy as np
 from flint import arb
 
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.proofs.apart import (
-    LINES,
-    Body,
-    IntArray,
-    Moving,
-    Side,
-    Sizes,
-    corners,
-    curved_apart,
-    gaps,
-    near_pairs,
-    near_sides,
-    reach,
-)
+from benchdragon.proofs.apart import Body, Moving, Side, curved_apart
 from benchdragon.proofs.approach import Approach
 from benchdragon.proofs.ball_route import BallRoute
+from benchdragon.proofs.boxes import LINES, Boxes, IntArray, gaps, near_pairs, near_sides, reach
 from benchdragon.proofs.chain import Chain, UnprovedError
 from benchdragon.proofs.motion import SLACK, follows, moves, nearest
 from benchdragon.proofs.pace import slower
+from benchdragon.proofs.sizes import Sizes
 
 
 @dataclass(frozen=True)
@@ -33,14 +22,14 @@ class Standing:
     """Sides that stand still, and the distance that benches keep from them, m.
 
     Attributes:
-        boxes: the sides as rectangles without width, (n, 4, 2), about the dance's origin.
+        boxes: the sides as rectangles without width, (n,), about the dance's origin.
         inside: whether benches belong inside, as in a venue, or outside; None where there is no inside
             but what is nearer than the margin.
     """
 
     sides: Sequence[Side]
     margin: arb
-    boxes: FloatArray
+    boxes: Boxes
     inside: bool | None
 
 
@@ -80,7 +69,7 @@ def resolved(dance: Dance, *chains: Chain) -> bool:
     links, front, rear, width = dance.sizes.numbers
     lever = 1.0 + float(((front + rear + width) / links).max())
     places = [np.abs(values).max() for chain in chains for values in (chain.x, chain.y)]
-    places += [np.abs(one.boxes).max() for one in dance.standing]
+    places += [np.abs(one.boxes.ends).max() for one in dance.standing]
     places += [links.max(), front.max(), rear.max(), width.max()]
     way = max(float(np.abs(chain.s).max()) for chain in chains)
     return max(CORNER_ROUNDING * lever * float(max(places)), WAY_ROUNDING * way) <= SLACK
@@ -101,9 +90,9 @@ def holds(dance: Dance, a: Chain, b: Chain, *, between: Between | None = None) -
     if dance.margin is None and not dance.standing:
         return True
     room = reach(way, dance.sizes)
-    boxes = corners(a, dance.sizes), corners(b, dance.sizes)
+    boxes = Boxes.of((a, b), dance.sizes)
     if dance.margin is not None:
-        pairs = near_pairs(boxes[0], dance.sizes, room, float(dance.margin))
+        pairs = near_pairs(boxes.first, room, float(dance.margin))
         doubtful = unsure((a, b), dance.sizes, boxes, boxes, pairs, way, dance.margin)
         if not _keep_apart(dance, (a, b), dance.margin, doubtful, between, HALVINGS):
             return False
@@ -111,35 +100,44 @@ def holds(dance: Dance, a: Chain, b: Chain, *, between: Between | None = None) -
 
 
 def _keeps_off(
-    dance: Dance, standing: Standing, chains: tuple[Chain, Chain], boxes: tuple[FloatArray, FloatArray],
-    way: FloatArray, room: FloatArray,
+    dance: Dance, standing: Standing, chains: tuple[Chain, Chain], boxes: Boxes, way: FloatArray,
+    room: FloatArray,
 ) -> bool:  # fmt: skip
     """Whether all benches keep their distance from the obstacles."""
-    pairs = near_sides(boxes[0], standing.boxes, dance.sizes, room, float(standing.margin))
-    doubtful = unsure(chains, dance.sizes, boxes, 2 * (standing.boxes,), pairs, way, standing.margin)
+    pairs = near_sides(boxes.first, standing.boxes, room, float(standing.margin))
+    doubtful = unsure(chains, dance.sizes, boxes, standing.boxes, pairs, way, standing.margin)
     bodies = [(Moving(int(i)), standing.sides[int(k)]) for i, k in doubtful]
     return _curved(dance, *chains, bodies, standing.margin)
 
 
 def unsure(
-    chains: tuple[Chain, Chain], sizes: Sizes, boxes: Sequence[FloatArray],
-    others: Sequence[FloatArray], pairs: IntArray, way: FloatArray, margin: arb,
+    chains: tuple[Chain, Chain], sizes: Sizes, boxes: Boxes, others: Boxes, pairs: IntArray,
+    way: FloatArray, margin: arb,
 ) -> IntArray:  # fmt: skip
-    """Which pairs, of benches or of a bench and a side, are not surely farther apart."""
-    approach, room, far = Approach(chains, sizes, way), reach(way, sizes), float(margin) + 10.0 * SLACK
-    for which in LINES:
+    """Which pairs, of benches or of a bench and a side, are not surely farther apart.
+
+    `boxes` are benches at both chains, (2, N); `others` the same, or sides, (n,).
+    """
+    far, room = float(margin) + 10.0 * SLACK, reach(way, sizes)
+    approach = Approach(chains, boxes, sizes, way)
+    for lines in (LINES[:4], LINES[4:]):
+        i, j = pairs.T
+        found = gaps(boxes.at(i), others.at(j), lines)
+        size, moved = found.size.mean(1), room[i] + room[j] if others is boxes else room[i]
+        kept = size.max(0, initial=-np.inf) - 0.5 * moved > far
+        for best in np.argsort(-size, axis=0):  # what moves is bounded closely along few lines
+            near = np.flatnonzero(~kept)
+            if not len(near):
+                break
+            which = best[near], slice(None), near
+            x, y = found.x[which].T, found.y[which].T
+            nearer = approach.along(i[near], x, y)
+            if others is boxes:
+                nearer += approach.along(j[near], -x, -y)
+            kept[near] = size[best[near], near] - 0.5 * nearer > far
+        pairs = pairs[~kept]
         if not len(pairs):
             break
-        i, j = pairs.T
-        first, last = (gaps(one[i], other[j], *which) for one, other in zip(boxes, others, strict=True))
-        moved = room[i] + room[j] if others is boxes else room[i]
-        kept = 0.5 * (first.size + last.size - moved) > far
-        near = np.flatnonzero(~kept)
-        nearer = approach.along(i[near], first.line[near], last.line[near])
-        if others is boxes:
-            nearer += approach.along(j[near], -first.line[near], -last.line[near])
-        kept[near] = 0.5 * (first.size[near] + last.size[near] - nearer) > far
-        pairs = pairs[~kept]
     return pairs
 
 
@@ -172,7 +170,7 @@ def _keep_apart(
         way = moves(*half)
         if not follows(*half, sizes.numbers[0], way):
             return False
-        boxes = [corners(chain, sizes) for chain in half]
+        boxes = Boxes.of(half, sizes)
         doubtful = unsure(half, sizes, boxes, boxes, pairs, way, margin)
         if not _keep_apart(dance, half, margin, doubtful, between, halvings - 1):
             return False

@@ -12,11 +12,13 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.obstacle import ObstacleKind
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
-from benchdragon.proofs.apart import Side, Sizes
+from benchdragon.proofs.apart import Side
 from benchdragon.proofs.ball_route import BallRoute, Pair
+from benchdragon.proofs.boxes import Boxes
 from benchdragon.proofs.cells import Dance, Standing
 from benchdragon.proofs.cover import Guess
 from benchdragon.proofs.parts import Reading, as_stored, ball
+from benchdragon.proofs.sizes import Sizes
 
 
 @dataclass(frozen=True)
@@ -102,11 +104,11 @@ class Numbers:
             ends = [(n, (n + 1) % len(corners)) for n in range(len(corners))]
             ends = ends[:-1] if obstacle.sort == ObstacleKind.LINE else ends
         sides = [Side(corners[a], corners[b]) for a, b in ends]
-        boxes = np.array([(points[a], points[a], points[b], points[b]) for a, b in ends])
+        starts, stops = (points[[end[n] for end in ends]] - np.array(origin) for n in (0, 1))
         edged = obstacle.sort not in (ObstacleKind.CIRCLE, ObstacleKind.LINE)
         inside = obstacle.kind == "venue" if edged else None
         kept = self.number(obstacle.margin) + self.number(obstacle.radius)
-        return Standing(sides, kept, boxes - np.array(origin), inside)
+        return Standing(sides, kept, Boxes.between(starts, stops), inside)
 
 
 def stepped(value: float, holds: Callable[[float], bool], towards: float) -> float:

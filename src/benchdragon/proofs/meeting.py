@@ -5,10 +5,11 @@ from itertools import product
 
 from flint import arb
 
-from benchdragon.proofs.apart import Bench, Body, Moving, Side, Sizes
+from benchdragon.proofs.apart import Bench, Body, Moving, Side
 from benchdragon.proofs.ball_route import Pair
 from benchdragon.proofs.cells import Standing
 from benchdragon.proofs.chain import Chain
+from benchdragon.proofs.sizes import Sizes
 
 
 def nearer(chain: Chain, sizes: Sizes, bodies: Sequence[Body], margin: arb) -> bool:
