@@ -51,8 +51,11 @@ def test_a_rough_picture_comes_before_the_dance(opened: Opened) -> None:
     expect(planner).to_have_attribute("aria-busy", "true")
     rough = page.evaluate("benchdragon.player.scene.sent")
     assert rough["plan_sha256"] == page.evaluate("benchdragon.verdict.found.plan_sha256")
+    footer = page.locator("footer", has_text="mm")
+    assert "between a few frames" in (footer.text_content() or "")
     held.let_go(0)
     settled(page)
+    assert "Checked between frames: no position" in (footer.text_content() or "")
     fine = page.evaluate("benchdragon.player.scene.sent")
     assert fine["plan_sha256"] == rough["plan_sha256"]
     assert max(one["frames"]["largest_error"] for one in (fine, rough)) < 2e-3

@@ -181,6 +181,7 @@ def test_a_sketch_is_about_as_far_off_as_stated_and_no_finer(name: str, more: fl
     worst = np.abs(middle - exact).max()
     # Few frames are tried, and joints of the turn lie between others; twice the step is 16 times off.
     assert 0.002 / 16.0 < worst < more * told["largest_error"]
+    assert not told["everywhere"]  # which the page says
 
 
 def test_a_sketch_takes_no_short_run_of_the_head_for_a_leap() -> None:

@@ -216,7 +216,7 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
         course=_course(way),
         frames=messages.Frames(
             start=shot.start, step=shot.step, count=shot.count, quantum=QUANTUM,
-            packed=packed_frames(shot), largest_error=shot.error + way.error,
+            packed=packed_frames(shot), largest_error=shot.error + way.error, everywhere=True,
         ),
         following=None if behind is None else _following(behind),
         occasions=[*_joints(walk, shot, behind), *([ending(shot.end)] if shot.leap else [])],

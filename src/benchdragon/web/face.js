@@ -242,7 +242,9 @@ export class Face {
     return make(
       "footer",
       {},
-      _("Checked between frames: no position is off by more than {error} mm.", { error }),
+      frames.everywhere
+        ? _("Checked between frames: no position is off by more than {error} mm.", { error })
+        : _("A first picture, checked between a few frames: no position was off by more than {error} mm there.", { error }), // prettier-ignore
       ` ${made}`,
     );
   }

@@ -349,7 +349,8 @@ export interface FormationSize {
  *
  * Of all handles, or of the head's alone where the dance says how the others follow. Handle by handle;
  * see `frames.packed_frames`. Between them positions go along cubics, speeds along lines; in all
- * samples no handle was farther than `largest_error` (m) from its place.
+ * samples no handle was farther than `largest_error` (m) from its place. These were taken `everywhere`,
+ * between all frames, or for a first picture between few.
  */
 export interface Frames {
   start: number;
@@ -358,6 +359,7 @@ export interface Frames {
   quantum: number;
   packed: string;
   largest_error: number;
+  everywhere: boolean;
 }
 
 /** A time in which the head, and with it every handle, stands: see `stops.Stop`. */

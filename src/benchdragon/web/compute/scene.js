@@ -81,6 +81,7 @@ async function plainDance(walk, shown, progress = silent) {
       quantum: FRAMES.QUANTUM,
       packed: "",
       largest_error: shot.error + way.error,
+      everywhere: shown.shares?.length !== 0,
     },
     following: behind && followingMessage(behind),
     occasions: [...joints(walk, shot, behind), ...(shot.leap ? [ending(last)] : [])],
