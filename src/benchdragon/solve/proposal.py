@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from benchdragon import budget
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.check import checked as judged
+from benchdragon.analysis.contact import first_sure_contact
 from benchdragon.analysis.room import with_people
 from benchdragon.errors import InputError, NoSolutionError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import _
@@ -157,20 +158,18 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
             return tried.found
     wishes = trades[-1]
     if tried.fits:
-        raise UnsureError(
-            _(
-                "a dance was found that fits the square, but it does not pass the check: try "
-                "narrower benches"
-            )
+        text = _(
+            "a dance was found that fits the square, but it does not pass the check: try "
+            "narrower benches"
         )
+        raise UnsureError(text)
     least = _least(wishes)
     if not least:
-        raise InputError(
-            _(
-                "no dance of these benches was found among the pitches and turning discs that were "
-                "tried: try shorter or narrower benches"
-            )
+        text = _(
+            "no dance of these benches was found among the pitches and turning discs that were tried: "
+            "try narrower benches, or holes nearer to their ends"
         )
+        raise InputError(text)
     progress(0.9, _("how large a square it takes"))
     smallest = min(least, key=lambda dance: dance.radius)
     return _too_small(wishes, smallest, _fits_under(wishes))
@@ -336,7 +335,7 @@ def _sized(wishes: Wishes, kind: Kind, ahead: float, rounds: float | None = None
         least = rounded_up(first, SIZE_STEP)
         if rounds is not None and _never_fits(wishes, kind, least, disc, ahead, rounds):
             continue
-        pitch = max(_pitch(few, kind, 1.25 * first, disc, ahead), least)
+        pitch = max(_pitch(few, kind, first, disc, ahead), least)
         if pitch <= WIDE * first:
             found.append((disc * disc + dragon * pitch, pitch, disc))
     return [wishes.plan(kind, pitch, disc, ahead) for _room, pitch, disc in sorted(found)[:MOST_SIZES]]
@@ -358,15 +357,23 @@ def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float, ahead: float) 
 
 
 def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float, ahead: float) -> float:
-    """The smallest pitch beside a disc, rounded up, m; inf if none, 0 if every pitch serves."""
+    """The smallest pitch beside a disc, rounded up, m; 0 if every one serves, inf if none was found."""
     try:
-        trial = _trial(wishes, kind, first, disc, ahead)
+        trial = _trial(wishes, kind, 1.25 * first, disc, ahead)
+        if kind == "spiral-in" and _touches(trial.with_value("route.pitch", WIDE * first)):
+            return math.inf  # the search would go on to pitches a hundred times as large
         found = found_limit(trial, "pitch", tolerance=0.1 * SIZE_STEP)
     except (PlanError, WalkError, UnsureError):
         return math.inf
     if found.status == "unlimited":
         return 0.0
     return rounded_up(found.upper, SIZE_STEP) if found.status == "found" else math.inf
+
+
+def _touches(plan: Plan) -> bool:
+    walk = plan.build()
+    start, end = plan.span(walk)
+    return first_sure_contact(walk, start, end, margin=plan.limits.margin) is not None
 
 
 def _placed(wishes: Wishes, sized: Plan, rounds: float) -> _Dance | None:
@@ -420,11 +427,6 @@ def _may_fit(square: Square, rectangle: tuple[float, float]) -> bool:
     return False
 
 
-def _extents(square: Square) -> list[list[float]]:
-    """Between which x and y the dance lies, m, at angles all the way round."""
-    return [square.extent(float(angle)) for angle in range(ANGLES)]
-
-
 def _speed(wishes: Wishes, plan: Plan) -> float:
     """The head speed with which no handle of a dance is faster than a bench can be carried, m/s."""
     most = min(greatest_head_speed(plan).lower, wishes.speed)
@@ -461,7 +463,7 @@ def _passing(wishes: Wishes, plan: Plan) -> Proposal | None:
 
 def _too_small(wishes: Wishes, dance: _Dance, under: bool) -> TooSmall:
     """How much room a dance takes, and how many benches would fit."""
-    extents = _extents(dance.square)
+    extents = [dance.square.extent(float(angle)) for angle in range(ANGLES)]
     sides = [sorted((x[1] - x[0], x[3] - x[2]), reverse=True) for x in extents]
     kept = 2.0 * (VENUE_MARGIN + wishes.stray + SPARE + 0.01)  # rounding of the place
     long, short = min(sides, key=lambda pair: (pair[0] + kept) * (pair[1] + kept))

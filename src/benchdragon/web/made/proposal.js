@@ -7,6 +7,7 @@ import { checked } from "../compute/plan.js";
 import { py } from "../compute/python.js";
 import { _ } from "../words.js";
 import { checked as judged } from "./check.js";
+import { firstSureContact } from "./contact.js";
 import { WalkError } from "./errors.js";
 import { greatestHeadSpeed } from "./head_speed.js";
 import { foundLimit } from "./size.js";
@@ -63,7 +64,7 @@ class _Dance {
 }
 export async function propose(wishes, progress = silent) {
   return py.scoped(async () => {
-    let least, less, n, smallest, trades, tried, walked;
+    let least, less, n, smallest, text, trades, tried, walked;
     refuse(wishes);
     _refuseGround(wishes);
     trades = _trades(wishes);
@@ -76,11 +77,13 @@ export async function propose(wishes, progress = silent) {
     }
     wishes = py.at(trades, -1);
     if (py.truth(tried.fits)) {
-      throw new UnsureError(_("a dance was found that fits the square, but it does not pass the check: try narrower benches"));
+      text = _("a dance was found that fits the square, but it does not pass the check: try narrower benches");
+      throw new UnsureError(text);
     }
     least = (await _least(wishes));
     if (!py.truth(least)) {
-      throw new InputError(_("no dance of these benches was found among the pitches and turning discs that were tried: try shorter or narrower benches"));
+      text = _("no dance of these benches was found among the pitches and turning discs that were tried: try narrower benches, or holes nearer to their ends");
+      throw new InputError(text);
     }
     progress(0.9, _("how large a square it takes"));
     smallest = py.min(least, (dance) => dance.radius);
@@ -235,7 +238,7 @@ async function _sized(wishes, kind, ahead, rounds = /** @type {any} */ (null)) {
     if (((rounds != null) && py.truth(_neverFits(wishes, kind, least, disc, ahead, rounds)))) {
       continue;
     }
-    pitch = py.max((await _pitch(few, kind, (1.25 * first), disc, ahead)), least);
+    pitch = py.max((await _pitch(few, kind, first, disc, ahead)), least);
     if ((pitch <= (WIDE * first))) {
       py.append(found, [py.add((disc * disc), (dragon * pitch)), pitch, disc]);
     }
@@ -259,7 +262,10 @@ function _trial(wishes, kind, pitch, disc, ahead) {
 async function _pitch(wishes, kind, first, disc, ahead) {
   let found, trial;
   try {
-    trial = _trial(wishes, kind, first, disc, ahead);
+    trial = _trial(wishes, kind, (1.25 * first), disc, ahead);
+    if (((kind === "spiral-in") && py.truth((await _touches(trial.with_value("route.pitch", (WIDE * first))))))) {
+      return Infinity;
+    }
     found = (await foundLimit(trial, "pitch", undefined, (0.1 * SIZE_STEP)));
   } catch (error) {
     if (error instanceof PlanError || error instanceof WalkError || error instanceof UnsureError) {
@@ -271,6 +277,12 @@ async function _pitch(wishes, kind, first, disc, ahead) {
     return 0.0;
   }
   return ((found.status === "found") ? roundedUp(found.upper, SIZE_STEP) : Infinity);
+}
+async function _touches(plan) {
+  let end, start, walk;
+  walk = plan.build();
+  [start, end] = py.list(plan.span(walk));
+  return ((await firstSureContact(walk, start, end, plan.limits.margin)) != null);
 }
 async function _placed(wishes, sized, rounds) {
   let begun, dance, speed;
@@ -327,9 +339,6 @@ function _mayFit(square, rectangle) {
   }
   return false;
 }
-function _extents(square) {
-  return py.list(py.range(ANGLES)).map((angle) => square.extent(py.float(angle)));
-}
 async function _speed(wishes, plan) {
   let most, steps;
   most = py.min((await greatestHeadSpeed(plan)).lower, wishes.speed);
@@ -367,7 +376,7 @@ async function _passing(wishes, plan) {
 }
 async function _tooSmall(wishes, dance, under) {
   let extents, kept, kind, long, radius, rectangle, short, sides;
-  extents = _extents(dance.square);
+  extents = py.list(py.range(ANGLES)).map((angle) => dance.square.extent(py.float(angle)));
   sides = py.list(extents).map((x) => py.sorted([py.sub(py.at(x, 1), py.at(x, 0)), py.sub(py.at(x, 3), py.at(x, 2))], undefined, true));
   kept = (2.0 * (py.add(py.add(VENUE_MARGIN, wishes.stray), SPARE) + 0.01));
   [long, short] = py.list(py.min(sides, (pair) => (py.add(py.at(pair, 0), kept) * py.add(py.at(pair, 1), kept))));
