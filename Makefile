@@ -29,14 +29,19 @@ PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-dep
 	$(PIP) --no-build-isolation -e .
 	touch $@
 
-.venv/installed: .venv/demo requirements.lock
+# What the library is built with, by itself: it is built while the rest is installed.
+.venv/built: .venv/demo requirements-engine.lock
+	$(PIP) --require-hashes -r requirements-engine.lock
+	touch $@
+
+.venv/installed: .venv/built requirements.lock
 	$(PIP) --require-hashes -r requirements.lock
 	touch $@
 
 # The kernels as one library, about twice as fast as engine.wasm, which serves without it.
 engine: .venv/engine
 
-.venv/engine: .venv/installed src/benchdragon/hosts/signature.py $(wildcard src/benchdragon/kernels/*.py src/benchdragon/engine/*.py src/benchdragon/engine/*.c)
+.venv/engine: .venv/built src/benchdragon/hosts/signature.py $(wildcard src/benchdragon/kernels/*.py src/benchdragon/engine/*.py src/benchdragon/engine/*.c)
 	-$(BIN)/python -m benchdragon.engine
 	touch $@
 
@@ -143,7 +148,7 @@ truth: .venv/installed
 	$(BIN)/python -m tests.truth.make_truth
 
 # Zig is 0.4 GB, and builds engine.wasm alone: the tests take the committed one.
-.venv/zig: .venv/installed requirements-wasm.lock
+.venv/zig: .venv/built requirements-wasm.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r requirements-wasm.lock
 	touch $@
 
@@ -195,6 +200,8 @@ lock:
 	  --python-version 3.11 --extra data --extra prove --extra video --extra cluster --extra refine --extra survey --extra build --group dev --group build --group docs pyproject.toml -o requirements.lock
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
 	  --python-version 3.11 --extra prove --group build -c requirements.lock pyproject.toml -o requirements-demo.lock
+	printf 'llvmlite\nnumba\n' | uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
+	  --python-version 3.11 --no-deps -c requirements.lock - -o requirements-engine.lock
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
 	  --python-version 3.11 --no-deps --group wasm -o requirements-wasm.lock
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \

@@ -34,6 +34,7 @@ HALL = bd.read_plan(
 )
 WELL = bd.Obstacle.circle("well", (3.0, 4.0), 0.5)
 TURN = bd.read_plan("turn", ["dragon.benches=4", "walk.end=20"])
+SWEPT = bd.sweep(PLAN, {"route.pitch": [0.6]}, ["first_contact"])
 
 
 def test_all_public_names_are_listed_before_any_is_used() -> None:
@@ -151,7 +152,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "head_positions": (PLAN.build(), [1.0], "rk4", 0.5),
     "limit_rates": (PLAN, "pitch", PLAN.smallest_pitch()),
     "slowed": (TURN,),
-    "sweep_command": (bd.sweep(PLAN, {"route.pitch": [0.6]}, ["first_contact"]),),
+    "sweep_command": (SWEPT,),
     "kept_tolerances": (),
     "picture_style": (),
     "use_language": ("en",),
@@ -166,7 +167,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "plot_report": (bd.check(SHORT),),
     "plot_route": (ROUTE,),
     "plot_speeds": (MOTION,),
-    "plot_sweep": (bd.sweep(PLAN, {"route.pitch": [0.6]}, ["first_contact"]),),
+    "plot_sweep": (SWEPT,),
     "chalk_plan": (bd.Trail.of(WALK, 0.0, 1.0), 1.0, (0.0, 0.0)),
     "propose": (bd.Wishes(2, 1.5, 0.15, radius=9.0, kind="spiral-in"),),
     "roster_of": (PLAN,),
@@ -295,6 +296,7 @@ def test_the_source_archive_holds_all_that_tests_read(tmp_path: Path) -> None:
         "Makefile",
         "README.zh-CN.md",
         "requirements-demo.lock",
+        "requirements-engine.lock",
         "requirements-mutation.lock",
         "requirements-wasm.lock",
         "requirements.lock",

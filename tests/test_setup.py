@@ -8,7 +8,7 @@ import pytest
 from trove_classifiers import classifiers
 
 ROOT = Path(__file__).parent.parent
-LOCKS = [f"requirements{part}.lock" for part in ("", "-demo", "-mutation", "-wasm")]
+LOCKS = [f"requirements{part}.lock" for part in ("", "-demo", "-engine", "-mutation", "-wasm")]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 # For developers, for the manual, or to compile with: minutes and hundreds of megabytes.
 DEVELOPERS = {
@@ -56,15 +56,33 @@ def test_the_main_job_takes_what_developers_have_and_no_more_than_it_needs() -> 
     assert found & DEVELOPERS == set()
 
 
-def test_the_demo_is_set_up_without_what_developers_need() -> None:
+def test_the_library_is_built_with_what_its_extra_names_alone() -> None:
+    engine, whole = locked("requirements-engine.lock"), locked("requirements.lock")
+    assert {package: hashes for package, hashes in engine.items() if whole.get(package) != hashes} == {}
+    wanted = names(PROJECT["project"]["optional-dependencies"]["build"])
+    assert {name for name, _version in engine} == wanted
+
+
+def reached_from(target: str) -> set[str]:
+    """What make makes or looks at before a target, and that; no sources, which a pattern names."""
     make = (ROOT / "Makefile").read_text("utf-8")
     rules = dict(re.findall(r"^([\w./-]+): (.*)$", make, re.MULTILINE))
-    reached, open_ = set(), ["demo"]
+    reached, open_ = set(), [target]
     while open_:
         target = open_.pop()
         reached.add(target)
-        open_ += [name for name in rules.get(target, "").split() if name not in reached]
-    assert reached == {"demo", ".venv/demo", "requirements-demo.lock", "pyproject.toml"}
+        asked = re.sub(r"\$\(wildcard .*\)", "", rules.get(target, "")).split()
+        open_ += [name for name in asked if name not in reached]
+    return reached
+
+
+DEMO = {".venv/demo", "requirements-demo.lock", "pyproject.toml"}
+
+
+def test_demo_and_library_are_made_without_what_developers_need() -> None:
+    assert reached_from("demo") == {"demo", *DEMO}
+    made = {"engine", ".venv/engine", ".venv/built", "requirements-engine.lock", *DEMO}
+    assert reached_from("engine") == {*made, "src/benchdragon/hosts/signature.py"}
 
 
 def test_classifiers_are_known_and_begin_with_the_oldest_python() -> None:
