@@ -68,7 +68,7 @@ LABEL = re.compile(r"^\([\w-]+\)=\n", re.MULTILINE)
 DOWNLOAD = re.compile(r"\s*^---\s+{nb-download}`.*`\s*", re.MULTILINE)
 
 # The menu of all pages by the folder of the pages that show it.
-MENUS: dict[str, Any] = {}
+MENUS: dict[str, str] = {}
 
 default_role = "literal"
 autodoc_default_options = {"members": True, "exclude-members": "model_config"}
@@ -178,15 +178,15 @@ def locate(app: Sphinx, doctree: nodes.document) -> None:
 
 def share(_app: Sphinx, page: str, _template: str, context: dict[str, Any], *_more: Any) -> None:
     """Make the menu, a third of a second, once for all pages of a folder: it leads to none of them."""
-    folder, make = page.rpartition("/")[0], context["generate_toctree_html"]
+    folder, make = page.rpartition("/")[0], context["toctree"]
 
-    def menu(*arguments: Any, **options: Any) -> Any:
+    def menu(**options: Any) -> str:
         if folder not in MENUS:
-            MENUS[folder] = make(*arguments, **options)
+            MENUS[folder] = make(**options)
         return MENUS[folder]
 
     if folder:
-        context["generate_toctree_html"] = menu
+        context["toctree"] = menu
 
 
 def describe(app: Sphinx) -> None:
@@ -265,6 +265,6 @@ def setup(app: Sphinx) -> None:
     app.connect("autodoc-skip-member", skip)
     app.connect("doctree-read", locate, priority=400)  # before viewcode's
     app.connect("env-updated", part)
-    app.connect("html-page-context", share, priority=600)  # after the theme's
+    app.connect("html-page-context", share, priority=400)  # before the theme's, which makes menus
     app.connect("build-finished", play)
     app.connect("config-inited", speak)
