@@ -4,9 +4,9 @@ The library is named by what it was built for, and one for another processor is 
 for the very processor it would serve on that kind alone. Level v3 (AVX2 and fused multiply-add) is in
 nearly all machines since 2015, so that a wheel, a container or a home folder may move between them;
 and all of them then give the same bits. This page builds the march, the loop that gains most from wide
-vectors, for levels and for this processor, and compares times and bits with those of v3: wider vectors
-gain an eighth where there are any. Without fused multiply-add it takes more than twice as long, and
-roundings differ.
+vectors, for levels and for this processor, and compares times and bits with those of v3: level v4, with
+wider vectors, gains nothing, and code for the processor itself up to a fifth. Without fused
+multiply-add the march takes about twice as long, and roundings differ.
 
 What engine.wasm takes, which serves where no library was built, see engine_wasm.py.
 

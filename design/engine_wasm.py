@@ -2,12 +2,12 @@
 
 The module is numba's code for the target wasm32, optimised by the same LLVM as the library; Zig links
 it, with its libraries of C. This page builds it with vectors and without, from the entries that take
-most of the time of a table of places, of a first contact and of a random dance, and has Node do the
-very calls that the library was seen to do. Vectors make the march faster by half, the search of all
-pairs by a third, and a step of the exact search no slower, for less than a tenth more size. The library
-takes half to a third of the time where loops are long or libm is called much: its vectors have four
-numbers, and it multiplies and adds in one step, which Zig's hypot has to do by hand here. Short steps
-of a search take the same.
+most of the time of a table of places and of a random dance, and has Node do the very calls that the
+library was seen to do. Vectors make the march faster by nearly half and the search of all pairs no
+slower, for less than a tenth more size. The library takes less than half of the time of the march, and
+about a quarter of that of all pairs: its vectors have four numbers, and it multiplies and adds in one
+step, which Zig's hypot has to do by hand here. What whole questions take beside it is in
+benchmarks/RESULTS.md.
 
 WebAssembly rounds each product, and its libm is another: answers differ in the last bits, so searches
 may take another way to the same bracket. `python -m tests.laws.wasm_dances 10000` counts how often.
@@ -32,7 +32,7 @@ import numpy as np
 
 from benchdragon.engine.__main__ import PLAIN_CODE
 
-ENTRIES = ("chain.march", "walk_search.search_walk", "every_pair.search_all_pairs")
+ENTRIES = ("chain.march", "every_pair.search_all_pairs")
 FEATURES = {"vectors": "+simd128", "none": ""}
 ROUNDS = 40
 
@@ -50,11 +50,10 @@ def build(folder: str) -> None:
 
 
 def questions() -> None:
-    """The contest's standard table, its first contact, and all pairs of a random dance."""
+    """The contest's standard table, and all pairs of a random dance."""
     from tests.engine.questions import every_pair
     from tests.solve.dances import laid
 
-    from benchdragon.analysis.contact import first_contact
     from benchdragon.model.curves import Route, Spiral
     from benchdragon.model.dragon import Dragon
     from benchdragon.model.walk import Walk
@@ -63,7 +62,6 @@ def questions() -> None:
 
     walk = Walk(Dragon.uniform(), Route((Spiral(0.55, 32.0 * math.pi, 0.0),)))
     walk.motion(np.arange(301.0))
-    first_contact(walk, 400.0, 420.0)
     coiled = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20", "walk.start=225"])
     every_pair(laid(coiled, Draw(CASES["all"].deviations, 7, 1)))
 

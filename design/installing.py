@@ -3,10 +3,10 @@
 A wheel with a native library for each system and processor was weighed against it. Six were cross-built
 on one machine (Linux with both C libraries and both kinds of processor, macOS, Windows), in seven to
 eleven seconds of CPU each; but each wants a wheel of its own, and a run on its system before somebody
-else trusts it: all but one would be handed out untried. What
-they gain is on engine_wasm.py: two to three times the speed, in questions most of which take less than
-a second either way. So none is carried. Whoever computes for hours builds the library on the machine at
-hand, by `python -m benchdragon.engine`.
+else trusts it: all but one would be handed out untried. What they gain is on engine_wasm.py: two to
+four times the speed of a kernel, in questions most of which take less than a second either way. So none
+is carried. Whoever computes for hours builds the library on the machine at hand, by
+`python -m benchdragon.engine`.
 
 This page builds the wheel, as `pip install .` does, and weighs what comes with it: what runs the
 module, and what would have to be there if kernels were compiled where they are called. What the first
