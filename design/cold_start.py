@@ -2,8 +2,9 @@
 
 engine.wasm is compiled once on a machine, which takes half a second, and is loaded in milliseconds from
 then on; with NumPy imported, Wasmtime is a twentieth of a second more. Kernels as plain Python are as
-quick only for some tens of places, so that no question is worth another way. The first answers, with
-empty caches, stand beside later ones.
+quick only for some thousands of places, and gain that twentieth at most: a question evaluates millions,
+so that no way of its own for small ones is worth its code. The first answers, with empty caches, stand
+beside later ones.
 """
 
 import os
@@ -19,10 +20,12 @@ def seconds(*arguments: str, **environment: str) -> float:
 
 
 def once(*arguments: str, **environment: str) -> float:
-    """A whole run, s, however it ends: a check may say no."""
+    """A whole run, s; a check may say no, by code 1."""
     start = time.perf_counter()
     command, told = [sys.executable, *arguments], {**os.environ, **environment}
-    subprocess.run(command, check=False, capture_output=True, env=told)
+    ended = subprocess.run(command, check=False, capture_output=True, env=told, text=True)
+    if ended.returncode not in (0, 1):
+        raise RuntimeError(f"{command} ended with {ended.returncode}: {ended.stderr}")
     return time.perf_counter() - start
 
 
@@ -48,7 +51,7 @@ def show_plain() -> None:
     """Whole runs of `motion` as plain Python and by engine.wasm, for more and more places."""
     print("handles x times    plain, s    engine.wasm, s")
     for times in (1, 10, 50, 100):
-        run = ("-m", "benchdragon", "motion", "turn", f"--at=-3:{times - 4}:1", "--json", "--quiet")
+        run = ("-m", "benchdragon", "motion", "turn", f"--at=-3..{times - 4}..1", "--json", "--quiet")
         plain, wasm = (seconds(*run, BENCHDRAGON_ENGINE=engine) for engine in ("plain", "wasm"))
         print(f"{224 * times:15d}    {plain:8.2f}    {wasm:8.2f}")
 
