@@ -5,8 +5,11 @@ import pytest
 
 pytest.importorskip("flint")
 import shapely
+from flint import arb
 
 from benchdragon.proofs.boxes import LINES, Boxes, gaps, near_pairs, near_sides
+from benchdragon.proofs.chain import Chain
+from benchdragon.proofs.sizes import Sizes
 
 COUNT = 400
 
@@ -58,3 +61,13 @@ def test_a_side_without_length_has_a_direction() -> None:
     point = np.array([[1.0, 2.0]])
     side = Boxes.between(point, point)
     assert (side.ahead_x.item(), side.ahead_y.item(), side.long.item()) == (1.0, 0.0, 0.0)
+
+
+def test_lines_are_unit_vectors_though_places_are_rounded() -> None:
+    """Longer ones would take benches for farther apart than they are."""
+    sizes = Sizes.of([arb(2)], [arb(0.3)], [arb(0.5)], [arb(0.5)])
+    place = np.array([1.0 + 1e-6, 0.0])  # a micrometre farther apart than the link
+    chain = Chain((), (0.0, 0.0), place, place, place, 0.0 * place, np.zeros((2, 2)))
+    boxes = Boxes.of([chain], sizes)
+    assert np.hypot(boxes.ahead_x, boxes.ahead_y).item() == 1.0
+    assert (boxes.long.item(), boxes.wide.item()) == (1.0, 0.15)

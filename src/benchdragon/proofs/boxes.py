@@ -46,7 +46,11 @@ class Boxes:
         """The benches of some chains, (chains, N)."""
         links, front, rear, width = sizes.numbers
         x, y = (np.stack([getattr(chain, name) for chain in chains]) for name in ("x", "y"))
-        ahead_x, ahead_y = ((at[:, :-1] - at[:, 1:]) / links for at in (x, y))
+        dx, dy = (at[:, :-1] - at[:, 1:] for at in (x, y))
+        size = np.hypot(
+            dx, dy
+        )  # not the link: places are rounded, and a longer line would see wider gaps
+        ahead_x, ahead_y = dx / size, dy / size
         off = 0.5 * (front - rear)  # the middle, from that of both handles
         x, y = (0.5 * (at[:, :-1] + at[:, 1:]) + off * on for at, on in ((x, ahead_x), (y, ahead_y)))
         long, wide = 0.5 * (links + front + rear), 0.5 * width
@@ -71,8 +75,8 @@ class Boxes:
     @property
     def corners(self) -> FloatArray:
         """In the order of CORNERS, m, (..., N, 4, 2)."""
-        half = self.wide[..., None] * np.stack([-self.ahead_y, self.ahead_x], -1)
-        return np.stack([self.ends[end] + side * half for end, side in CORNERS], -2)
+        ends, half = self.ends, self.wide[..., None] * np.stack([-self.ahead_y, self.ahead_x], -1)
+        return np.stack([ends[end] + side * half for end, side in CORNERS], -2)
 
     @property
     def first(self) -> "Boxes":

@@ -124,8 +124,8 @@ def unsure(
         i, j = pairs.T
         found = gaps(boxes.at(i), others.at(j), lines)
         size, moved = found.size.mean(1), room[i] + room[j] if others is boxes else room[i]
-        kept = size.max(0, initial=-np.inf) - 0.5 * moved > far
-        for best in np.argsort(-size, axis=0):  # what moves is bounded closely along few lines
+        kept = size.max(0) - 0.5 * moved > far
+        for best in np.argsort(-size, axis=0):  # the way along a line is bounded only where needed
             near = np.flatnonzero(~kept)
             if not len(near):
                 break
