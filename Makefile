@@ -20,7 +20,7 @@ export PYTHONDONTWRITEBYTECODE :=
 .PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench queries picture truth wasm wasm-test carried carried-test mutants mutation hostile generate \
   lock fonts clean
 
-PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-compile
 
 .venv/demo: requirements-demo.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
