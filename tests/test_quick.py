@@ -37,7 +37,7 @@ def test_every_test_of_a_list_is_there(line: str) -> None:
 
 
 BEFORE = ".venv/kernels-plain manual-test long-test page-test"
-MADE = [f"made {BEFORE} JOBS=3 -k --output-sync", "made test"]
+MADE = [f"made {BEFORE} JOBS=3 WORKERS=2 -k --output-sync", "made test"]
 
 
 @pytest.mark.parametrize(
