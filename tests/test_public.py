@@ -19,6 +19,9 @@ import benchdragon as bd
 ROOT = Path(__file__).parents[1]
 DRAGON = bd.Dragon.uniform(3)
 ROUTE = bd.Route((bd.Line(50.0), bd.Arc(5.0, 1.0).moved((50.0, 0.0), 0.0)))
+BEND = bd.Walk(
+    bd.Dragon.uniform(2), bd.Route.joined([bd.Line(9.0), bd.Arc(5.0, degrees=90), bd.Line(9.0)])
+)
 WALK = bd.Walk(DRAGON, ROUTE, start=20.0)
 MOTION = WALK.motion([0.0, 1.0])
 PLAN = bd.read_plan(
@@ -187,6 +190,8 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "greatest_head_speed": (PLAN,),
     "greatest_speed": (WALK, 0.0, 2.0),
     "least_clearance": (WALK, 0.0, 2.0),
+    "off_tracking": (WALK, 0.2, 0.0, 2.0),
+    "steering_gain": (BEND, 2, 0.2),
     "limit": (PLAN, "pitch"),
     "prove_contact": (WALK, 0.0, 2.0),
     "prove_report": (bd.check(SHORT),),
@@ -204,7 +209,8 @@ CALLS: dict[str, tuple[Any, ...]] = {
 }
 # What the package makes, and nobody else has to.
 MADE = {
-    "BenchWalk", "ChalkPlan", "Passing", "Person", "Proposal", "Roster", "TooSmall", "Trail",
+    "BenchOffTracking", "BenchWalk", "ChalkPlan", "OffTracking", "Passing", "Person", "Proposal",
+    "Roster", "TooSmall", "Trail",
     "Answer", "BestTurn", "BoundingCircle", "BoundingRectangle", "ClearanceCurve", "Comparison",
     "Connection", "Enclosing", "Formation", "Grade", "Motion", "Nearness", "Obstacle", "Offsets",
     "Pace", "PlacedDance", "Plan", "Points", "Report", "Rings", "Status", "Sweep", "SweptArea",

@@ -17,6 +17,10 @@ from .analysis.distance import clearances as clearances
 from .analysis.distance import tightest_pairs as tightest_pairs
 from .analysis.obstacles import first_touch as first_touch
 from .analysis.obstacles import least_distance as least_distance
+from .analysis.off_tracking import BenchOffTracking as BenchOffTracking
+from .analysis.off_tracking import OffTracking as OffTracking
+from .analysis.off_tracking import off_tracking as off_tracking
+from .analysis.off_tracking import steering_gain as steering_gain
 from .analysis.offsets import Offsets as Offsets
 from .analysis.offsets import bench_offsets as bench_offsets
 from .analysis.proof import prove_contact as prove_contact

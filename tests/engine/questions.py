@@ -24,6 +24,7 @@ from benchdragon.analysis.distance import (
 )
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.obstacle_distance import nearest_boxes
+from benchdragon.analysis.off_tracking import off_tracking
 from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.analysis.swept import swept_area
@@ -84,6 +85,7 @@ def questions() -> None:
     bench_walks(few, few.build(), (0.0, 2.0))
     plain_dance(few.build(), Span(0.0, 4.0))
     following(few.build(), 0.0, 4.0, 1e-3, (0.5,), compared=60)
+    off_tracking(few, 0.2, 0.0, 4.0)
     walk = few.build()
     assert chalk_plan(Trail.of(walk, 0.0, 4.0), 1.65, Ground.of(few, walk.route)) is not None
     read_plan("spiral-in", ["dragon.benches=12", 'cues.cue=[{kind="hold", head=5, hold=3}]']).build()
