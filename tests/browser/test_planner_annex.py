@@ -1,6 +1,7 @@
 """The permit annex in the planner's page, as it is printed: numbers, blanks, a drawing to scale."""
 
 import io
+import math
 import re
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from playwright.sync_api import Locator, Page, expect
 
 from benchdragon.analysis.check import Report, check, sentence
 from benchdragon.analysis.clock import Clock
+from benchdragon.analysis.off_tracking import LEAST_GAIN, MOST_GAIN, off_tracking
 from benchdragon.i18n import _, spoken_in
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.schema import read_plan
@@ -161,6 +163,32 @@ def test_the_tail_s_greatest_speed_is_told_with_its_bench_and_its_time(
     assert float(found[1]) >= last.max() - 1e-3
     bench = int(found[2].removeprefix("bench ").replace("the head", "1"))
     assert speeds[:, bench - 1].max() == pytest.approx(last.max(), abs=1e-3)
+
+
+@pytest.mark.parametrize("steering", ["", "0.2"])
+def test_how_far_the_tail_leaves_the_line_is_told_with_what_it_rests_on(
+    pages: Pages, tmp_path: Path, steering: str
+) -> None:
+    measured = [f"people.steering={steering}", 'people.source.steering="M 9"'] if steering else []
+    plan = read_plan(str(village(tmp_path, PLAN)), [*SAID, *measured])
+    file = tmp_path / "planner.html"
+    file.write_text(planner_page(plan, "en"), "utf-8")
+    annex = shown(annex_of(pages, file, "en"))
+    told = annex.get_by_role("row").filter(has_text="how far they leave the line").get_by_role("cell")
+    gains = [float(steering)] if steering else [LEAST_GAIN, MOST_GAIN]
+    far = [f"{math.ceil(10.0 * off_tracking(plan, gain).farthest()) / 10.0} m" for gain in gains]
+    if steering:
+        expect(told).to_have_text(f"up to {far[0]}, if bearers take back 20 % of it a metre (M 9)")
+        expect(
+            annex.get_by_role("row").filter(has_text="that bearers take back a metre")
+        ).to_have_count(1)
+    else:
+        expect(told).to_contain_text(
+            f"up to {far[0]}, if bearers take back 5 % of it a metre; {far[1]},"
+        )
+        expect(told).to_contain_text("assumed")
+    beyond = off_tracking(plan, gains[0]).farthest() > 3.25
+    expect(annex.get_by_text("may come beyond the spectators' line")).to_have_count(int(beyond))
 
 
 def test_what_the_plan_does_not_say_is_a_blank_that_is_named(pages: Pages, tmp_path: Path) -> None:

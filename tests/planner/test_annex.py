@@ -23,6 +23,7 @@ from benchdragon.analysis.crowd import (
     within_lines,
 )
 from benchdragon.analysis.distance import boxes
+from benchdragon.analysis.off_tracking import LEAST_GAIN, MOST_GAIN, off_tracking
 from benchdragon.analysis.posts import JOINED, marshal_posts
 from benchdragon.analysis.swept import SweptArea, swept_area
 from benchdragon.i18n import LANGUAGES, spoken_in
@@ -49,7 +50,7 @@ PLANS = {
         "cues.clock=18:30", "limits.speed=1.73", "people.sway=0.013",
     ),
     "edge": (str(ROOT / "examples/12_village.dragon.toml"), "event.spectators=800"),
-    "halts": ("spiral-in", *SMALL, 'cues.cue=[{kind="hold", at=4, hold=3}]'),
+    "halts": ("spiral-in", *SMALL, 'cues.cue=[{kind="hold", at=4, hold=3}]', "people.steering=0.3"),
     "runs": (
         "spiral-in", *SMALL, "dragon.benches=2", "walk.end=15", "limits.head_acceleration=10",
         "walk.profile=[[0, 1], [1, 1], [1.5, 2.6], [2, 1], [12, 1], [12.5, 2.4], [13, 1]]",
@@ -190,6 +191,19 @@ def test_the_chance_of_random_dances_is_pythons(pair: tuple[Plan, Any]) -> None:
     assert chance["deviations"] == vars(own.deviations)
     assert told["shares"] == sorted(told["shares"])
     assert told["shares"][-1] <= 1.0
+
+
+def test_the_tail_leaves_the_line_as_far_as_python_says(pair: tuple[Plan, Any]) -> None:
+    plan, told = pair
+    walk = plan.build()
+    first = max(len(walk.dragon) - 10, 0) + 1
+    gains = (LEAST_GAIN, MOST_GAIN) if plan.people.steering is None else (plan.people.steering,)
+    far = [off_tracking(walk, gain, *plan.span(walk)).farthest(first) for gain in gains]
+    assert told["tail"]["first"] == first
+    assert [one["gain"] for one in told["tail"]["off"]] == list(gains)
+    # JSON has no infinite numbers.
+    seen = [math.inf if one["far"] is None else one["far"] for one in told["tail"]["off"]]
+    assert seen == pytest.approx(far, rel=1e-9)
 
 
 def test_plans_of_all_kinds_are_told_of(twins: dict[str, Any]) -> None:

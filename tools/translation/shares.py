@@ -34,6 +34,7 @@ TWINS = {
     "analysis.left_open": ("left_open", "DEAR", "HIDDEN", "open_finding"),
     "analysis.not_looked_at": ("not_looked_at", "not_looked_at"),
     "analysis.obstacle_distance": ("obstacle_distance", "nearest_boxes"),
+    "analysis.off_tracking": ("off_tracking", "LEAST_GAIN", "MOST_GAIN", "off_tracking"),
     "analysis.obstacle_search": ("obstacle_search", "ObstacleSearch"),
     "analysis.obstacles": (
         "obstacles", "ObstacleAnswers", "least_distance", "obstacle_answers", "touching",

@@ -8,7 +8,7 @@ from pydantic import AfterValidator, Field
 
 from benchdragon.errors import brief
 from benchdragon.i18n import N_, Words, _, both
-from benchdragon.plans.tables import Length, LengthOrZero, OneLine, Speed, Table, one_line
+from benchdragon.plans.tables import Length, LengthOrZero, Number, OneLine, Speed, Table, one_line
 
 # The unit of benches, after a number.
 UNITS = {"bench": N_("bench {n}"), "qiao": N_("qiao {n}"), "jie": N_("jie {n}")}
@@ -42,6 +42,7 @@ class SourcesTable(Table):
     ahead: OneLine = ""
     sway: OneLine = ""
     imprecision: OneLine = ""
+    steering: OneLine = ""
     step: OneLine = ""
     hurry_from: OneLine = ""
     run_from: OneLine = ""
@@ -59,6 +60,7 @@ class PeopleTable(Table):
         ahead: room that is free before the head's bench, m.
         sway: how far benches sway to a side, m.
         imprecision: how far bearers stray from their line, m.
+        steering: share of their offset from the line that bearers take back a metre walked, 1/m.
         step: length of a step, m.
         hurry_from: speed from which walking is called hurrying, m/s.
         run_from: speed from which it is called running, m/s.
@@ -74,6 +76,7 @@ class PeopleTable(Table):
     ahead: LengthOrZero = 0.0
     sway: LengthOrZero = 0.0
     imprecision: LengthOrZero = 0.0
+    steering: Annotated[Number, Field(ge=0.01, le=10.0)] | None = None
     step: Length = 0.6
     hurry_from: Annotated[Speed, Field(gt=0.0)] = 1.2
     run_from: Annotated[Speed, Field(gt=0.0)] = 1.8

@@ -361,6 +361,9 @@ SECTIONS = (
             "ahead": Key(N_("room that is to be free before the head's bench"), "1 m", "m"),
             "sway": Key(N_("how far benches sway to a side"), "5 cm", "m"),
             "imprecision": Key(N_("how far bearers stray from their line"), "10 cm", "m"),
+            "steering": Key(
+                N_("share of their offset from the line that bearers take back a metre"), 0.2, "1/m"
+            ),
             "step": Key(N_("length of a step, by which distances are told"), "60 cm", "m"),
             "hurry_from": Key(N_("speed from which walking is called hurrying"), 1.2, "m/s"),
             "run_from": Key(N_("speed from which it is called running"), 1.8, "m/s"),

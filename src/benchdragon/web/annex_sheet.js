@@ -32,8 +32,6 @@ import { _, language } from "./words.js";
 /** @typedef {[number, number]} Point */
 
 const { RISK } = SOLVE_IMPRECISE;
-/** Benches of the tail, of which it is said who stands there. */
-const TAIL = 10;
 /** A way that is no longer is none, m. */
 const NEAR = 0.05;
 /** Lines under a heading that the program knows nothing of. */
@@ -94,25 +92,51 @@ function firstPage(said, facts) {
 }
 
 /** What the program does not know of the tail, and who walks there. @param {Sayings} said @param {AnnexFacts} facts */
-function theTail(said, { dragon, ground }) {
-  const first = Math.max(dragon.count - TAIL, 0) + 1;
+function theTail(said, { dragon, ground, tail }) {
+  const { first } = tail;
+  const beyond = make(
+    "p",
+    { class: "strong" },
+    _("In bends the last benches may come beyond the spectators' line."),
+  );
   return chapter(
     _("The tail"),
     _(
-      "All benches are taken to keep to the line. Real bearers cut bends, or are thrown outwards, and the last ones most: by how much, nobody has measured for this troupe, and nothing here says it. Nobody should watch at bends where one cannot step back; the spectators' line keeps {margin} m from benches that keep to the line.",
+      "Elsewhere here all benches are taken to keep to the line. Real bearers cut bends, and the last ones most: how far is computed below, from how well they steer back. How far a tail is thrown outwards is not computed. Nobody should watch at bends where one cannot step back; the spectators' line keeps {margin} m from benches that keep to the line.",
       { margin: general(ground.margin) },
     ),
+    ...(tail.off[0].far > ground.margin ? [beyond] : []),
     table(
       _("the last benches"),
       [_("item"), _("as the plan says")],
       [
         [_("benches"), _("{first} to {last}", { first: said.called(first), last: said.called(dragon.count) })],
+        [_("how far they leave the line in bends"), offTheLine(said.briefing.people, tail.off)],
         [_("greatest speed among them that was seen"), tailSpeed(said, first)],
         [_("who stands at the tail, and who holds it back"), null],
       ],
       "facts",
     ),
   ); // prettier-ignore
+}
+
+/** How far benches leave the line, and what that rests on. @param {Record<string, any>} people @param {AnnexFacts["tail"]["off"]} off */
+function offTheLine(people, off) {
+  if (off.some(({ far }) => far === Infinity))
+    return _("not known: a bend is so tight that benches fold, if bearers do not keep to the line");
+  const metres = off.map(({ far }) => decimalsTowards(far, 1, true));
+  const shares = off.map(({ gain }) => general(100 * gain));
+  const source = people.source.steering || _("assumption");
+  if (off.length === 1)
+    return _("up to {far} m, if bearers take back {share} % of it a metre ({source})", {
+      far: metres[0],
+      share: shares[0],
+      source,
+    });
+  return _(
+    "up to {far} m, if bearers take back {share} % of it a metre; {near} m, if {more} % (assumed: nobody has measured it for this troupe)",
+    { far: metres[0], share: shares[0], near: metres[1], more: shares[1] },
+  );
 }
 
 /** How fast the last benches go, and which of them when. @param {Sayings} said @param {number} first number of the first of them */

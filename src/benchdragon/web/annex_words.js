@@ -15,12 +15,14 @@ export const PEOPLE = {
   ahead: N_("free room before the head's bench"),
   sway: N_("sway of benches to a side"),
   imprecision: N_("how far bearers stray"),
+  steering: N_("share of their offset from the line that bearers take back a metre"),
   step: N_("length of a step"),
   hurry_from: N_("speed from which one hurries"),
   run_from: N_("speed from which one runs"),
   most_speed: N_("greatest speed with a bench"),
 };
-const SPEEDS = ["hurry_from", "run_from", "most_speed"];
+/** Units of those that are no lengths. @type {Record<string, string>} */
+const UNITS = { steering: "1/m", hurry_from: "m/s", run_from: "m/s", most_speed: "m/s" };
 /** @type {Record<string, string>} */
 const STATUS = {
   proved: N_("proved"),
@@ -90,8 +92,8 @@ export function sourceRows(people) {
   return Object.keys(PEOPLE)
     .filter((key) => people[key])
     .map((key) => {
-      const unit = SPEEDS.includes(key) ? "m/s" : "m";
-      return [_(PEOPLE[key]), `${general(people[key])} ${unit}`, people.source[key] || _("assumption")];
+      const value = `${general(people[key])} ${UNITS[key] ?? "m"}`;
+      return [_(PEOPLE[key]), value, people.source[key] || _("assumption")];
     });
 }
 

@@ -566,6 +566,7 @@ export interface PartsRoute {
  *     ahead: room that is free before the head's bench, m.
  *     sway: how far benches sway to a side, m.
  *     imprecision: how far bearers stray from their line, m.
+ *     steering: share of their offset from the line that bearers take back a metre walked, 1/m.
  *     step: length of a step, m.
  *     hurry_from: speed from which walking is called hurrying, m/s.
  *     run_from: speed from which it is called running, m/s.
@@ -581,6 +582,7 @@ export interface PeopleTable {
   ahead?: number;
   sway?: number;
   imprecision?: number;
+  steering?: number | null;
   step?: number;
   hurry_from?: number;
   run_from?: number;
@@ -713,6 +715,7 @@ export interface SourcesTable {
   ahead?: string;
   sway?: string;
   imprecision?: string;
+  steering?: string;
   step?: string;
   hurry_from?: string;
   run_from?: string;

@@ -15,6 +15,7 @@ import {
 } from "../made/crowd.js";
 import { shownName } from "../made/findings.js";
 import { chanceOf } from "../made/imprecise.js";
+import { LEAST_GAIN, MOST_GAIN, offTracking } from "../made/off_tracking.js";
 import { marshalPosts } from "../made/posts.js";
 import { lengthOf, outermost } from "../made/rings.js";
 import { shownName as levelName } from "../made/room_levels.js";
@@ -58,11 +59,14 @@ import { sweptArea } from "./swept.js";
  * @property {Level[]} room
  * @property {{ deviations: Record<string, number>, draws: number, hits: number, shown: boolean, most: number }} chance
  * @property {number} margin that benches keep from one another, m
+ * @property {{ first: number, off: Array<{ gain: number, far: number }> }} tail its first bench, and how far benches from there on leave the line, m, where bearers steer back with a gain, 1/m: the plan's, else the least and the greatest
  * @property {Record<string, any>} event the table of the plan, filled
  */
 
 /** Error of the ground that is covered, m. */
 const ERROR = 0.05;
+/** Benches of the tail, of which it is told how they walk and who stands there. */
+const TAIL = 10;
 
 /** What the annex of a plan tells; only a plan that is safe has one. @param {Asked} asked @returns {Promise<AnnexFacts>} */
 export function annex({ engine, version, plan, progress }) {
@@ -171,8 +175,19 @@ function dance(plan, walk, report) {
       kept: one.kept,
     })),
     margin: plan.limits.margin,
+    tail: tailOf(plan, walk, report),
     event: plan.event,
   };
+}
+
+/** How far the tail leaves the line. @param {any} plan @param {Walk} walk @param {any} report */
+function tailOf(plan, walk, report) {
+  const first = Math.max(walk.dragon.benches - TAIL, 0) + 1;
+  const { steering } = plan.people;
+  const gains = steering == null ? [LEAST_GAIN, MOST_GAIN] : [steering];
+  const far = (/** @type {number} */ gain) =>
+    offTracking(walk, gain, report.start, report.end).farthest(first);
+  return { first, off: gains.map((gain) => ({ gain, far: far(gain) })) };
 }
 
 /** How papers tell times. @param {any} plan @param {any} report */
