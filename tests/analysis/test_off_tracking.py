@@ -110,6 +110,13 @@ def test_a_bend_to_the_right_is_cut_to_the_right() -> None:
     assert max(right[0]) < 1e-3
 
 
+def test_rounding_is_not_taken_for_an_offset() -> None:
+    found = asked(read_plan("spiral-in", ["dragon.benches=12"]), 0.2, 0.0, 4.0)
+    assert [one.left for one in found.benches] == [0.0] * 12
+    last = found.benches[-1]
+    assert found.farthest(12) == last.right + last.right_error
+
+
 def test_where_the_head_was_when_a_bench_was_farthest_off_is_told() -> None:
     found = asked(Walk(dragon(10), bend()), 0.2)
     ways = [one.left_at for one in found.benches]

@@ -51,3 +51,26 @@ def test_a_bench_drawn_back_over_itself_folds() -> None:
     places = empty_placements(3, 1)
     march(tight.rows, links, np.zeros(1), 0, 1, places)
     assert see_offsets(tight.rows, links, places, 0.0, 12.0, 80, 3.0, seen) == Status.FOLDED
+
+
+def drawn_in(steps: int) -> np.ndarray:
+    """What is seen of three benches that come ever nearer to circles of their own, farther in."""
+    circle, links, seen = Route((Arc(9.0, 3.0),)), np.full(3, 1.5), np.empty((3, OFF_COLUMNS))
+    places = empty_placements(4, 1)
+    march(circle.rows, links, np.full(1, 7.0), 0, 1, places)
+    assert see_offsets(circle.rows, links, places, 7.0, 17.0, steps, 0.3, seen) == Status.OK
+    return seen
+
+
+def test_steps_of_half_a_metre_are_as_good_as_order_four_makes_them() -> None:
+    rough, fine = drawn_in(10), drawn_in(200)
+    assert np.all(rough[:, Off.LEFT_AT] == 17.0)
+    assert rough[:, Off.LEFT] == pytest.approx(fine[:, Off.LEFT], abs=2e-6)
+
+
+def test_a_side_to_which_no_bench_comes_is_left_at_nothing() -> None:
+    """Rounding alone would have handles on the route a little to both sides."""
+    seen = drawn_in(40)
+    assert np.all(seen[:, Off.LEFT] > 0.05)
+    assert np.all(seen[:, [Off.RIGHT, Off.RIGHT_ERROR]] == 0.0)
+    assert np.all(seen[:, Off.RIGHT_AT] == 7.0)
