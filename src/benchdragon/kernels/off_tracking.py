@@ -26,7 +26,7 @@ from benchdragon.kernels.status import Status
 
 # Newton's method takes one or two steps to the nearest point of the route, which hardly moves. Where
 # the offset is near the radius of a bend, steps are at most so many times the distance along the route.
-NEWTON_STEPS = 20
+NEAREST_STEPS = 20
 LONGEST = 20.0
 # Steps along the route shorter than this, m, end it; so far off the route a handle is still on it.
 NEAR_ENOUGH = 1e-10
@@ -77,7 +77,7 @@ def slide(rows: FloatArray, j: int, u: float, way: float) -> tuple[int, float]:
 def nearest_point(rows: FloatArray, j: int, u: float, x: float, y: float) -> tuple[int, float, float]:
     """The nearest point of the route to (x, y), from one near it: row, parameter; the offset, m."""
     offset = 0.0
-    for _step in range(NEWTON_STEPS):
+    for _step in range(NEAREST_STEPS):
         px, py, tx, ty = place(rows, j, u)
         along, offset = (x - px) * tx + (y - py) * ty, (y - py) * tx - (x - px) * ty
         way = along / max(1.0 - curvature(rows, j, u) * offset, 1.0 / LONGEST)
