@@ -165,30 +165,33 @@ def test_the_tail_s_greatest_speed_is_told_with_its_bench_and_its_time(
     assert speeds[:, bench - 1].max() == pytest.approx(last.max(), abs=1e-3)
 
 
-@pytest.mark.parametrize("steering", ["", "0.2"])
-def test_how_far_the_tail_leaves_the_line_is_told_with_what_it_rests_on(
-    pages: Pages, tmp_path: Path, steering: str
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        ((), ["about 1.5 m, if bearers get back half of the way in 13.9 m (assumption)",
+              "about 0.2 m, if bearers get back half of the way in 0.7 m (assumption)"]),
+        (("people.steering=0.2", 'people.source.steering="M 9"', "event.distance=1"),
+         ["about @ m, if bearers get back half of the way in 3.5 m (M 9)"]),
+        (("dragon.head_length=6", "people.steering=0.05"),
+         ["benches would fold, if bearers get back half of the way in 13.9 m (assumption)"]),
+    ],
+    ids=["assumed", "measured", "folded"],
+)  # fmt: skip
+def test_how_far_benches_leave_the_line_is_told_with_what_it_rests_on(
+    pages: Pages, tmp_path: Path, settings: tuple[str, ...], told: list[str]
 ) -> None:
-    measured = [f"people.steering={steering}", 'people.source.steering="M 9"'] if steering else []
-    plan = read_plan(str(village(tmp_path, PLAN)), [*SAID, *measured])
+    plan = read_plan(str(village(tmp_path, PLAN)), [*SAID, *settings])
+    gains = [plan.people.steering] if plan.people.steering else [LEAST_GAIN, MOST_GAIN]
+    far = [off_tracking(plan, gain).farthest() for gain in gains]
     file = tmp_path / "planner.html"
     file.write_text(planner_page(plan, "en"), "utf-8")
     annex = shown(annex_of(pages, file, "en"))
-    told = annex.get_by_role("row").filter(has_text="how far they leave the line").get_by_role("cell")
-    gains = [float(steering)] if steering else [LEAST_GAIN, MOST_GAIN]
-    far = [f"{math.ceil(10.0 * off_tracking(plan, gain).farthest()) / 10.0} m" for gain in gains]
-    if steering:
-        expect(told).to_have_text(f"up to {far[0]}, if bearers take back 20 % of it a metre (M 9)")
-        expect(
-            annex.get_by_role("row").filter(has_text="that bearers take back a metre")
-        ).to_have_count(1)
-    else:
-        expect(told).to_contain_text(
-            f"up to {far[0]}, if bearers take back 5 % of it a metre; {far[1]},"
-        )
-        expect(told).to_contain_text("assumed")
-    beyond = off_tracking(plan, gains[0]).farthest() > 3.25
-    expect(annex.get_by_text("may come beyond the spectators' line")).to_have_count(int(beyond))
+    rows = annex.get_by_role("row").filter(has_text="how far any bench leaves the line")
+    texts = [one.replace("@", f"{math.ceil(10.0 * far[0]) / 10.0}") for one in told]
+    expect(rows.get_by_role("cell")).to_have_text(texts)
+    beyond = max(far) + plan.people.sway > (plan.event.distance or math.inf)
+    assert beyond == bool(settings)
+    expect(annex.get_by_text("benches may come beyond it")).to_have_count(int(beyond))
 
 
 def test_what_the_plan_does_not_say_is_a_blank_that_is_named(pages: Pages, tmp_path: Path) -> None:

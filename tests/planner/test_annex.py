@@ -193,12 +193,12 @@ def test_the_chance_of_random_dances_is_pythons(pair: tuple[Plan, Any]) -> None:
     assert told["shares"][-1] <= 1.0
 
 
-def test_the_tail_leaves_the_line_as_far_as_python_says(pair: tuple[Plan, Any]) -> None:
+def test_benches_leave_the_line_as_far_as_python_says(pair: tuple[Plan, Any]) -> None:
     plan, told = pair
     walk = plan.build()
     first = max(len(walk.dragon) - 10, 0) + 1
     gains = (LEAST_GAIN, MOST_GAIN) if plan.people.steering is None else (plan.people.steering,)
-    far = [off_tracking(walk, gain, *plan.span(walk)).farthest(first) for gain in gains]
+    far = [off_tracking(walk, gain, *plan.span(walk)).farthest() for gain in gains]
     assert told["tail"]["first"] == first
     assert [one["gain"] for one in told["tail"]["off"]] == list(gains)
     # JSON has no infinite numbers.

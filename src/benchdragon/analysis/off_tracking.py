@@ -18,7 +18,7 @@ from benchdragon.plans.schema import Plan
 
 # Steering gains between which bearers are taken to lie where none was measured, 1/m.
 LEAST_GAIN, MOST_GAIN = 0.05, 1.0
-# The greatest that is taken for one, 1/m: of those who keep to the line within 10 cm.
+# The greatest that is taken for one, 1/m: an offset falls to 37 % over 10 cm.
 STEEREST = 10.0
 # Length of a step as a share of the shortest link, and of 1 / gain, over which an offset falls to 37 %.
 STEP = 0.1
@@ -58,7 +58,7 @@ class OffTracking(NamedTuple):
     """How far benches leave the route.
 
     Attributes:
-        gain: the steering gain: the share of their offset that bearers take back a metre walked, 1/m.
+        gain: the steering gain, 1/m: on a straight line an offset falls to 37 % over 1 / gain.
         benches: each, from the head's on; none where a bend is too tight for bearers who walk so: a
             bench comes to stand square to the way of its front handle, and folds.
 
@@ -74,9 +74,13 @@ class OffTracking(NamedTuple):
         """How far benches from number `first` on come to either side at most, m, errors included.
 
         Infinite where one folds.
+
+        Raises:
+            InputError: for a bench that there is not.
         """
         if not self.benches:
             return math.inf
+        whole("first", first, 1, len(self.benches))
         return max(
             max(one.left + one.left_error, one.right + one.right_error)
             for one in self.benches[first - 1 :]
@@ -90,7 +94,7 @@ def off_tracking(
     """How far benches leave the route from start to end (s), if their bearers steer back with a gain.
 
     The front handle of the head keeps to the route, all others are on it at the start. Bearers are
-    drawn along by the bench before them; sideways they take back that share of their offset a metre.
+    drawn along by the bench before them; sideways they come back at a rate of gain times their offset.
     With gain 0 they only follow, as trailers do. Neither contact nor momentum counts.
 
     Source: the pursuit curve of trailers without slip (a tractrix behind a straight pull), with a
@@ -135,8 +139,9 @@ def off_tracking(
 def steering_gain(walk: Walk | Plan, bench: int, offset: float) -> float:
     """The steering gain, 1/m, of a troupe whose bench came so far off the line of a walk.
 
-    A bend of known radius is chalked on the ground and walked; how far inside the line the rear handle
-    of a bench passes at most is measured by tape.
+    A bend of known radius is chalked on the ground and walked, until that bench has left it; how far
+    inside the line its rear handle passes at most is measured by tape. It says the more the less that
+    is than the radius.
 
     Args:
         walk: what was walked: a plan or a walk.
@@ -145,8 +150,8 @@ def steering_gain(walk: Walk | Plan, bench: int, offset: float) -> float:
 
     Raises:
         InputError: for a bench that there is not, and an offset that is not positive.
-        NoSolutionError: where bearers who do not steer at all stay nearer to the line, and where those
-            of the greatest gain, STEEREST, do not.
+        NoSolutionError: where bearers who do not steer at all stay nearer to the line, where those of
+            the greatest gain, STEEREST, do not, and where the bench is farthest off as the walk ends.
         WalkError: if the dragon cannot stand at the start.
 
     Examples:
@@ -159,14 +164,21 @@ def steering_gain(walk: Walk | Plan, bench: int, offset: float) -> float:
     positive("offset", offset)
     whole("bench", bench, 1, len(walk.dragon))
 
+    long = float(walk.dragon.links.sum())  # so far a bench is taken to be off where one folds
+
     def more(gain: float) -> float:
         found = off_tracking(walk, gain, start, end).benches
-        return max(found[bench - 1].left, found[bench - 1].right) - offset if found else math.inf
+        return max(found[bench - 1].left, found[bench - 1].right) - offset if found else long
 
     if more(0.0) < 0.0 or more(STEEREST) > 0.0:
         text = _(
-            "with no steering gain from 0 to {most} 1/m the rear handle of bench {bench} comes "
+            "no steering gain from 0 to {most} per metre brings the rear handle of bench {bench} "
             "{offset} m off the line"
         )
         raise NoSolutionError(text.format(most=f"{STEEREST:g}", bench=bench, offset=f"{offset:g}"))
-    return float(brentq(more, 0.0, STEEREST, xtol=1e-6))
+    gain = float(brentq(more, 0.0, STEEREST, xtol=1e-6))
+    one = off_tracking(walk, gain, start, end).benches[bench - 1]
+    if (one.left_at if one.left > one.right else one.right_at) >= walk.head_position(end):
+        text = _("the walk ends before bench {bench} has left the bend: walk on")
+        raise NoSolutionError(text.format(bench=bench))
+    return gain

@@ -362,7 +362,7 @@ SECTIONS = (
             "sway": Key(N_("how far benches sway to a side"), "5 cm", "m"),
             "imprecision": Key(N_("how far bearers stray from their line"), "10 cm", "m"),
             "steering": Key(
-                N_("share of their offset from the line that bearers take back a metre"), 0.2, "1/m"
+                N_("how fast bearers steer back: an offset falls to 37 % over 1 / steering"), 0.2, "1/m"
             ),
             "step": Key(N_("length of a step, by which distances are told"), "60 cm", "m"),
             "hurry_from": Key(N_("speed from which walking is called hurrying"), 1.2, "m/s"),

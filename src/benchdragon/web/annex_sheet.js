@@ -93,50 +93,44 @@ function firstPage(said, facts) {
 
 /** What the program does not know of the tail, and who walks there. @param {Sayings} said @param {AnnexFacts} facts */
 function theTail(said, { dragon, ground, tail }) {
-  const { first } = tail;
+  const { first, off, beside } = tail;
   const beyond = make(
     "p",
     { class: "strong" },
-    _("In bends the last benches may come beyond the spectators' line."),
+    _("Where the spectators' line runs on the inside of a bend, benches may come beyond it."),
   );
   return chapter(
     _("The tail"),
     _(
-      "Elsewhere here all benches are taken to keep to the line. Real bearers cut bends, and the last ones most: how far is computed below, from how well they steer back. How far a tail is thrown outwards is not computed. Nobody should watch at bends where one cannot step back; the spectators' line keeps {margin} m from benches that keep to the line.",
+      "Elsewhere here all benches are taken to keep to the line. Real bearers are drawn along by the bench before them and cut bends: how far is estimated below from how fast they steer back, for benches that are all on the line at the start. Whether benches that are off it touch one another, an obstacle or the edge, and how far a tail is thrown outwards, is not computed. Nobody should watch at bends where one cannot step back; the spectators' line keeps {margin} m from benches that keep to the line.",
       { margin: general(ground.margin) },
     ),
-    ...(tail.off[0].far > ground.margin ? [beyond] : []),
+    ...(off.some(({ far }) => far == null || far + beside > ground.margin) ? [beyond] : []),
     table(
       _("the last benches"),
       [_("item"), _("as the plan says")],
       [
         [_("benches"), _("{first} to {last}", { first: said.called(first), last: said.called(dragon.count) })],
-        [_("how far they leave the line in bends"), offTheLine(said.briefing.people, tail.off)],
         [_("greatest speed among them that was seen"), tailSpeed(said, first)],
         [_("who stands at the tail, and who holds it back"), null],
+        ...off.map((one) => [_("how far any bench leaves the line"), offTheLine(said.briefing.people, one)]),
       ],
       "facts",
     ),
   ); // prettier-ignore
 }
 
-/** How far benches leave the line, and what that rests on. @param {Record<string, any>} people @param {AnnexFacts["tail"]["off"]} off */
-function offTheLine(people, off) {
-  if (off.some(({ far }) => far === Infinity))
-    return _("not known: a bend is so tight that benches fold, if bearers do not keep to the line");
-  const metres = off.map(({ far }) => decimalsTowards(far, 1, true));
-  const shares = off.map(({ gain }) => general(100 * gain));
-  const source = people.source.steering || _("assumption");
-  if (off.length === 1)
-    return _("up to {far} m, if bearers take back {share} % of it a metre ({source})", {
-      far: metres[0],
-      share: shares[0],
-      source,
-    });
-  return _(
-    "up to {far} m, if bearers take back {share} % of it a metre; {near} m, if {more} % (assumed: nobody has measured it for this troupe)",
-    { far: metres[0], share: shares[0], near: metres[1], more: shares[1] },
-  );
+/** How far benches leave the line, and what that rests on. @param {Record<string, any>} people @param {AnnexFacts["tail"]["off"][number]} one */
+function offTheLine({ steering, source }, { gain, far }) {
+  const told = {
+    far: far == null ? "" : decimalsTowards(far, 1, true),
+    way: (Math.log(2) / gain).toFixed(1),
+    source: (steering != null && source.steering) || _("assumption"),
+  };
+  if (far == null) return _("not computed: it takes too much work");
+  if (far === Infinity)
+    return _("benches would fold, if bearers get back half of the way in {way} m ({source})", told);
+  return _("about {far} m, if bearers get back half of the way in {way} m ({source})", told);
 }
 
 /** How fast the last benches go, and which of them when. @param {Sayings} said @param {number} first number of the first of them */

@@ -15,7 +15,7 @@ export const PEOPLE = {
   ahead: N_("free room before the head's bench"),
   sway: N_("sway of benches to a side"),
   imprecision: N_("how far bearers stray"),
-  steering: N_("share of their offset from the line that bearers take back a metre"),
+  steering: N_("how fast bearers steer back to the line"),
   step: N_("length of a step"),
   hurry_from: N_("speed from which one hurries"),
   run_from: N_("speed from which one runs"),

@@ -23,6 +23,7 @@ import { givenLimits } from "../made/speed.js";
 import { sure } from "../made/answer.js";
 import { part } from "../made/stages.js";
 import { _, both } from "../words.js";
+import { OverBudgetError } from "./budget.js";
 import { withArenaAsync } from "./arena.js";
 import { safeReport } from "./briefing.js";
 import { py } from "./python.js";
@@ -59,7 +60,7 @@ import { sweptArea } from "./swept.js";
  * @property {Level[]} room
  * @property {{ deviations: Record<string, number>, draws: number, hits: number, shown: boolean, most: number }} chance
  * @property {number} margin that benches keep from one another, m
- * @property {{ first: number, off: Array<{ gain: number, far: number }> }} tail its first bench, and how far benches from there on leave the line, m, where bearers steer back with a gain, 1/m: the plan's, else the least and the greatest
+ * @property {{ first: number, off: Array<{ gain: number, far: number | null }>, beside: number }} tail its first bench; how far any bench leaves the line, m, where bearers steer back with a gain, 1/m: the plan's, else the least and the greatest; infinite where benches fold, null where that takes too much work; and how far people stand and sway beside it, m
  * @property {Record<string, any>} event the table of the plan, filled
  */
 
@@ -180,14 +181,27 @@ function dance(plan, walk, report) {
   };
 }
 
-/** How far the tail leaves the line. @param {any} plan @param {Walk} walk @param {any} report */
+/** How far any bench leaves the line; null where that takes too much work. @param {Walk} walk @param {number} gain @param {any} report */
+function farthest(walk, gain, report) {
+  try {
+    return offTracking(walk, gain, report.start, report.end).farthest();
+  } catch (error) {
+    if (error instanceof OverBudgetError) return null;
+    throw error;
+  }
+}
+
+/** The tail, and how far benches leave the line. @param {any} plan @param {Walk} walk @param {any} report */
 function tailOf(plan, walk, report) {
   const first = Math.max(walk.dragon.benches - TAIL, 0) + 1;
   const { steering } = plan.people;
   const gains = steering == null ? [LEAST_GAIN, MOST_GAIN] : [steering];
-  const far = (/** @type {number} */ gain) =>
-    offTracking(walk, gain, report.start, report.end).farthest(first);
-  return { first, off: gains.map((gain) => ({ gain, far: far(gain) })) };
+  const { beside, sway, imprecision } = plan.people;
+  return {
+    first,
+    off: gains.map((gain) => ({ gain, far: farthest(walk, gain, report) })),
+    beside: beside + sway + imprecision,
+  };
 }
 
 /** How papers tell times. @param {any} plan @param {any} report */

@@ -9,6 +9,7 @@ import { notNegative } from "./errors.js";
 const askedOf = (of, start, end, walk = of) => [walk, start, end];
 const OFF_COLUMNS = 6;
 const Status = { OK: 0, BEFORE_ROUTE: 1, AFTER_ROUTE: 2, ROUTE_TOO_SHORT: 3, FOLDED: 4, LINK_OVER_DIAMETER: 5 };
+const whole = (_name, value) => value;
 export const LEAST_GAIN = 0.05;
 export const MOST_GAIN = 1.0;
 const STEP = 0.1;
@@ -38,6 +39,7 @@ class OffTracking {
     if (!py.truth(this.benches)) {
       return Infinity;
     }
+    whole("first", first, 1, py.len(this.benches));
     return py.max(py.list(py.slice(this.benches, (first - 1), null)).map((one) => py.max(py.add(one.left, one.left_error), py.add(one.right, one.right_error))));
   }
 }
