@@ -20,7 +20,6 @@ from .analysis.obstacles import least_distance as least_distance
 from .analysis.off_tracking import BenchOffTracking as BenchOffTracking
 from .analysis.off_tracking import OffTracking as OffTracking
 from .analysis.off_tracking import off_tracking as off_tracking
-from .analysis.off_tracking import steering_gain as steering_gain
 from .analysis.offsets import Offsets as Offsets
 from .analysis.offsets import bench_offsets as bench_offsets
 from .analysis.proof import prove_contact as prove_contact
@@ -109,6 +108,7 @@ from .solve.proposal import TooSmall as TooSmall
 from .solve.proposal import propose as propose
 from .solve.size import limit as limit
 from .solve.size import smallest_pitch as smallest_pitch
+from .solve.steering import steering_gain as steering_gain
 from .solve.tolerance import Deviations as Deviations
 from .solve.tolerance import Tolerance as Tolerance
 from .solve.tolerance import tolerance as tolerance

@@ -188,10 +188,10 @@ def test_how_far_benches_leave_the_line_is_told_with_what_it_rests_on(
         f"{some}, if bearers get back half of the way in {way} m ({source})"
         for some, way in zip(about, ways, strict=True)
     ]
-    expect(rows.get_by_role("cell")).to_have_text(told, timeout=5000)
+    expect(rows.get_by_role("cell")).to_have_text(told)
     beyond = max(far) + plan.people.sway > (plan.event.distance or math.inf)
     assert beyond == bool(settings)
-    expect(annex.get_by_text("benches may come beyond it")).to_have_count(int(beyond), timeout=5000)
+    expect(annex.get_by_text("benches may come beyond it")).to_have_count(int(beyond))
 
 
 def test_benches_that_would_fold_are_said_to(pages: Pages, tmp_path: Path) -> None:
@@ -200,8 +200,8 @@ def test_benches_that_would_fold_are_said_to(pages: Pages, tmp_path: Path) -> No
     file = tmp_path / "planner.html"
     file.write_text(planner_page(plan, "en"), "utf-8")
     annex = shown(annex_of(pages, file, "en"))
-    expect(annex).to_contain_text("benches would fold, if bearers get back half of", timeout=5000)
-    expect(annex.get_by_text("benches may come beyond it")).to_have_count(1, timeout=5000)
+    expect(annex).to_contain_text("benches would fold, if bearers get back half of")
+    expect(annex.get_by_text("benches may come beyond it")).to_have_count(1)
 
 
 def test_what_the_plan_does_not_say_is_a_blank_that_is_named(pages: Pages, tmp_path: Path) -> None:
