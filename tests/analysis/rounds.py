@@ -8,7 +8,7 @@ import pytest
 
 from benchdragon.analysis.rounds import Rounds, Span
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.plans.schema import Plan, checked
+from benchdragon.plans.schema import Plan, checked, read_plan
 
 LINE: dict[str, Any] = {"kind": "line", "length": 9.0}
 BEND: dict[str, Any] = {"kind": "arc", "radius": 4.0, "angle": 180}
@@ -29,6 +29,41 @@ def plan_of(part: list[dict[str, Any]], **more: Any) -> Plan:
     """A plan of four benches on a route of these parts."""
     route = {"kind": "parts", "part": part}
     return checked({"schema": 1, "dragon": {"benches": 4}, "route": route, **more}, "plan")
+
+
+# Of a village.
+BENCHES = (
+    "dragon.head_length=2",
+    "dragon.body_length=1.5",
+    "dragon.tail_length=1.5",
+    "dragon.width=0.2",
+)
+
+
+def coil(rounds: int, *settings: str) -> Plan:
+    """A dragon of twelve benches that coils in and out again and again."""
+    shape = ("route.pitch=2.2", "route.outer_radius=9", "disc.radius=4", "dragon.benches=12")
+    return read_plan("turn", [*BENCHES, *shape, f"route.rounds={rounds}", "limits.margin=0", *settings])
+
+
+def random_coil(seed: int) -> Plan:
+    """Some dragon that coils in and out some times, beside some thing."""
+    dice = random.Random(seed)
+    pitch = dice.uniform(1.5, 2.8)
+    disc = max(3.5, pitch * dice.uniform(1.2, 2.0))
+    place = [dice.uniform(-12.0, 12.0), dice.uniform(-12.0, 12.0)]
+    settings = (
+        *BENCHES,
+        f"route.rounds={dice.choice([3, 4])}",
+        f"route.pitch={pitch}",
+        f"route.outer_radius={disc * dice.uniform(1.1, 2.5)}",
+        f"disc.radius={disc}",
+        f"dragon.benches={dice.choice([3, 4, 8, 14])}",
+        f"walk.start={dice.choice([-5.0, 0.0])}",
+        f"limits.margin={dice.choice([0.0, 0.3, 0.9])}",
+    )
+    data = read_plan("turn", settings).data()
+    return checked({**data, "obstacle": [{"kind": "circle", "radius": 0.5, "centre": place}]}, "plan")
 
 
 def random_rounds(seed: int) -> Plan:

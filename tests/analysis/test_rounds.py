@@ -1,6 +1,7 @@
 """What repeats is left out of searches, and nothing else: their answers are those of the whole walk."""
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -33,8 +34,10 @@ from tests.analysis.rounds import (
     LINE,
     all_of_it,
     circle,
+    coil,
     periods,
     plan_of,
+    random_coil,
     random_rounds,
     stadium,
     told,
@@ -76,8 +79,21 @@ def test_of_a_circuit_one_round_is_followed_after_all_benches_walk_it(rounds: in
     assert last == pytest.approx(walk.head_where_tail(BEYOND_ROUND) + half + BEYOND_ROUND, abs=1e-6)
 
 
+@pytest.mark.parametrize("rounds", [3, 4, 12])
+def test_of_a_coil_two_rounds_are_followed(rounds: int) -> None:
+    """One in which the dragon comes from elsewhere, and one from a round before."""
+    plan = coil(rounds)
+    walk = plan.build()
+    ((first, last),) = new(plan)
+    start, end = walk.head_position(plan.span(walk)).tolist()
+    (period,) = periods(repeats(walk.route.rows))
+    links = walk.dragon.links.sum()
+    assert first == start
+    assert last < start + 2.0 * period + 2.0 * links < end
+
+
 def test_what_comes_after_rounds_is_followed_too() -> None:
-    plan = plan_of([LINE, BEND] * 8 + [{"kind": "line", "length": 30.0}])
+    plan = plan_of([LINE, BEND] * 8 + [{"kind": "arc", "radius": 30.0 / math.pi, "angle": 180}])
     spans, length = new(plan), plan.build().route.length
     assert len(spans) > 1
     # The last row of the route may be walked by all benches at once: it is the same everywhere, then.
@@ -197,8 +213,11 @@ def test_a_thing_beside_many_rounds_has_a_bracket_for_what_they_miss() -> None:
 
 
 @pytest.mark.parametrize("seed", range(24))
-def test_answers_are_those_of_the_whole_walk(seed: int, all_of_it: pytest.MonkeyPatch) -> None:
-    plan = random_rounds(seed)
+@pytest.mark.parametrize("made", [random_rounds, random_coil])
+def test_answers_are_those_of_the_whole_walk(
+    made: Callable[[int], Plan], seed: int, all_of_it: pytest.MonkeyPatch
+) -> None:
+    plan = made(seed)
     whole = check(plan)
     all_of_it.undo()
     found = check(plan)
@@ -214,13 +233,13 @@ def test_answers_are_those_of_the_whole_walk(seed: int, all_of_it: pytest.Monkey
         assert together(found.first_contact, whole.first_contact)
 
 
-def test_random_rounds_are_of_all_kinds() -> None:
-    kinds = [_kind(seed) for seed in range(24)]
+@pytest.mark.parametrize("made", [random_rounds, random_coil])
+def test_random_rounds_are_of_all_kinds(made: Callable[[int], Plan]) -> None:
+    kinds = [_kind(made(seed)) for seed in range(24)]
     assert {"skips", "touches", "skips for things", "skips and touches"} <= {*kinds[0].union(*kinds)}
 
 
-def _kind(seed: int) -> set[str]:
-    plan = random_rounds(seed)
+def _kind(plan: Plan) -> set[str]:
     walk = plan.build()
     span = plan.span(walk)
     a, b = walk.head_position(span).tolist()
@@ -286,6 +305,15 @@ def work(plan: Plan) -> tuple[Report, float]:
         whole = budget.left()
         found = check(plan)
         return found, whole - budget.left()
+
+
+def test_many_rounds_of_a_coil_take_as_much_work_as_three() -> None:
+    asked = [f"people.{name}={value}" for name, value in PEOPLE.items()]
+    three, few = work(coil(3, *asked))
+    many, much = work(coil(12, *asked))
+    assert (three.safe, many.safe) == (True, True)
+    assert much <= 1.05 * few
+    assert together(many.clearance, three.clearance)
 
 
 @pytest.mark.parametrize(

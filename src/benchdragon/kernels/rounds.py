@@ -13,7 +13,7 @@ import numpy as np
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow
+from benchdragon.kernels.curve import CurveKind, FloatArray, RouteRow, heading, walks_up
 from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.rounding import KINK, Seam
 from benchdragon.kernels.route import IntArray
@@ -30,12 +30,12 @@ ROOM = 64
 
 
 @kernel
-def has_shape(rows: FloatArray, j: int) -> bool:
-    """Whether row j is of a kind whose shape is compared."""
+def same_curve(rows: FloatArray, j: int, k: int) -> bool:
+    """Whether two rows are parts of curves of one kind and size."""
     return (
-        rows[j, RouteRow.KIND] == CurveKind.LINE
-        or rows[j, RouteRow.KIND] == CurveKind.ARC
-        or rows[j, RouteRow.KIND] == CurveKind.CLOTHOID
+        rows[k, RouteRow.KIND] == rows[j, RouteRow.KIND]
+        and rows[k, RouteRow.P] == rows[j, RouteRow.P]
+        and rows[k, RouteRow.Q] == rows[j, RouteRow.Q]
     )
 
 
@@ -46,10 +46,9 @@ def alike(rows: FloatArray, j: int, period: int) -> bool:
     return (
         k >= 0
         and rows[k, RouteRow.LENGTH] == rows[j, RouteRow.LENGTH]
-        and rows[k, RouteRow.KIND] == rows[j, RouteRow.KIND]
-        and rows[k, RouteRow.P] == rows[j, RouteRow.P]
-        and rows[k, RouteRow.Q] == rows[j, RouteRow.Q]
-        and has_shape(rows, j)
+        and rows[k, RouteRow.U_START] == rows[j, RouteRow.U_START]
+        and rows[k, RouteRow.U_END] == rows[j, RouteRow.U_END]
+        and same_curve(rows, j, k)
     )
 
 
@@ -64,13 +63,27 @@ def is_smooth(rows: FloatArray, j: int) -> bool:
     """Whether the route goes on without a kink where row j starts: rounding may have made one."""
     if j == 0:
         return True
-    if not has_shape(rows, j) or not has_shape(rows, j - 1):
-        return False
-    length = rows[j - 1, RouteRow.LENGTH]
-    end = rows[j - 1, RouteRow.ANGLE] + length * (
-        rows[j - 1, RouteRow.P] + 0.5 * rows[j - 1, RouteRow.Q] * length
-    )
-    return abs(wrapped(rows[j, RouteRow.ANGLE] - end)) <= KINK
+    begun = heading(rows, j, rows[j, RouteRow.U_START])
+    ended = heading(rows, j - 1, rows[j - 1, RouteRow.U_END])
+    return abs(wrapped(begun - ended)) <= KINK
+
+
+@kernel
+def is_even(rows: FloatArray, j: int) -> bool:
+    """Whether row j is the same everywhere."""
+    return rows[j, RouteRow.KIND] == CurveKind.LINE or rows[j, RouteRow.KIND] == CurveKind.ARC
+
+
+@kernel
+def shared_way(rows: FloatArray, j: int, k: int, end: int) -> float:
+    """How far, m, rows j and k have one shape after their starts, or with `end` 1 before their ends."""
+    if k < 0 or j >= rows.shape[0] or not same_curve(rows, j, k):
+        return 0.0
+    shared, u = is_even(rows, j), RouteRow.U_END if end else RouteRow.U_START
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
+        shared = rows[j, u] == rows[k, u] and walks_up(rows, j) == walks_up(rows, k)
+    shared = shared and is_smooth(rows, j + end) and is_smooth(rows, k + end)
+    return min(rows[j, RouteRow.LENGTH], rows[k, RouteRow.LENGTH]) if shared else 0.0
 
 
 @kernel
@@ -103,6 +116,14 @@ def add_repeat(
 
 
 @kernel
+def lever(rows: FloatArray, j: int) -> float:
+    """How far a row leads from the point about which its angle turns it, at most, m."""
+    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
+        return rows[j, RouteRow.P] * max(rows[j, RouteRow.U_START], rows[j, RouteRow.U_END])
+    return rows[j, RouteRow.LENGTH]
+
+
+@kernel
 def returned(
     rows: FloatArray, seams: FloatArray, reach: float, first: int, last: int, period: int
 ) -> tuple[int, float]:
@@ -119,7 +140,7 @@ def returned(
             rows[copy, RouteRow.Y] - rows[before, RouteRow.Y]
         )
         other = seams[before, Seam.GAP] + seams[before, Seam.TILT] * other
-        off += turned * (rows[copy, RouteRow.LENGTH] + reach) + joint + other
+        off += turned * (lever(rows, copy) + reach) + joint + other
         if off > MOST_MISSED:
             return copy - 1, missed
         missed = max(missed, off)
@@ -135,7 +156,7 @@ def find_bends(rows: FloatArray, back: bool, known: FloatArray) -> int:
         low, high = rows[j, RouteRow.S_START], rows[j, RouteRow.S_START] + rows[j, RouteRow.LENGTH]
         if back and arc and rows[j, RouteRow.P] != 0.0:
             count = add_repeat(known, count, low, high, TURN / abs(rows[j, RouteRow.P]), 0.0)
-        elif not back and (arc or rows[j, RouteRow.KIND] == CurveKind.LINE):
+        elif not back and is_even(rows, j):
             low = -math.inf if j == 0 and math.isinf(rows[0, RouteRow.U_BACK]) else low
             count = add_repeat(known, count, low, high, 0.0, 0.0)
     return count
@@ -146,7 +167,10 @@ def add_run(
     rows: FloatArray, seams: FloatArray, reach: float, run: tuple[int, int, int], used: IntArray,
     known: FloatArray, count: int,
 ) -> int:  # fmt: skip
-    """Record a run, (first row, last row, period), of rows that recur; the number of repeats."""
+    """Record a run, (first row, last row, period), of rows that recur; the number of repeats.
+
+    Where it need not lead back, it may begin and end within rows that differ in length alone.
+    """
     begin, end, period = run
     first, missed = begin + period, 0.0
     if seams.shape[0]:
@@ -155,9 +179,12 @@ def add_run(
         return count
     for k in range(first, end + 1):
         used[k] = 1
-    way = rows[first, RouteRow.S_START] - rows[begin, RouteRow.S_START]
-    high = rows[end, RouteRow.S_START] + rows[end, RouteRow.LENGTH]
-    return add_repeat(known, count, rows[begin, RouteRow.S_START], high, way, missed)
+    low, high = rows[begin, RouteRow.S_START], rows[end, RouteRow.S_START] + rows[end, RouteRow.LENGTH]
+    way = rows[first, RouteRow.S_START] - low
+    if not seams.shape[0]:
+        low -= shared_way(rows, first - 1, begin - 1, 1)
+        high += shared_way(rows, end + 1, end + 1 - period, 0)
+    return add_repeat(known, count, low, high, way, missed)
 
 
 @kernel
