@@ -78,7 +78,8 @@ export class Delayed {
 }
 
 /** How long a question may be on its way before a newer one takes its place, ms: so long, or twice as
- * long as the last answer took, and twice as long again after each that was given up. */
+ * long as the last answer took, and twice as long again after each that was given up. If the plan stays
+ * as it is for so long, what is on its way about another is given up at once. */
 const PATIENCE = 250;
 
 /**
@@ -102,6 +103,7 @@ export class Standing {
     this.flying = null;
     this.since = 0;
     this.patience = PATIENCE;
+    this.resting = new Delayed(PATIENCE, () => this.wanted && this.flying?.abort());
     /** Times from a question to its answer, ms. @type {number[]} */
     this.times = [];
   }
@@ -109,8 +111,9 @@ export class Standing {
   /** Ask about a plan, and no more about those before. @param {Plan} plan */
   renew(plan) {
     this.wanted = plan;
-    if (!this.flying) this.#go();
-    else if (performance.now() - this.since > this.patience) {
+    if (!this.flying) return void this.#go();
+    this.resting.renew();
+    if (performance.now() - this.since > this.patience) {
       this.patience *= 2;
       this.flying.abort();
     }
