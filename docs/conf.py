@@ -248,11 +248,13 @@ def speak(_app: Sphinx, config: Config) -> None:
     os.environ["BENCHDRAGON_LANG"] = "zh" if chinese else "en"
     config.html_title = "benchdragon 板凳龙" if chinese else "benchdragon"
     config.copyright = "benchdragon 开发者" if chinese else author
+    config.nb_execution_excludepatterns = config.idle_pages.split()
     config.html_theme_options["search_bar_text"] = "搜索" if chinese else "Search"
 
 
 def setup(app: Sphinx) -> None:
     """Add the role, the formulas, the search, the player and the language."""
+    app.add_config_value("idle_pages", "", "env", str, "Those whose cells do not run.")
     app.add_role("view", Listing())
     app.add_html_math_renderer("mathml", (visit_math, None), (visit_display, None))
     app.add_search_language(Search)
