@@ -67,6 +67,12 @@ LISTING = re.compile(r"{view}`(.*?):(.*?)`")
 LABEL = re.compile(r"^\([\w-]+\)=\n", re.MULTILINE)
 DOWNLOAD = re.compile(r"\s*^---\s+{nb-download}`.*`\s*", re.MULTILINE)
 
+# Arrays as signatures have them, and their names.
+ARRAYS = {
+    stringify_annotation(npt.ArrayLike, "smart"): "ArrayLike",
+    stringify_annotation(FloatArray, "smart"): "ndarray",
+}
+
 # The menu of all pages by the folder of the pages that show it.
 MENUS: dict[str, str] = {}
 
@@ -155,8 +161,8 @@ def refer(_app: Sphinx, page: str, source: list[str]) -> None:
 def shorten(*event: Any) -> tuple[str | None, str | None]:
     """Call arrays by their names in signatures, and not by all that they may be."""
     said = [text or "" for text in event[-2:]]
-    for kind, name in ((npt.ArrayLike, "ArrayLike"), (FloatArray, "ndarray")):
-        said = [text.replace(stringify_annotation(kind, "smart"), name) for text in said]
+    for kind, name in ARRAYS.items():
+        said = [text.replace(kind, name) for text in said]
     return said[0] or None, said[1] or None
 
 
