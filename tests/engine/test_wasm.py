@@ -15,6 +15,8 @@ from benchdragon.hosts import built, native
 from benchdragon.hosts.signature import signature
 from benchdragon.hosts.wasm import Host, sections, told
 from benchdragon.kernels import entries
+from tests.browser.pages import Pages
+from tests.engine.chromium import replayed_there
 from tests.engine.recording import (
     LOADER,
     MODULE,
@@ -110,6 +112,13 @@ def test_every_entry_of_the_module_gives_what_plain_python_gives(folder: Path) -
 def test_every_entry_gives_in_node_what_plain_python_gives(folder: Path) -> None:
     memory, _seconds = replayed(folder)
     assert differences(folder, memory) == {}
+
+
+@alike
+def test_every_entry_gives_in_chromium_what_plain_python_gives(
+    folder: Path, pages: Pages, tmp_path: Path
+) -> None:
+    assert differences(folder, replayed_there(pages, folder, tmp_path)) == {}
 
 
 # What a script of a page may do wrong, and what it is told.
