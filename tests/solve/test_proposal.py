@@ -10,10 +10,12 @@ import pytest
 from benchdragon.analysis.check import check
 from benchdragon.errors import InputError, NoSolutionError, UnsureError
 from benchdragon.plans.schema import Plan
+from benchdragon.progress import silent
 from benchdragon.solve import proposal
 from benchdragon.solve.course import course_of
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.proposal import Proposal, TooSmall, benches_out_again, propose
+from benchdragon.solve.proposal import Proposal, TooSmall, _may_fit, benches_out_again, propose
+from benchdragon.solve.square import Square
 from benchdragon.solve.wishes import Wishes
 
 SMALL = Wishes(12, 1.5, 0.15, rectangle=(20.0, 18.0), carry="under")
@@ -69,6 +71,51 @@ def test_the_speed_that_handles_allow_is_sought_of_dances_that_fit_alone(
     assert isinstance(found, Proposal)
     assert not found.slower
     assert 0 < len(asked) == sum(found_room) < len(found_room)
+
+
+def coil_on(wishes: Wishes) -> Square:
+    """A small coil on the square of some wishes."""
+    return Square(wishes.plan("spiral-in", 1.6, 2.0, 1.0).with_value("route.start_turn", 2.5))
+
+
+def test_what_keeps_its_margin_at_an_angle_between_two_that_are_tried_may_fit() -> None:
+    square = coil_on(SMALL)
+    whole = [square.extent(float(angle)) for angle in range(180)]
+    between = 0
+    for angle in np.arange(0.5, 180.0, 3.0):
+        left, right, low, high = square.extent(float(angle))
+        sides = right - left, high - low
+        kept = [side + 2.0 * square.venue.margin for side in sides]
+        assert _may_fit(square, replace(SMALL, rectangle=(kept[0], kept[1])))
+        between += not any(
+            one[1] - one[0] <= max(sides) and one[3] - one[2] <= min(sides) for one in whole
+        )
+    assert between
+
+
+@pytest.mark.parametrize(("share", "may"), [(1.0, True), (0.9991, True), (0.9989, False)])
+def test_a_dance_may_fit_a_round_square_of_its_own_size(share: float, may: bool) -> None:
+    """The circle about it may be wider than the smallest by a thousandth."""
+    square = coil_on(SMALL)
+    radius = share * square.circle()[2] + square.venue.margin
+    assert _may_fit(square, replace(SMALL, rectangle=None, radius=radius)) is may
+
+
+def test_what_may_not_fit_has_no_room_anywhere() -> None:
+    seen = set()
+    for size in (6.0, 9.0, 12.0, 15.0):
+        corners = ((0.0, 0.0), (size, 0.3 * size), (0.8 * size, 1.2 * size), (-0.1 * size, size))
+        for wishes in (
+            replace(SMALL, rectangle=None, radius=0.5 * size),
+            replace(SMALL, rectangle=None, boundary=corners),
+            replace(SMALL, rectangle=(size, 1.1 * size)),
+        ):
+            square = coil_on(wishes)
+            room = square.room(square.roomiest(silent))
+            may = _may_fit(square, wishes)
+            assert may or room < 0.0
+            seen.add((may, room >= 0.0))
+    assert {(True, True), (False, False)} <= seen
 
 
 CROOKED = ((0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (1.0, 1.0), (1.0, 4.0), (0.0, 4.0))  # 7 m²

@@ -318,7 +318,7 @@ def _begun(plan: Plan, rounds: float) -> Plan:
 def _sized(wishes: Wishes, kind: Kind, ahead: float, rounds: float | None = None) -> list[Plan]:
     """The dance with each of the sizes that take the least room.
 
-    With `rounds` those are left out that cannot fit a rectangle, begun so many rounds out.
+    With `rounds` those are left out that cannot fit the square, begun so many rounds out.
     """
     few = replace(wishes, benches=min(wishes.benches, ENOUGH), roster="", rounds=1)
     link = max(wishes.length, wishes.head_length) - 2.0 * wishes.inset
@@ -396,9 +396,9 @@ def _placed(wishes: Wishes, sized: Plan, rounds: float) -> _Dance | None:
 
 
 def _roomiest(wishes: Wishes, plan: Plan) -> _Dance:
-    """A dance at its roomiest pose; with no room where it is larger than a rectangle."""
+    """A dance at its roomiest pose; with no room where it is larger than the square."""
     square = Square(plan)
-    if wishes.rectangle is not None and not _may_fit(square, wishes.rectangle):
+    if not _may_fit(square, wishes):
         return _Dance(square, plan, -math.inf)
     pose = square.roomiest(silent)
     return _Dance(square, square.at(pose), square.room(pose) - SPARE)
@@ -407,22 +407,24 @@ def _roomiest(wishes: Wishes, plan: Plan) -> _Dance:
 def _never_fits(
     wishes: Wishes, kind: Kind, pitch: float, disc: float, ahead: float, rounds: float
 ) -> bool:
-    """Whether a dance is too large for a rectangle at a pitch, and so at every larger one."""
-    if wishes.rectangle is None:
-        return False
+    """Whether a dance is too large for the square at a pitch, and so, it is taken, at larger ones."""
     plan = wishes.plan(kind, pitch, disc, ahead)
     try:
-        return not _may_fit(Square(_begun(plan, rounds)), wishes.rectangle)
+        return not _may_fit(Square(_begun(plan, rounds)), wishes)
     except (WalkError, UnsureError, PlanError):
         return False
 
 
-def _may_fit(square: Square, rectangle: tuple[float, float]) -> bool:
-    """Whether the dance is as small as a rectangle at some angle, its margin to the edge included."""
-    sides = [side - 2.0 * square.venue.margin for side in rectangle]
+def _may_fit(square: Square, wishes: Wishes) -> bool:
+    """Whether the dance may keep its margin within a round square, or the box about another."""
+    kept = square.venue.margin
+    if wishes.radius is not None:  # the circle found is a thousandth wider than the smallest at most
+        return 0.999 * square.circle()[2] <= wishes.radius - kept
+    box = [max(side) - min(side) for side in zip(*wishes.corners, strict=True)]
+    more = math.hypot(*box) * math.pi / (2.0 * ANGLES) - 2.0 * kept  # half a degree adds less
     for angle in range(ANGLES):  # the first will do
-        low_x, high_x, low_y, high_y = square.extent(float(angle))
-        if high_x - low_x <= max(sides) and high_y - low_y <= min(sides):
+        left, right, low, high = square.extent(float(angle))
+        if right - left <= max(box) + more and high - low <= min(box) + more:
             return True
     return False
 
@@ -430,15 +432,13 @@ def _may_fit(square: Square, rectangle: tuple[float, float]) -> bool:
 def _speed(wishes: Wishes, plan: Plan) -> float:
     """The head speed with which no handle of a dance is faster than a bench can be carried, m/s."""
     most = min(greatest_head_speed(plan).lower, wishes.speed)
-    steps = rounded_down(most, SPEED_STEP)
-    return steps if steps > 0.0 else rounded_down(most, 1e-3)
+    return rounded_down(most, SPEED_STEP) or rounded_down(most, 1e-3)
 
 
 def _led(wishes: Wishes, plan: Plan) -> Plan | None:
     """The dance with the street before it, begun there; None where that does not lead to it."""
-    begun = {"route.street": wishes.street, "walk.start": None, "walk.end": None}
     try:
-        led = plan.with_values(begun)
+        led = plan.with_values({"route.street": wishes.street, "walk.start": None, "walk.end": None})
         return led.with_value("walk.speed", _speed(wishes, led))
     except (WalkError, UnsureError, PlanError):
         return None

@@ -307,7 +307,7 @@ async function _placed(wishes, sized, rounds) {
 function _roomiest(wishes, plan) {
   let pose, square;
   square = new Square(plan);
-  if (((wishes.rectangle != null) && !py.truth(_mayFit(square, wishes.rectangle)))) {
+  if (!py.truth(_mayFit(square, wishes))) {
     return new _Dance(square, plan, -Infinity);
   }
   pose = square.roomiest(silent);
@@ -315,12 +315,9 @@ function _roomiest(wishes, plan) {
 }
 function _neverFits(wishes, kind, pitch, disc, ahead, rounds) {
   let plan;
-  if ((wishes.rectangle == null)) {
-    return false;
-  }
   plan = wishes.plan(kind, pitch, disc, ahead);
   try {
-    return !py.truth(_mayFit(new Square(_begun(plan, rounds)), wishes.rectangle));
+    return !py.truth(_mayFit(new Square(_begun(plan, rounds)), wishes));
   } catch (error) {
     if (error instanceof WalkError || error instanceof UnsureError || error instanceof PlanError) {
       return false;
@@ -328,28 +325,31 @@ function _neverFits(wishes, kind, pitch, disc, ahead, rounds) {
     throw error;
   }
 }
-function _mayFit(square, rectangle) {
-  let angle, highX, highY, lowX, lowY, sides;
-  sides = py.list(rectangle).map((side) => py.sub(side, (2.0 * square.venue.margin)));
+function _mayFit(square, wishes) {
+  let angle, box, high, kept, left, low, more, right;
+  kept = square.venue.margin;
+  if ((wishes.radius != null)) {
+    return ((0.999 * py.at(square.circle(), 2)) <= py.sub(wishes.radius, kept));
+  }
+  box = py.list(py.zip(...py.iter(wishes.corners))).map((side) => py.sub(py.max(side), py.min(side)));
+  more = py.sub(((py.hypot(...py.iter(box)) * Math.PI) / (2.0 * ANGLES)), (2.0 * kept));
   for (angle of py.iter(py.range(ANGLES))) {
-    [lowX, highX, lowY, highY] = py.list(square.extent(py.float(angle)));
-    if (((py.sub(highX, lowX) <= py.max(sides)) && (py.sub(highY, lowY) <= py.min(sides)))) {
+    [left, right, low, high] = py.list(square.extent(py.float(angle)));
+    if (((py.sub(right, left) <= py.add(py.max(box), more)) && (py.sub(high, low) <= py.add(py.min(box), more)))) {
       return true;
     }
   }
   return false;
 }
 async function _speed(wishes, plan) {
-  let most, steps;
+  let most;
   most = py.min((await greatestHeadSpeed(plan)).lower, wishes.speed);
-  steps = roundedDown(most, SPEED_STEP);
-  return ((steps > 0.0) ? steps : roundedDown(most, 0.001));
+  return py.or(roundedDown(most, SPEED_STEP), () => roundedDown(most, 0.001));
 }
 async function _led(wishes, plan) {
-  let begun, led;
-  begun = py.dict([["route.street", wishes.street], ["walk.start", null], ["walk.end", null]]);
+  let led;
   try {
-    led = plan.with_values(begun);
+    led = plan.with_values(py.dict([["route.street", wishes.street], ["walk.start", null], ["walk.end", null]]));
     return led.with_value("walk.speed", (await _speed(wishes, led)));
   } catch (error) {
     if (error instanceof WalkError || error instanceof UnsureError || error instanceof PlanError) {
