@@ -92,6 +92,13 @@ def test_a_row_before_rounds_that_ends_otherwise_is_none_of_them(column: int, va
     assert of_the_coil(rows)[0] == rows[1, RouteRow.S_START]
 
 
+def test_a_row_that_leads_back_by_a_kink_is_none_of_a_round() -> None:
+    rows = COIL.copy()
+    rows[PERIOD, RouteRow.ANGLE] += 2.0 * KINK
+    known = repeats(rows)
+    assert known[known[:, RepeatSpan.PERIOD] > 0.0, RepeatSpan.LOW].min() == rows[1, RouteRow.S_START]
+
+
 def test_a_spiral_before_rounds_that_ends_farther_out_is_none_of_them() -> None:
     rows = COIL.copy()
     rows[0, RouteRow.U_END] += 0.1

@@ -78,8 +78,8 @@ export class Delayed {
 }
 
 /** How long a question may be on its way before a newer one takes its place, ms: so long, or twice as
- * long as the last answer took, and twice as long again after each that was given up. If the plan stays
- * as it is for so long, what is on its way about another is given up at once. */
+ * long as the last answer took, and twice as long again after each that was given up. A plan that stays
+ * as it is takes its place sooner: after so long, or twice as long again after each that was given up. */
 const PATIENCE = 250;
 
 /**
@@ -99,11 +99,13 @@ export class Standing {
     this.failed = failed;
     /** The plan to be asked about next. @type {Plan | null} */
     this.wanted = null;
+    /** The plan of the question on its way. @type {Plan | null} */
+    this.asked = null;
     /** @type {AbortController | null} */
     this.flying = null;
     this.since = 0;
     this.patience = PATIENCE;
-    this.resting = new Delayed(PATIENCE, () => this.wanted && this.flying?.abort());
+    this.resting = new Delayed(PATIENCE, () => this.#rested());
     /** Times from a question to its answer, ms. @type {number[]} */
     this.times = [];
   }
@@ -119,6 +121,13 @@ export class Standing {
     }
   }
 
+  /** The plan stayed as it is while a question about another was on its way. */
+  #rested() {
+    if (!this.wanted || this.wanted === this.asked) return;
+    this.resting.delay *= 2;
+    this.flying?.abort();
+  }
+
   /** Ask no more. */
   drop() {
     this.wanted = null;
@@ -128,7 +137,7 @@ export class Standing {
   async #go() {
     while (this.wanted) {
       const plan = this.wanted;
-      this.wanted = null;
+      [this.asked, this.wanted] = [plan, null];
       this.flying = new AbortController();
       this.since = performance.now();
       try {
@@ -143,5 +152,6 @@ export class Standing {
       }
     }
     this.flying = null;
+    this.resting.delay = PATIENCE;
   }
 }
