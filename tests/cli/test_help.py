@@ -50,9 +50,7 @@ def test_each_verb_has_an_example_that_can_be_pasted_as_it_is_printed(
     monkeypatch.setenv("COLUMNS", "60")
     assert run(["help", *words.split()]) == 0
     printed = capsys.readouterr().out.partition("\nExample:\n")[2]
-    line = shlex.split(
-        printed.replace("\\\n", "").removeprefix('  benchdragon eval "$(').replace(')"', "")
-    )
+    line = shlex.split(printed.replace("\\\n", "").removeprefix('  eval "$(').replace(')"', ""))
     verb = VERBS[words]
     assert line[: 1 + len(words.split())] == ["benchdragon", *words.split()]
     assert verb.make_context(words, line[1 + len(words.split()) :])

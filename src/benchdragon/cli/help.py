@@ -68,8 +68,9 @@ class Verb(click.Command):
                 formatter.write_text(text)
         super().format_options(ctx, formatter)
         if self.example:
+            begun = "" if "benchdragon" in self.example else "benchdragon "
             lines = textwrap.wrap(
-                f"benchdragon {self.example}", formatter.width - 6, subsequent_indent="  ",
+                f"{begun}{self.example}", formatter.width - 6, subsequent_indent="  ",
                 break_on_hyphens=False, break_long_words=False,
             )  # fmt: skip
             with formatter.section(_("Example")):
