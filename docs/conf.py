@@ -32,7 +32,7 @@ from benchdragon.player.scene import judged_dance
 from benchdragon.version import __version__
 
 sys.path.insert(0, str(Path(__file__).parent))
-from reference import write_pages
+from reference import write_modules, write_pages
 
 author = "The benchdragon developers"
 project = "benchdragon"
@@ -196,8 +196,10 @@ def share(_app: Sphinx, page: str, _template: str, context: dict[str, Any], *_mo
 
 
 def describe(app: Sphinx) -> None:
-    """Write the pages of public names."""
-    write_pages(Path(app.srcdir) / "reference", "zh" if app.config.language == "zh_CN" else "en")
+    """Write the pages of public names and of modules."""
+    language = "zh" if app.config.language == "zh_CN" else "en"
+    write_pages(Path(app.srcdir) / "reference", language)
+    write_modules(Path(app.srcdir) / "modules", language)
 
 
 def offer(app: Sphinx, page: str, source: list[str]) -> None:
@@ -260,7 +262,7 @@ def speak(_app: Sphinx, config: Config) -> None:
 
 def setup(app: Sphinx) -> None:
     """Add the role, the formulas, the search, the player and the language."""
-    app.add_config_value("idle_pages", "", "env", str, "Those whose cells do not run.")
+    app.add_config_value("idle_pages", "", "env", str, "Pages whose cells do not run.")
     app.add_role("view", Listing())
     app.add_html_math_renderer("mathml", (visit_math, None), (visit_display, None))
     app.add_search_language(Search)

@@ -1,8 +1,10 @@
-"""A page for each public name: what it takes and returns, its example, a picture."""
+"""Pages made from docstrings: one for each public name, with its picture, and those about modules."""
 
 import ast
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -44,23 +46,42 @@ SAME = {
     "Answer": "first_contact", "Walk": "Motion", "read_plan": "Plan",
 }  # fmt: skip
 PICTURE = {"en": "Picture", "zh": "图"}
+# Titles of pages about modules, and the modules in each.
+MODULES = tomllib.loads(Path(__file__).with_name("modules.toml").read_text("utf-8"))
 
 
 def write_pages(folder: Path, language: str) -> None:
     """Write a page for each public name, and its picture, into a folder of the manual's sources."""
-    folder.mkdir(exist_ok=True)
     bd.use_language(language)
-    known = {f"{name}.md" for name in bd.__all__} | {f"{name}.png" for name in PICTURES}
-    for path in folder.iterdir():
-        if path.name not in known:
-            path.unlink()
+    pages = {f"{name}.md": _page(name, PICTURE[language]) for name in bd.__all__}
+    _write(folder, pages, {f"{name}.png" for name in PICTURES})
     for name, code in PICTURES.items():
         _draw(code, folder / f"{name}.png")
-    for name in bd.__all__:
-        text = "\n".join(_page(name, PICTURE[language]))
-        path = folder / f"{name}.md"
+
+
+def write_modules(folder: Path, language: str) -> None:
+    """Write the pages about modules into a folder of the manual's sources."""
+    _write(folder, {f"{name}.md": _modules(page, language) for name, page in MODULES.items()}, set())
+
+
+def _write(folder: Path, pages: dict[str, Iterator[str]], others: set[str]) -> None:
+    """Have these pages in a folder, and others, and no more; what is the same stays as it is."""
+    folder.mkdir(exist_ok=True)
+    for path in folder.iterdir():
+        if path.name not in {*pages, *others}:
+            path.unlink()
+    for name, lines in pages.items():
+        path, text = folder / name, "\n".join(lines)
         if not path.exists() or path.read_text("utf-8") != text:
             path.write_text(text, "utf-8")
+
+
+def _modules(page: dict[str, Any], language: str) -> Iterator[str]:
+    """The lines of a page about modules."""
+    yield from (f"# {page[language]}", "", page.get("about", {}).get(language, ""), "")
+    for name, chinese in page["modules"].items():
+        yield from (f"## {name}", "", chinese if language == "zh" else "", "")
+        yield from ("```{eval-rst}", f".. automodule:: benchdragon.{name}", "```", "")
 
 
 def _draw(code: str, path: Path) -> None:

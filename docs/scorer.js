@@ -2,7 +2,7 @@
 // take and hold; modules and kernels last.
 var Scorer = {
   score: ([page, _title, anchor, _text, score]) => {
-    if (page.startsWith("module-")) return score - 60;
+    if (page.startsWith("modules/")) return score - 60;
     if (page.startsWith("reference/")) return anchor ? score - 20 : score + 10;
     if (page.startsWith("question-") && !anchor) return score + 12;
     return score;
