@@ -76,13 +76,16 @@ def is_even(rows: FloatArray, j: int) -> bool:
 
 @kernel
 def shared_way(rows: FloatArray, j: int, k: int, end: int) -> float:
-    """How far, m, rows j and k have one shape after their starts, or with `end` 1 before their ends."""
+    """How far, m, rows j and k have one shape after their starts, or with `end` 1 before their ends.
+
+    That is 0 where the route has a kink there.
+    """
     if k < 0 or j >= rows.shape[0] or not same_curve(rows, j, k):
         return 0.0
-    shared, u = is_even(rows, j), RouteRow.U_END if end else RouteRow.U_START
-    if rows[j, RouteRow.KIND] == CurveKind.SPIRAL:
-        shared = rows[j, u] == rows[k, u] and walks_up(rows, j) == walks_up(rows, k)
-    shared = shared and is_smooth(rows, j + end) and is_smooth(rows, k + end)
+    u = RouteRow.U_END if end else RouteRow.U_START
+    spiral = rows[j, RouteRow.KIND] == CurveKind.SPIRAL
+    spiral = spiral and rows[j, u] == rows[k, u] and walks_up(rows, j) == walks_up(rows, k)
+    shared = (is_even(rows, j) or spiral) and is_smooth(rows, j + end) and is_smooth(rows, k + end)
     return min(rows[j, RouteRow.LENGTH], rows[k, RouteRow.LENGTH]) if shared else 0.0
 
 
@@ -169,7 +172,8 @@ def add_run(
 ) -> int:  # fmt: skip
     """Record a run, (first row, last row, period), of rows that recur; the number of repeats.
 
-    Where it need not lead back, it may begin and end within rows that differ in length alone.
+    Where it need not lead back, it may begin and end within rows that differ in length alone: whether
+    it leads back is seen of whole rows.
     """
     begin, end, period = run
     first, missed = begin + period, 0.0
