@@ -233,10 +233,10 @@ def test_a_bench_in_rows_that_are_apart_is_told_and_in_rows_one_after_the_other_
     tmp_path: Path,
 ) -> None:
     rows: Cells = [
-        ["桥号", "姓名"], [1, "张三"], [1, "李四"], [2, "王五"], [3, "赵六"], [3, "孙八"], [2, "钱七"]
+        ["桥号", "姓名"], [1, "张三"], [1, "李四"], [2, "王五"], [3, "赵六"], [2, "钱七"], [4, "孙八"]
     ]  # fmt: skip
     notes = read(tmp_path, rows).notes
-    assert "bench 2 is in rows 4, 7: all of their people are taken for it" in notes
+    assert "bench 2 is in rows 4, 6: all of their people are taken for it" in notes
     assert not any("bench 1 is in rows" in note for note in notes)
 
 

@@ -93,6 +93,16 @@ def test_what_keeps_its_margin_at_an_angle_between_two_that_are_tried_may_fit() 
     assert between
 
 
+@pytest.mark.parametrize("turned", [0.0, 90.0])
+def test_a_long_dance_may_fit_along_the_longer_side(turned: float) -> None:
+    wide = {"route.start_turn": 6.0, "walk.end": 1.0}
+    square = Square(SMALL.plan("spiral-in", 1.6, 2.0, 1.0).with_values(wide))
+    left, right, low, high = square.extent(turned)
+    sides = [side + 2.0 * square.venue.margin for side in (right - left, high - low)]
+    assert abs(sides[0] - sides[1]) > 2.0
+    assert _may_fit(square, replace(SMALL, rectangle=(sides[0], sides[1])))
+
+
 @pytest.mark.parametrize(("share", "may"), [(1.0, True), (0.9991, True), (0.9989, False)])
 def test_a_dance_may_fit_a_round_square_of_its_own_size(share: float, may: bool) -> None:
     """The circle about it may be wider than the smallest by a thousandth."""
