@@ -86,8 +86,11 @@ class Held:
         self.page, self.name = page, name
         # Else a question that is long on its way is given up for a newer one.
         page.evaluate(
-            """for (const one of ["verdicts", "sketches", "dances"])
-              benchdragon[one].patience = benchdragon[one].resting.delay = 1e9"""
+            """for (const one of ["verdicts", "sketches", "dances"]) {
+              benchdragon[one].patience = 1e9;
+              // An answer would set this back.
+              Object.defineProperty(benchdragon[one].resting, "delay", { get: () => 1e9, set() {} });
+            }"""
         )
         page.evaluate("(name) => { (globalThis.heldUp ??= {})[name] = []; }", name)
         on_its_way(
